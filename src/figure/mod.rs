@@ -1,0 +1,1 @@
+//! The figure as typed items in millimetres of paper.

@@ -1,0 +1,1 @@
+//! Ink: numbers, SVG, PNG.

@@ -1,0 +1,372 @@
+//! The scene after reading: names resolved, SI units, nothing left to interpret.
+//!
+//! Lengths are metres, angles radians (see [`Angle`]), rates per second. The order of every list is the order in the file.
+//! Whether the given things suffice to fix the mechanism is *not* decided here but in [`crate::mechanism`] and
+//! [`crate::position`].
+
+use crate::diag::Span;
+
+/// Index into [`Scene::points`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PointId(pub usize);
+
+/// Index into [`Scene::links`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct LinkId(pub usize);
+
+/// Index into [`Scene::guides`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct GuideId(pub usize);
+
+/// A language of the figures and texts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Lang {
+    /// English.
+    #[default]
+    En,
+    /// Chinese.
+    Zh,
+}
+
+/// A text in both languages; a scene that gives one gets it in both.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Localized {
+    /// English.
+    pub en: String,
+    /// Chinese.
+    pub zh: String,
+}
+
+impl Localized {
+    /// The text in one language.
+    pub fn get(&self, lang: Lang) -> &str {
+        match lang {
+            Lang::En => &self.en,
+            Lang::Zh => &self.zh,
+        }
+    }
+}
+
+/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Angle {
+    /// Degrees.
+    Deg(f64),
+    /// Radians.
+    Rad(f64),
+}
+
+/// A quantity as the scene writes it, with its SI value and its place in the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given<T = f64> {
+    /// SI value.
+    pub value: T,
+    /// The text as written (`"100 mm"`, `"2*r"`), for the "given" list and for exact arithmetic.
+    pub text: String,
+    /// Where it stands.
+    pub span: Span,
+}
+
+/// A named point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Name as written, such as `A` or `O2`.
+    pub name: String,
+    /// How its place is given, if at all.
+    pub place: Place,
+    /// Rough coordinates (m) that say which assembly is meant.
+    pub sketch: Option<[f64; 2]>,
+    /// First mention.
+    pub span: Span,
+}
+
+/// How a point's place is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Place {
+    /// Not given: to be found from lengths and guides.
+    Unknown,
+    /// Coordinates in the plane at the instant (m): a fixed pivot, or part of the pose.
+    At([Given; 2]),
+    /// Coordinates (m) in the link that carries `base`: origin in `base.0`, x toward `base.1`, y to the left.
+    InLink {
+        /// Two points of the link.
+        base: (PointId, PointId),
+        /// x and y.
+        xy: [Given; 2],
+    },
+    /// At `length` (m) from `base.0`, the direction turned by `angle` (counter-clockwise) from that of `base.0`→`base.1`.
+    Polar {
+        /// Two points of the link.
+        base: (PointId, PointId),
+        /// Distance from `base.0`.
+        length: Given,
+        /// Angle from the base, counter-clockwise plus.
+        angle: Given<Angle>,
+    },
+}
+
+/// A link. Pins are not listed: a point on several links is a pin that joins them all.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// Number or name as written.
+    pub name: String,
+    /// Its points, without repetition. A numbered slider has its pin here too.
+    pub points: Vec<PointId>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A sliding pair. With `pin` and no `slider`: a bare pin in a slot (one constraint). With `slider`: that link keeps
+/// its direction against `on` as well (a prismatic pair, two constraints). At least one of the two is given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guide {
+    /// The point that runs in the guide; with `slider` a point of that link.
+    pub pin: Option<PointId>,
+    /// The numbered slider.
+    pub slider: Option<LinkId>,
+    /// The link that carries the guide.
+    pub on: LinkId,
+    /// Its shape.
+    pub path: GuidePath,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// The shape of a guide, in the link that carries it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GuidePath {
+    /// A straight guide.
+    Line {
+        /// A point of the line (before `offset`).
+        through: Through,
+        /// Its direction; also the positive sense of sliding.
+        direction: Direction,
+        /// The line lies this far (m) to the left of the parallel through `through` (left when looking along the direction).
+        offset: Option<Given>,
+    },
+    /// A slot along a circle about a point of the carrying link.
+    Arc {
+        /// Centre, a point of the carrying link.
+        centre: PointId,
+        /// Radius (m); where absent, the distance centre–pin of the pose.
+        radius: Option<Given>,
+    },
+}
+
+/// What a straight guide passes through (before its offset).
+#[derive(Clone, Debug, PartialEq)]
+pub enum Through {
+    /// The running pin itself, where it is at the instant.
+    Pin,
+    /// A point of the carrying link.
+    Point(PointId),
+    /// A place in the plane (m); for guides on ground.
+    At([Given; 2]),
+}
+
+/// The direction of a straight guide.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Direction {
+    /// At this angle from the x axis at the instant.
+    Instant(Given<Angle>),
+    /// From the first point toward the second, both on the carrying link, turned by the angle if one is given.
+    Along(PointId, PointId, Option<Given<Angle>>),
+    /// Not given: the carrying link has no other direction of its own, so its guide *is* its direction
+    /// (a lever known by its pivot and its slot only).
+    Own,
+}
+
+/// What drives the mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Driver {
+    /// Which motion is given.
+    pub kind: DriverKind,
+    /// Rate: rad/s for turning, m/s for sliding and cylinders.
+    pub rate: Given,
+    /// Rate of the rate; absent means constant rate.
+    pub acceleration: Option<Given>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// The kinds of driver.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DriverKind {
+    /// A link turns against another (usually ground).
+    Turn {
+        /// The driven link.
+        link: LinkId,
+        /// The link against which angle and rate are counted.
+        against: LinkId,
+        /// The line of the driven link whose angle is given; default: its first two points.
+        line: Option<(PointId, PointId)>,
+        /// The line of `against` from which the angle is counted; default: the x axis for ground, else its first two points.
+        against_line: Option<(PointId, PointId)>,
+        /// The angle; absent where the pose is given by coordinates.
+        angle: Option<Given<Angle>>,
+    },
+    /// A pin or slider moves along its guide.
+    Slide {
+        /// Which guide.
+        guide: GuideId,
+        /// Coordinate along the guide from its `through` point (m; metres of arc on a curved guide).
+        position: Option<Given>,
+    },
+    /// The distance of two points is given: a cylinder.
+    Cylinder {
+        /// One end.
+        a: PointId,
+        /// The other end.
+        b: PointId,
+        /// Their distance (m); absent where the pose is given by coordinates.
+        length: Option<Given>,
+        /// Numbers of barrel and rod, where they have numbers: links that turn with the line a–b. They carry no further points.
+        links: Vec<LinkId>,
+    },
+}
+
+/// A given distance between two points of one link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Length {
+    /// One end.
+    pub a: PointId,
+    /// The other end.
+    pub b: PointId,
+    /// Metres.
+    pub value: Given,
+}
+
+/// Says on which side of the directed line `from`→`to` a point lies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// The point.
+    pub point: PointId,
+    /// Left (true) or right of the line.
+    pub left: bool,
+    /// Start of the line.
+    pub from: PointId,
+    /// End of the line.
+    pub to: PointId,
+    /// Where it is said.
+    pub span: Span,
+}
+
+/// A point of a certain link: `B3` is the point of link 3 that lies at B.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OnLink {
+    /// The place.
+    pub point: PointId,
+    /// The link; `None` where the point is the same on all links that carry it.
+    pub link: Option<LinkId>,
+}
+
+/// One asked quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Find {
+    /// Which.
+    pub what: Asked,
+    /// As written, such as `v_E`.
+    pub text: String,
+    /// Where.
+    pub span: Span,
+}
+
+/// The quantities that can be asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Asked {
+    /// `x_E`, `y_E` (m): both coordinates are answered.
+    Position(PointId),
+    /// `phi_3` (rad): angle of the link's first two points from the x axis.
+    LinkAngle(LinkId),
+    /// `l_AB` (m): distance at the instant.
+    Distance(PointId, PointId),
+    /// `v_E`, `v_B3`.
+    Velocity(OnLink),
+    /// `a_E`, `a_B3`.
+    Acceleration(OnLink),
+    /// `v_CB`, `v_B3B2`: of the first relative to the second.
+    RelativeVelocity(OnLink, OnLink),
+    /// `a_CB`, `a_B3B2`: difference of the two accelerations.
+    RelativeAcceleration(OnLink, OnLink),
+    /// `an_CB`: part along the line of the two points.
+    NormalAcceleration(OnLink, OnLink),
+    /// `at_CB`: part square to it.
+    TangentialAcceleration(OnLink, OnLink),
+    /// `vr_B3B2`: sliding velocity.
+    SlidingVelocity(OnLink, OnLink),
+    /// `ar_B3B2`: sliding acceleration.
+    SlidingAcceleration(OnLink, OnLink),
+    /// `ak_B3B2`: Coriolis acceleration.
+    Coriolis(OnLink, OnLink),
+    /// `omega_3`.
+    Omega(LinkId),
+    /// `alpha_3`.
+    Alpha(LinkId),
+    /// `omega_3/2`: of link 3 against link 2.
+    RelativeOmega(LinkId, LinkId),
+    /// `alpha_3/2`.
+    RelativeAlpha(LinkId, LinkId),
+}
+
+/// Paper and scales. A fixed scale is in SI per millimetre of paper.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Paper {
+    /// Width and height in mm; absent: as large as the sheet needs.
+    pub size_mm: Option<[f64; 2]>,
+    /// μ_l, m/mm.
+    pub mu_l: Option<f64>,
+    /// μ_v, (m/s)/mm.
+    pub mu_v: Option<f64>,
+    /// μ_a, (m/s²)/mm.
+    pub mu_a: Option<f64>,
+}
+
+/// A scene: everything its file says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Title.
+    pub title: Localized,
+    /// The problem statement, if the file has one.
+    pub statement: Option<Localized>,
+    /// Named parameters with their SI values, as written.
+    pub parameters: Vec<(String, Given)>,
+    /// Points in order of first mention.
+    pub points: Vec<Point>,
+    /// Links; sliders that are named only in a guide come after those of `links`.
+    pub links: Vec<Link>,
+    /// The fixed link.
+    pub ground: LinkId,
+    /// Sliding pairs.
+    pub guides: Vec<Guide>,
+    /// Given distances.
+    pub lengths: Vec<Length>,
+    /// Drivers.
+    pub drivers: Vec<Driver>,
+    /// Sides that choose the assembly.
+    pub sides: Vec<Side>,
+    /// What is asked.
+    pub find: Vec<Find>,
+    /// Language of the output unless the caller says otherwise.
+    pub language: Option<Lang>,
+    /// Name of the notation profile (`en`, `cn`), unless the caller says otherwise.
+    pub notation: Option<String>,
+    /// Paper.
+    pub paper: Paper,
+}
+
+impl Scene {
+    /// Name of a point.
+    pub fn point_name(&self, p: PointId) -> &str {
+        &self.points[p.0].name
+    }
+
+    /// Name of a link.
+    pub fn link_name(&self, l: LinkId) -> &str {
+        &self.links[l.0].name
+    }
+
+    /// The links that carry a point, in order.
+    pub fn carriers(&self, p: PointId) -> impl Iterator<Item = LinkId> + '_ {
+        self.links.iter().enumerate().filter(move |(_, l)| l.points.contains(&p)).map(|(i, _)| LinkId(i))
+    }
+}
