@@ -6,5 +6,9 @@
 pub mod diag;
 pub mod figure;
 pub mod geom;
+pub mod mechanism;
+pub mod position;
+pub mod quantity;
 pub mod render;
 pub mod scene;
+pub mod trig;
