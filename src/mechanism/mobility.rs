@@ -203,10 +203,9 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
 fn constraint_words(scene: &Scene, c: Constraint) -> (String, crate::diag::Span) {
     match c {
         Constraint::Pinned(p, l) => (format!("pin {} on link {}", scene.point_name(p), scene.link_name(l)), scene.links[l.0].span),
-        Constraint::Slot(p, g) => (
-            format!("pin {} in the guide on link {}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)),
-            scene.guides[g.0].span,
-        ),
+        Constraint::Slot(p, g) => {
+            (format!("pin {} in the guide on link {}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)), scene.guides[g.0].span)
+        }
         Constraint::Lock(g) | Constraint::Glide(g) => {
             let guide = &scene.guides[g.0];
             let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();

@@ -8,6 +8,7 @@ mod demand;
 mod groups;
 mod mobility;
 
+pub(crate) use demand::nodes_of;
 pub use demand::{Demand, Level, Need};
 pub use groups::{Core, Group, Leg};
 pub use mobility::Mobility;
@@ -103,7 +104,10 @@ impl Mechanism {
                 let names: Vec<_> = g.links.iter().map(|l| scene.link_name(*l)).collect();
                 notes.push(Diagnostic::note(
                     "higher-group",
-                    format!("links {} form a group higher than class III: it is answered from the loop equations and not drawn", names.join(", ")),
+                    format!(
+                        "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
+                        names.join(", ")
+                    ),
                 ));
             }
         }
@@ -187,8 +191,7 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
         }
         let as_slider: Vec<usize> = (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
         let carries = scene.guides.iter().any(|g| g.on == id);
-        let turned =
-            scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == id || against == id));
+        let turned = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == id || against == id));
         if let [g] = as_slider[..]
             && scene.guides[g].pin == Some(link.points[0])
             && !carries

@@ -64,10 +64,8 @@ impl<'a> Assembly<'a> {
             .map(LinkId)
             .map(|l| if wanted(l) { shape::of_link(scene, l, &mut faults) } else { LinkShape { points: Vec::new(), frame: Frame::Loose } })
             .collect();
-        let guides = (0..scene.guides.len())
-            .map(GuideId)
-            .map(|g| shape::guide_in_link(scene, m, &shapes[scene.guides[g.0].on.0], g))
-            .collect();
+        let guides =
+            (0..scene.guides.len()).map(GuideId).map(|g| shape::guide_in_link(scene, m, &shapes[scene.guides[g.0].on.0], g)).collect();
         let mut a = Assembly {
             scene,
             m,
@@ -213,8 +211,11 @@ impl<'a> Assembly<'a> {
         let (la, lb) = (local(a.0), local(b.0));
         Pose::from_point_and_direction(la, lb - la, a.1, b.1 - a.1).ok_or_else(|| {
             let (pa, pb) = (self.scene.point_name(a.0), self.scene.point_name(b.0));
-            Diagnostic::error("coincident-points", format!("{pa} and {pb} of link {} coincide: it has no direction", self.scene.link_name(l)))
-                .at(self.scene.links[l.0].span)
+            Diagnostic::error(
+                "coincident-points",
+                format!("{pa} and {pb} of link {} coincide: it has no direction", self.scene.link_name(l)),
+            )
+            .at(self.scene.links[l.0].span)
         })
     }
 
@@ -261,7 +262,8 @@ impl<'a> Assembly<'a> {
 
     fn degenerate(&self, g: GuideId, why: &str) -> Diagnostic {
         let on = self.scene.link_name(self.scene.guides[g.0].on);
-        Diagnostic::error("degenerate-guide", format!("the guide on link {on} gives it no direction: {why}")).at(self.scene.guides[g.0].span)
+        Diagnostic::error("degenerate-guide", format!("the guide on link {on} gives it no direction: {why}"))
+            .at(self.scene.guides[g.0].span)
     }
 
     /// Where a driven runner is in the frame of the link that carries its guide.
@@ -286,9 +288,7 @@ impl<'a> Assembly<'a> {
     /// The possible places of a pin on its two loci.
     fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point>, Diagnostic> {
         match legs {
-            [Leg::Carried { link }] => {
-                Ok(vec![self.world(*link, pin).ok_or_else(|| self.not_placed(pin, *link))?])
-            }
+            [Leg::Carried { link }] => Ok(vec![self.world(*link, pin).ok_or_else(|| self.not_placed(pin, *link))?]),
             [Leg::Driven { guide, driver, .. }] => {
                 let path = self.need_guide(*guide)?;
                 let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
@@ -305,12 +305,9 @@ impl<'a> Assembly<'a> {
     }
 
     fn not_placed(&self, pin: PointId, link: LinkId) -> Diagnostic {
-        Diagnostic::error(
-            "not-placed",
-            format!("{} is not placed on link {}", self.scene.point_name(pin), self.scene.link_name(link)),
-        )
-        .at(self.scene.points[pin.0].span)
-        .help("give a length, or its coordinates in \"points\"")
+        Diagnostic::error("not-placed", format!("{} is not placed on link {}", self.scene.point_name(pin), self.scene.link_name(link)))
+            .at(self.scene.points[pin.0].span)
+            .help("give a length, or its coordinates in \"points\"")
     }
 
     fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus, Diagnostic> {
@@ -398,9 +395,12 @@ impl<'a> Assembly<'a> {
     }
 
     fn no_closure(&self, link: LinkId) -> Diagnostic {
-        Diagnostic::error("no-closed-form", format!("link {} is held in a way for which a rough pose is needed", self.scene.link_name(link)))
-            .at(self.scene.links[link.0].span)
-            .help("give the coordinates of its joints at the instant in \"points\"")
+        Diagnostic::error(
+            "no-closed-form",
+            format!("link {} is held in a way for which a rough pose is needed", self.scene.link_name(link)),
+        )
+        .at(self.scene.links[link.0].span)
+        .help("give the coordinates of its joints at the instant in \"points\"")
     }
 
     /// Direction of a link's frame, from the link whose turning it shares or against which a driver turns it.
@@ -443,13 +443,11 @@ impl<'a> Assembly<'a> {
             }
         };
         let (s, c) = trig::sin_cos(angle.value);
-        own.zip(base)
-            .and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit())
-            .ok_or_else(|| {
-                Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
-                    .at(angle.span)
-                    .help("name two different points of the link with \"line\" (and \"against_line\")")
-            })
+        own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
+            Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
+                .at(angle.span)
+                .help("name two different points of the link with \"line\" (and \"against_line\")")
+        })
     }
 
     /// A link on a known pivot whose slot runs over a known pin.
@@ -464,17 +462,23 @@ impl<'a> Assembly<'a> {
             } else {
                 Err(Diagnostic::error(
                     "guide-not-placed",
-                    format!("the guide on link {} is given at the instant only, which does not fix it in that link", self.scene.link_name(link)),
+                    format!(
+                        "the guide on link {} is given at the instant only, which does not fix it in that link",
+                        self.scene.link_name(link)
+                    ),
                 )
                 .at(self.scene.guides[guide.0].span)
                 .help("give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates"))
             };
         };
         let places = match path {
-            Path::Line { through, direction } => kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?,
+            Path::Line { through, direction } => {
+                kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?
+            }
             Path::Arc { centre, radius } => {
                 let k = Locus::Circle { centre: pivot_at, radius: d.distance(centre) };
-                let places = kernel::meet(k, Locus::Circle { centre: pin_at, radius }).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                let places =
+                    kernel::meet(k, Locus::Circle { centre: pin_at, radius }).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
                 return places
                     .into_iter()
                     .map(|at| {
@@ -504,7 +508,10 @@ impl<'a> Assembly<'a> {
         };
         Diagnostic::error(
             "cannot-assemble",
-            format!("the slot of link {} cannot reach pin {r}: {p}{r} is {by} short of the slot's distance from {p}", self.scene.link_name(link)),
+            format!(
+                "the slot of link {} cannot reach pin {r}: {p}{r} is {by} short of the slot's distance from {p}",
+                self.scene.link_name(link)
+            ),
         )
         .at(self.scene.links[link.0].span)
         .help("change the slot's offset, a length, or the driver's position")
@@ -600,9 +607,8 @@ impl<'a> Assembly<'a> {
                 .at(self.scene.links[group.links[0].0].span)
                 .help("give rough coordinates of their joints in \"sketch\"")
         };
-        let rough = |p: PointId| {
-            self.points[p.0].or(given_at(self.scene, p)).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])))
-        };
+        let rough =
+            |p: PointId| self.points[p.0].or(given_at(self.scene, p)).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
         let mut start = self.snapshot();
         for &p in &group.pins {
             start.points[p.0] = Some(rough(p).ok_or_else(|| lacking(&format!("{} is not sketched", self.scene.point_name(p))))?);
@@ -610,7 +616,9 @@ impl<'a> Assembly<'a> {
         for &l in &group.links {
             let known: Vec<(Point, Point)> =
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (*local, at))).collect();
-            let [a, .., b] = known[..] else { return Err(lacking(&format!("link {} has fewer than two placed points", self.scene.link_name(l)))) };
+            let [a, .., b] = known[..] else {
+                return Err(lacking(&format!("link {} has fewer than two placed points", self.scene.link_name(l))));
+            };
             start.poses[l.0] = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1);
             if start.poses[l.0].is_none() {
                 return Err(lacking(&format!("the sketched points of link {} coincide", self.scene.link_name(l))));
@@ -788,7 +796,9 @@ pub(super) fn complete(
                 .zip(guides[g.0])
                 .map(|(origin, path)| Pose { origin, axis: path.tangent_at(origin) }),
             Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => points[a.0].zip(points[b.0]).and_then(|(a, b)| Some(Pose { origin: a, axis: (b - a).unit()? })),
+                DriverKind::Cylinder { a, b, .. } => {
+                    points[a.0].zip(points[b.0]).and_then(|(a, b)| Some(Pose { origin: a, axis: (b - a).unit()? }))
+                }
                 _ => None,
             },
             None => poses[l],

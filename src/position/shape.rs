@@ -164,9 +164,12 @@ fn missing_length(scene: &Scene, l: LinkId, points: &[(PointId, Point)], p: Poin
     let missing: Vec<String> =
         points.iter().filter(|(q, _)| !given.contains(q)).map(|(q, _)| format!("{}{name}", scene.point_name(*q))).collect();
     let wanted = if points.len() >= 2 { "two lengths to points of the link" } else { "its length" };
-    Diagnostic::error("missing-length", format!("point {name} of link {} is not placed: give {wanted} ({})", scene.link_name(l), missing.join(", ")))
-        .at(scene.links[l.0].span)
-        .help(format!("or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"))
+    Diagnostic::error(
+        "missing-length",
+        format!("point {name} of link {} is not placed: give {wanted} ({})", scene.link_name(l), missing.join(", ")),
+    )
+    .at(scene.links[l.0].span)
+    .help(format!("or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"))
 }
 
 /// Two descriptions of one length must agree to what a person writes.

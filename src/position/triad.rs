@@ -23,9 +23,7 @@ impl TriadLeg {
     pub fn locus(&self, axis: Vec2) -> Locus {
         match *self {
             TriadLeg::Circle { near, far, radius } => Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius },
-            TriadLeg::Line { near, through, direction } => {
-                Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction }
-            }
+            TriadLeg::Line { near, through, direction } => Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction },
             TriadLeg::Slot { through, direction, pin } => {
                 Locus::Line { through: pin - through.to_vec2().rotate_by(axis), direction: direction.rotate_by(axis) }
             }
