@@ -7,4 +7,6 @@ pub mod diag;
 pub mod figure;
 pub mod geom;
 pub mod render;
+pub mod report;
 pub mod scene;
+pub mod trig;

@@ -1,0 +1,126 @@
+//! Sine and cosine of angles as they are written: exact at the multiples of 30° and 90° where the true value is.
+//!
+//! A sixty-degree angle has a cosine of one half on paper; going through radians would make it 0.5000000000000001 and a
+//! right angle's cosine 6e-17, and the figures would print it. Everything goes through `libm`, so that golden files are
+//! the same on every platform.
+
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
+use crate::scene::Angle;
+
+/// (sin, cos) of an angle.
+///
+/// Degrees are reduced exactly (the remainder of floating-point numbers is exact), so `sin_cos(Angle::Deg(750.0))` is
+/// that of 30°: sine 0.5. A non-finite angle gives NaN.
+///
+/// ```
+/// use hodograph::{scene::Angle, trig::sin_cos};
+/// assert_eq!(sin_cos(Angle::Deg(60.0)).1, 0.5);
+/// assert_eq!(sin_cos(Angle::Deg(-90.0)), (-1.0, 0.0));
+/// ```
+pub fn sin_cos(angle: Angle) -> (f64, f64) {
+    match angle {
+        Angle::Rad(r) => (libm::sin(r), libm::cos(r)),
+        Angle::Deg(d) => {
+            let turn = libm::fmod(d, 360.0);
+            let quarter = libm::rint(turn / 90.0);
+            // Within [-45, 45]: exact, because the two numbers differ by less than a factor of two (Sterbenz) or quarter is 0.
+            let (s, c) = first_octants(turn - 90.0 * quarter);
+            // -0.0 would print as "-0".
+            match (quarter as i64).rem_euclid(4) {
+                0 => (s + 0.0, c),
+                1 => (c, 0.0 - s),
+                2 => (0.0 - s, -c),
+                _ => (-c, s + 0.0),
+            }
+        }
+    }
+}
+
+/// (sin, cos) of −45° … 45°.
+fn first_octants(d: f64) -> (f64, f64) {
+    if d.abs() == 30.0 {
+        (0.5f64.copysign(d), 3f64.sqrt() / 2.0)
+    } else if d.abs() == 45.0 {
+        (FRAC_1_SQRT_2.copysign(d), FRAC_1_SQRT_2)
+    } else {
+        let r = d * PI / 180.0;
+        (libm::sin(r), libm::cos(r))
+    }
+}
+
+/// The angle whose sine is `x`: in exact degrees for 0, ±1/2 and ±1, else in radians; NaN outside [−1, 1].
+pub fn asin(x: f64) -> Angle {
+    match x.abs() {
+        0.0 => Angle::Deg(0.0),
+        0.5 => Angle::Deg(30f64.copysign(x)),
+        1.0 => Angle::Deg(90f64.copysign(x)),
+        _ => Angle::Rad(libm::asin(x)),
+    }
+}
+
+/// The angle in [0°, 180°] whose cosine is `x`: in exact degrees for 0, ±1/2 and ±1, else in radians; NaN outside [−1, 1].
+pub fn acos(x: f64) -> Angle {
+    match asin(x) {
+        Angle::Deg(d) => Angle::Deg(90.0 - d),
+        Angle::Rad(_) => Angle::Rad(libm::acos(x)),
+    }
+}
+
+/// The angle in (−90°, 90°) whose tangent is `x`: in exact degrees for 0 and ±1, else in radians.
+pub fn atan(x: f64) -> Angle {
+    match x.abs() {
+        0.0 => Angle::Deg(0.0),
+        1.0 => Angle::Deg(45f64.copysign(x)),
+        _ => Angle::Rad(libm::atan(x)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn special_angles_are_exact() {
+        let h = 3f64.sqrt() / 2.0;
+        let expected = [
+            (0.0, 0.0, 1.0),
+            (30.0, 0.5, h),
+            (60.0, h, 0.5),
+            (90.0, 1.0, 0.0),
+            (120.0, h, -0.5),
+            (150.0, 0.5, -h),
+            (180.0, 0.0, -1.0),
+            (210.0, -0.5, -h),
+            (240.0, -h, -0.5),
+            (270.0, -1.0, 0.0),
+            (300.0, -h, 0.5),
+            (330.0, -0.5, h),
+        ];
+        for (d, s, c) in expected {
+            for turns in [-2.0, -1.0, 0.0, 1.0, 1000.0] {
+                let (gs, gc) = sin_cos(Angle::Deg(d + 360.0 * turns));
+                assert_eq!((gs, gc), (s, c), "{d} degrees and {turns} turns");
+                assert!(!(gs == 0.0 && gs.is_sign_negative()) && !(gc == 0.0 && gc.is_sign_negative()), "negative zero at {d}");
+            }
+        }
+    }
+
+    #[test]
+    fn ordinary_angles_agree_with_radians() {
+        for k in -720..720 {
+            let d = f64::from(k) + 0.25;
+            let (s, c) = sin_cos(Angle::Deg(d));
+            let r = d.to_radians();
+            assert!((s - r.sin()).abs() < 2e-15 && (c - r.cos()).abs() < 2e-15, "{d}");
+        }
+    }
+
+    #[test]
+    fn inverse_functions_know_the_same_angles() {
+        assert_eq!(asin(-0.5), Angle::Deg(-30.0));
+        assert_eq!(acos(-0.5), Angle::Deg(120.0));
+        assert_eq!(atan(-1.0), Angle::Deg(-45.0));
+        assert_eq!(acos(0.25), Angle::Rad(0.25f64.acos()));
+    }
+}
