@@ -30,10 +30,18 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
         raw.units.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
-    for (key, node) in entries(f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults), "\"links\"", faults) {
+    let before = faults.list.len();
+    let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
+    for (key, node) in entries(links, "\"links\"", faults) {
         let points = words(Some(node), &format!("link `{}`", key.text), faults);
         raw.links.push(RawLink { name: key.clone(), points });
     }
+    if let Some(Node { kind: Kind::Object(members), span }) = links
+        && members.is_empty()
+    {
+        faults.push(Diagnostic::error("empty", "\"links\" is empty").at(*span).help("a mechanism has at least two links"));
+    }
+    raw.links_sound = faults.list.len() == before;
     raw.ground = f.need("ground", "\"4\", the name of the fixed link", faults).and_then(|n| word(n, "\"ground\"", faults));
     for (key, node) in entries(f.get("points"), "\"points\"", faults) {
         raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
@@ -45,13 +53,16 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         raw.guides.extend(guide(node, faults));
     }
     let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
-    match drivers.map(|n| (&n.kind, n)) {
-        Some((Kind::Array(_), node)) => {
-            for node in items(Some(node), "\"driver\"", faults) {
+    match drivers {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
+            faults.push(Diagnostic::error("empty", "\"driver\" is empty: nothing drives the mechanism").at(*span));
+        }
+        Some(Node { kind: Kind::Array(_), .. }) => {
+            for node in items(drivers, "\"driver\"", faults) {
                 raw.drivers.extend(driver(node, faults));
             }
         }
-        Some((_, node)) => raw.drivers.extend(driver(node, faults)),
+        Some(node) => raw.drivers.extend(driver(node, faults)),
         None => {}
     }
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
@@ -176,7 +187,6 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
                 return None;
             }
         };
-    let before = faults.list.len();
     // A key of another kind is not a slip of the pen: it deserves a better answer than the nearest key.
     let mut mixed = false;
     for (key, _) in members {
@@ -200,6 +210,8 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });
     let (angle, position, length) = (value("angle"), value("position"), value("length"));
+    // A name that could not be read must not be judged as absent.
+    let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let kind = match mark {
         "link" => {
@@ -210,7 +222,7 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
         _ => RawDriverKind::Cylinder { ends: name("cylinder")?, length, links: words(f.get("links"), "\"links\" of a cylinder", faults) },
     };
     (faults.list.len() == before).then_some(())?;
-    Some(RawDriver { kind, rate: rate?, acceleration, span: f.span() })
+    Some(RawDriver { kind, rate, acceleration, span: f.span() })
 }
 
 fn paper(node: &Node, faults: &mut Faults) -> RawPaper {

@@ -512,3 +512,143 @@ pub fn is_bare(expr: &Expr) -> bool {
         ExprKind::Binary(_, a, b) => is_bare(a) && is_bare(b),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The value of an expression with r = 100 mm, phi = 30°, k = 2.
+    fn value(text: &str) -> Result<Value, String> {
+        let length = value_of("100 mm").expect("a length");
+        let lookup = |name: &str| match name {
+            "r" => Some(length),
+            "phi" => Some(Value::from(Angle::Deg(30.0))),
+            "k" => Some(Value::number(2.0)),
+            _ => None,
+        };
+        let expr = parse(text, &["r", "phi", "k", "broken"]).map_err(|d| d.to_string())?;
+        evaluate(&expr, &lookup).map_err(|e| match e {
+            NoValue::Fault(d) => d.to_string(),
+            NoValue::Reported => "reported".to_owned(),
+        })
+    }
+
+    fn value_of(text: &str) -> Option<Value> {
+        evaluate(&parse(text, &[]).ok()?, &|_| None).ok()
+    }
+
+    #[test]
+    fn values() {
+        let rpm = radians(6.0);
+        for (text, number, what) in [
+            ("250 mm", 0.25, "a length"),
+            ("0.1mm", 0.0001, "a length"),
+            ("3 ft", 0.9144, "a length"),
+            ("1 in", 0.0254, "a length"),
+            ("10 rad/s", 10.0, "an angular velocity"),
+            ("60 rev/min", radians(360.0), "an angular velocity"),
+            ("300 rpm", 300.0 * rpm, "an angular velocity"),
+            ("2 rad/s^2", 2.0, "an angular acceleration"),
+            ("9.81 m/s^2", 9.81, "an acceleration"),
+            ("0.05 (m/s)/mm", 50.0, "a quantity in 1/s"),
+            ("1 (m/s^2)/mm", 1000.0, "a quantity in 1/s^2"),
+            ("0.002 m/mm", 2.0, "a pure number"),
+            ("2 (m/s)^2", 2.0, "a quantity in m^2/s^2"),
+            ("k*r + 5 mm", 0.2 + 0.005, "a length"),
+            ("r/3 + 5 mm", 0.1 / 3.0 + 0.005, "a length"),
+            ("sqrt(4)*r", 0.2, "a length"),
+            ("sqrt(r^2)", 0.1, "a length"),
+            ("r*sin(phi)", 0.05, "a length"),
+            ("r*cos(2*phi)", 0.05, "a length"),
+            ("(k + 1) mm", 0.003, "a length"),
+            ("-k^2", -4.0, "a pure number"),
+            ("--k - -1", 3.0, "a pure number"),
+            ("2^-1", 0.5, "a pure number"),
+            ("3 + 1e-6", 3.000001, "a pure number"),
+            (".5", 0.5, "a pure number"),
+            ("1e-3", 0.001, "a pure number"),
+            ("abs(-r)", 0.1, "a length"),
+            ("90 deg/phi", 3.0, "a pure number"),
+            ("10 rad/s*r", 1.0, "a velocity"),
+            ("pi rad/2", std::f64::consts::FRAC_PI_2, "an angle"),
+            ("atan(1) + 15 deg", radians(60.0), "an angle"),
+            ("tan(45 deg)", 1.0, "a pure number"),
+            ("60 s + 1 min", 120.0, "a time"),
+        ] {
+            let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+            let dim = if v.dim.length != 0 { Dim { angle: 0, ..v.dim } } else { v.dim };
+            assert_eq!((v.si(), dim.describe().as_str()), (number, what), "{text}");
+        }
+    }
+
+    #[test]
+    fn degrees_stay_degrees() {
+        for (text, angle) in [
+            ("60 deg", Angle::Deg(60.0)),
+            ("60°", Angle::Deg(60.0)),
+            ("2*phi", Angle::Deg(60.0)),
+            ("phi*k - 10 deg", Angle::Deg(50.0)),
+            ("-phi/3", Angle::Deg(-10.0)),
+            ("0.5 rev", Angle::Deg(180.0)),
+            ("asin(0.5)", Angle::Deg(30.0)),
+            ("90 deg - acos(1/2)", Angle::Deg(30.0)),
+            ("1 rad", Angle::Rad(1.0)),
+        ] {
+            let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert_eq!((v.dim, v.angle()), (Dim::ANGLE, angle), "{text}");
+        }
+    }
+
+    #[test]
+    fn number_literals_keep_their_text() {
+        let Expr { kind: ExprKind::Binary(Op::Mul, number, unit), span } = parse(" 0.10000000000000000001 mm", &[]).unwrap() else {
+            panic!("no product")
+        };
+        assert_eq!(number.kind, ExprKind::Number("0.10000000000000000001".to_owned()));
+        assert!(matches!(unit.kind, ExprKind::Unit(u) if u.name == "mm"));
+        assert_eq!(span, Span::new(1, 26));
+    }
+
+    #[test]
+    fn what_has_no_value() {
+        for (text, said) in [
+            ("", "`` ends too early"),
+            ("2*", "`2*` ends too early"),
+            ("2 $ 3", "`2 $ 3` cannot be read from `$ 3` on"),
+            ("2 r", "`r` is not a unit (for a product write `*r`)"),
+            ("2 pi", "`pi` is not a unit (for a product write `*pi`)"),
+            ("5 milimeters", "`milimeters` is not a unit"),
+            ("R", "`R` is neither a parameter nor a unit (did you mean `r`?)"),
+            ("sine(phi)", "`sine` is not a function (did you mean `sin`?)"),
+            ("r(2)", "`r` is not a function (for a product write `r*(...)`)"),
+            ("sin", "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)"),
+            ("1/0", "division by zero"),
+            ("r + phi", "a length cannot be added to an angle"),
+            ("r - 1", "a pure number cannot be subtracted from a length"),
+            ("sin(30)", "sin wants an angle, this is a pure number: write `deg` or `rad` after it"),
+            ("sin(r)", "sin wants an angle, this is a length"),
+            ("asin(2)", "asin has no value at 2"),
+            ("asin(phi)", "asin wants a pure number, this is an angle"),
+            ("tan(90 deg)", "tan of a right angle"),
+            ("sqrt(-1)", "sqrt of the negative value -1"),
+            ("sqrt(r)", "sqrt of a length: its unit is no square"),
+            ("2^r", "an exponent is a pure number, this is a length"),
+            ("r^0.5", "the exponent of a quantity with a unit is a whole number from -6 to 6"),
+            ("(-8)^(1/3)", "a negative number has no broken power"),
+            ("10^99", "the value 1e99 is beyond all measure (1e-90 to 1e90)"),
+            ("1e999", "the value inf is beyond all measure (1e-90 to 1e90)"),
+            ("1e-999", "`1e-999` is too small for a number"),
+            ("2^2^2", "`2^2^2` cannot be read from `^2` on"),
+            ("broken + 1", "reported"),
+        ] {
+            let e = value(text).expect_err(text);
+            assert!(e.starts_with(said), "{text}: {e}");
+        }
+        assert!(value(&"(".repeat(25)).unwrap_err().starts_with("parentheses are nested more than 24 deep"));
+        assert!(value(&"1+".repeat(201)).unwrap_err().starts_with("an expression has at most 400 bytes, this has 402"));
+        // The deepest trees that the limits let through.
+        assert_eq!(value(&format!("{}1", "1+".repeat(199))).unwrap().number, 200.0);
+        assert_eq!(value(&format!("{}1", "-".repeat(399))).unwrap().number, -1.0);
+        assert_eq!(value(&format!("{}1{}", "(".repeat(24), ")".repeat(24))).unwrap().number, 1.0);
+    }
+}

@@ -91,7 +91,7 @@ pub(super) fn two_quantities(node: &Node, what: &str, faults: &mut Faults) -> Op
             Some([a?, b?])
         }
         items => {
-            let d = Diagnostic::error("wrong-count", format!("{what} has {} values; two are wanted", items.len())).at(node.span);
+            let d = Diagnostic::error("wrong-count", format!("{what} has two values, this has {}", items.len())).at(node.span);
             faults.push(d.help("write [x, y]"));
             None
         }
@@ -110,10 +110,17 @@ fn wrong<T>(node: &Node, what: &str, wanted: &str, faults: &mut Faults) -> Optio
 /// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
 pub(super) fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: &str) -> String {
     let lower = got.to_lowercase();
-    // Jaro-Winkler 0.7 accepts a swapped or a missing letter in names of three letters and more, and keeps `x` from becoming `links`.
+    // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
+    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to guess from.
+    let one_slip = |k: &str| k.chars().count() >= 3 && strsim::osa_distance(got, k) == 1;
+    let score = |k: &str| match k.to_lowercase() == lower {
+        true => 1.0,
+        false if one_slip(k) => 0.95,
+        false => strsim::jaro_winkler(got, k),
+    };
     let near = known
         .clone()
-        .map(|k| (if k.to_lowercase() == lower { 1.0 } else { strsim::jaro_winkler(got, k) }, k))
+        .map(|k| (score(k), k))
         .filter(|(score, _)| *score >= 0.7)
         .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
     match near {

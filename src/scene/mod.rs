@@ -12,6 +12,7 @@ pub mod model;
 mod names;
 mod raw;
 mod resolve;
+pub mod schema;
 pub mod templates;
 #[cfg(test)]
 mod tests;

@@ -57,7 +57,8 @@ pub(super) struct RawGuide {
 #[derive(Clone, Debug)]
 pub(super) struct RawDriver {
     pub kind: RawDriverKind,
-    pub rate: RawQuantity,
+    /// Missing where that has been reported.
+    pub rate: Option<RawQuantity>,
     pub acceleration: Option<RawQuantity>,
     pub span: Span,
 }
@@ -91,6 +92,8 @@ pub(super) struct RawScene {
     pub parameters: Vec<(Word, RawQuantity)>,
     pub units: Vec<(Word, Word)>,
     pub links: Vec<RawLink>,
+    /// Whether `links` could be read in full. If not, a name that is missing may stand in the part that could not be read.
+    pub links_sound: bool,
     pub ground: Option<Word>,
     pub points: Vec<(Word, RawPlace)>,
     pub lengths: Vec<(Word, RawQuantity)>,

@@ -134,7 +134,8 @@ impl<'a> Values<'a> {
 
     fn fit(&self, quantity: &RawQuantity, expr: &Expr, value: Value, wanted: Wanted) -> Result<(String, Value), Diagnostic> {
         let text = &quantity.text;
-        let is_number = if wanted.dim() == Dim::NUMBER { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
+        // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
+        let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
         if !is_number {
             if value.dim.serves(wanted.dim()) {
                 return Ok((text.clone(), value));

@@ -10,7 +10,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> 
             RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
             _ => (Wanted::Velocity, Wanted::Acceleration),
         };
-        let rate = c.values.si(&raw.rate, rate, faults);
+        let rate = raw.rate.as_ref().and_then(|q| c.values.si(q, rate, faults));
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
             None => Some(None),
@@ -29,9 +29,6 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> 
             continue;
         }
         out.push(Driver { kind, rate, acceleration, span: raw.span });
-    }
-    if c.raw.drivers.is_empty() && !faults.has_errors() {
-        faults.push(Diagnostic::error("no-driver", "nothing drives the mechanism").help("give at least one driver"));
     }
     out
 }

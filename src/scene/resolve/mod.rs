@@ -82,6 +82,18 @@ fn zero(span: Span) -> Given {
 
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.
 pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
+    let mut found = Faults::default();
+    let scene = sections(raw, source, &mut found);
+    if !raw.links_sound {
+        found.list.retain(|d| !matches!(d.code, "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"));
+    }
+    // With an error already found, a remark about what is unused would be noise.
+    let broken = faults.has_errors() || found.has_errors();
+    faults.list.extend(found.list.into_iter().filter(|d| !broken || d.code != "unused-parameter"));
+    scene
+}
+
+fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     let (values, parameters) = Values::new(source, &raw.units, &raw.parameters, faults);
     let declared = declare::declare(raw, faults);
     let scene = {
@@ -97,11 +109,7 @@ pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Opti
         let find = ground.map(|_| find::find(&context, faults));
         let paper = paper::paper(raw, &values, faults);
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
-        if ground.is_some() && !faults.has_errors() {
-            for d in values.unused(&raw.parameters) {
-                faults.push(d);
-            }
-        }
+        faults.list.extend(values.unused(&raw.parameters));
         let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| Point { place, sketch, ..p.clone() }).collect();
         Scene {
             title: localized(&raw.title).unwrap_or_default(),
