@@ -14,5 +14,6 @@ pub mod plan;
 pub mod position;
 pub mod quantity;
 pub mod render;
+pub mod report;
 pub mod scene;
 pub mod trig;

@@ -56,6 +56,16 @@ pub enum Angle {
     Rad(f64),
 }
 
+impl Angle {
+    /// The same in radians.
+    pub fn radians(self) -> f64 {
+        match self {
+            Angle::Deg(d) => super::units::radians(d),
+            Angle::Rad(r) => r,
+        }
+    }
+}
+
 /// A quantity as the scene writes it, with its SI value and its place in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Given<T = f64> {

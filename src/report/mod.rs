@@ -1,0 +1,3 @@
+//! What is said about a run: diagnostics as text.
+
+pub mod diagnostics;

@@ -1,0 +1,247 @@
+//! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
+
+use super::fields::{Fields, list, object, quantity, suggest, two_quantities, word};
+use super::json::{Kind, Node, Word};
+use super::keys;
+use super::raw::*;
+use crate::diag::{Diagnostic, Faults};
+
+/// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
+/// and their time with the cube of the number of links, so these bounds keep a run under a few seconds.
+pub(super) const MAX_LINKS: usize = 500;
+/// The same for points.
+pub(super) const MAX_POINTS: usize = 2000;
+/// The same for every other list of the file.
+const MAX_ENTRIES: usize = 5000;
+
+/// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
+pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
+    let f = Fields::open(root, "a scene", keys::SCENE, faults)?;
+    let mut raw = RawScene::default();
+    if let Some(node) = f.get("title") {
+        raw.title = localized(node, "\"title\"", faults);
+    }
+    if let Some(node) = f.get("statement") {
+        raw.statement = localized(node, "\"statement\"", faults);
+    }
+    for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
+        raw.parameters.extend(quantity(node, &format!("parameter `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for (key, node) in entries(f.get("units"), "\"units\"", faults) {
+        raw.units.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    let before = faults.list.len();
+    let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
+    for (key, node) in entries(links, "\"links\"", faults) {
+        let points = words(Some(node), &format!("link `{}`", key.text), faults);
+        raw.links.push(RawLink { name: key.clone(), points });
+    }
+    if let Some(Node { kind: Kind::Object(members), span }) = links
+        && members.is_empty()
+    {
+        faults.push(Diagnostic::error("empty", "\"links\" is empty").at(*span).help("a mechanism has at least two links"));
+    }
+    raw.links_sound = faults.list.len() == before;
+    raw.ground = f.need("ground", "\"4\", the name of the fixed link", faults).and_then(|n| word(n, "\"ground\"", faults));
+    for (key, node) in entries(f.get("points"), "\"points\"", faults) {
+        raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
+    }
+    for (key, node) in entries(f.get("lengths"), "\"lengths\"", faults) {
+        raw.lengths.extend(quantity(node, &format!("length `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for node in items(f.get("guides"), "\"guides\"", faults) {
+        raw.guides.extend(guide(node, faults));
+    }
+    let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
+    match drivers {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
+            faults.push(Diagnostic::error("empty", "\"driver\" is empty: nothing drives the mechanism").at(*span));
+        }
+        Some(Node { kind: Kind::Array(_), .. }) => {
+            for node in items(drivers, "\"driver\"", faults) {
+                raw.drivers.extend(driver(node, faults));
+            }
+        }
+        Some(node) => raw.drivers.extend(driver(node, faults)),
+        None => {}
+    }
+    for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
+        raw.sketch.extend(two_quantities(node, &format!("sketch of `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for (key, node) in entries(f.get("side"), "\"side\"", faults) {
+        raw.sides.extend(word(node, &format!("side of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    raw.find = words(f.get("find"), "\"find\"", faults);
+    if let Some(node) = f.get("paper") {
+        raw.paper = paper(node, faults);
+    }
+    raw.language = f.get("language").and_then(|n| word(n, "\"language\"", faults));
+    raw.notation = f.get("notation").and_then(|n| word(n, "\"notation\"", faults));
+    Some(raw)
+}
+
+/// The members of an optional object, within the limit.
+fn entries<'a>(node: Option<&'a Node>, what: &str, faults: &mut Faults) -> &'a [(Word, Node)] {
+    let members = node.and_then(|n| object(n, what, faults)).unwrap_or_default();
+    let limit = if what == "\"links\"" { MAX_LINKS } else { MAX_ENTRIES };
+    within(members, limit, what, faults, |(key, _)| key.span)
+}
+
+/// The items of an optional list, within the limit.
+fn items<'a>(node: Option<&'a Node>, what: &str, faults: &mut Faults) -> &'a [Node] {
+    let items = node.and_then(|n| list(n, what, faults)).unwrap_or_default();
+    within(items, MAX_ENTRIES, what, faults, |n| n.span)
+}
+
+fn within<'a, T>(all: &'a [T], limit: usize, what: &str, faults: &mut Faults, span: impl Fn(&T) -> crate::diag::Span) -> &'a [T] {
+    match all.get(limit) {
+        None => all,
+        Some(first) => {
+            let message = format!("{what} has {} entries; at most {limit} are allowed", all.len());
+            faults.push(Diagnostic::error("too-many", message).at(span(first)));
+            &all[..limit]
+        }
+    }
+}
+
+fn words(node: Option<&Node>, what: &str, faults: &mut Faults) -> Vec<Word> {
+    items(node, what, faults).iter().filter_map(|n| word(n, &format!("an entry of {what}"), faults)).collect()
+}
+
+fn localized(node: &Node, what: &'static str, faults: &mut Faults) -> Option<RawLocalized> {
+    if let Kind::Object(_) = node.kind {
+        let f = Fields::open(node, what, keys::TEXT, faults)?;
+        let mut text = |key: &str| f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).map(|w| w.text);
+        let both = RawLocalized { en: text("en"), zh: text("zh") };
+        if f.get("en").is_none() && f.get("zh").is_none() {
+            faults.push(Diagnostic::error("empty", format!("{what} says nothing")).at(node.span).help("give \"en\", \"zh\" or both"));
+        }
+        return Some(both);
+    }
+    word(node, what, faults).map(|w| RawLocalized { en: Some(w.text.clone()), zh: Some(w.text) })
+}
+
+fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
+    if let Kind::Array(_) = node.kind {
+        return two_quantities(node, "a place", faults).map(RawPlace::At);
+    }
+    let has = |key: &str| matches!(&node.kind, Kind::Object(m) if m.iter().any(|(k, _)| k.text == key));
+    let (xy, polar) = (has("x") || has("y"), has("length") || has("angle"));
+    if xy && polar {
+        let d = Diagnostic::error("two-places", "the place is given in two ways, by x and y and by length and angle");
+        faults.push(d.at(node.span).help("keep \"x\" and \"y\", or \"length\" and \"angle\""));
+        return None;
+    }
+    let example = "\"100 mm\"";
+    if polar {
+        let f = Fields::open(node, "a place", keys::PLACE_POLAR, faults)?;
+        let base = f.need("base", "\"BC\", two points of the link", faults).and_then(|n| word(n, "\"base\"", faults));
+        let length = f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
+        let angle = f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
+        return Some(RawPlace::Polar { base: base?, length: length?, angle: angle? });
+    }
+    let f = Fields::open(node, "a place", keys::PLACE_XY, faults)?;
+    let base = f.need("base", "\"BC\", two points of the link", faults).and_then(|n| word(n, "\"base\"", faults));
+    let x = f.need("x", example, faults).and_then(|n| quantity(n, "\"x\"", faults));
+    let y = f.need("y", example, faults).and_then(|n| quantity(n, "\"y\"", faults));
+    Some(RawPlace::InLink { base: base?, xy: [x?, y?] })
+}
+
+fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
+    let f = Fields::open(node, "a guide", keys::GUIDE, faults)?;
+    let before = faults.list.len();
+    let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
+    let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
+    let through = f.get("through").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        _ => word(n, "\"through\"", faults).map(RawThrough::Point),
+    });
+    // A guide with a member that could not be read must not be judged by what is left of it.
+    (faults.list.len() == before).then_some(RawGuide { pin, slider, on, line, through, angle, offset, centre, radius, span: node.span })
+}
+
+/// The three kinds of driver: the key that tells the kind, its name, all its keys.
+const KINDS: [(&str, &str, &[&str]); 3] =
+    [("link", "a turning driver", keys::TURN), ("slide", "a sliding driver", keys::SLIDE), ("cylinder", "a cylinder", keys::CYLINDER)];
+
+fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
+    let members = object(node, "a driver", faults)?;
+    let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
+    let (mark, what, known) =
+        match present.as_slice() {
+            [one] => **one,
+            [] => {
+                let d = Diagnostic::error("driver-kind", "a driver says neither `link`, nor `slide`, nor `cylinder`").at(node.span);
+                let near = members.iter().map(|(k, _)| suggest(&k.text, KINDS.iter().map(|k| k.0), "")).find(|s| s.starts_with("did"));
+                faults.push(d.help(near.unwrap_or_else(|| {
+                    "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\"".to_owned()
+                })));
+                return None;
+            }
+            many => {
+                let marks: Vec<_> = many.iter().map(|(mark, ..)| format!("`{mark}`")).collect();
+                let d = Diagnostic::error("driver-kind", format!("one driver mixes {}", marks.join(" and "))).at(node.span);
+                faults.push(d.help("give a list of drivers, one for each: \"driver\": [{...}, {...}]"));
+                return None;
+            }
+        };
+    // A key of another kind is not a slip of the pen: it deserves a better answer than the nearest key.
+    let mut mixed = false;
+    for (key, _) in members {
+        if known.contains(&key.text.as_str()) {
+            continue;
+        }
+        if let Some((_, other, _)) = KINDS.iter().find(|(.., keys)| keys.contains(&key.text.as_str())) {
+            let d = Diagnostic::error("driver-kind", format!("`{}` belongs to {other}, this is {what}", key.text)).at(key.span);
+            faults.push(d.help(format!("the keys of {what} are {}", known.join(", "))));
+            mixed = true;
+        }
+    }
+    let all: Vec<&str> = KINDS.iter().flat_map(|(.., keys)| keys.iter().copied()).collect();
+    let f = Fields::open(node, what, if mixed { &all } else { known }, faults)?;
+    let rate = match mark {
+        "link" => f.need("omega", "\"10 rad/s\"", faults),
+        "slide" => f.need("velocity", "\"2 m/s\"", faults),
+        _ => f.need("rate", "\"50 mm/s\"", faults),
+    };
+    let rate = rate.and_then(|n| quantity(n, "the rate of a driver", faults));
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });
+    let (angle, position, length) = (value("angle"), value("position"), value("length"));
+    // A name that could not be read must not be judged as absent.
+    let before = faults.list.len();
+    let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
+    let kind = match mark {
+        "link" => {
+            let (link, against, line, against_line) = (name("link"), name("against"), name("line"), name("against_line"));
+            RawDriverKind::Turn { link: link?, against, line, against_line, angle }
+        }
+        "slide" => RawDriverKind::Slide { slide: name("slide")?, position },
+        _ => RawDriverKind::Cylinder { ends: name("cylinder")?, length, links: words(f.get("links"), "\"links\" of a cylinder", faults) },
+    };
+    (faults.list.len() == before).then_some(())?;
+    Some(RawDriver { kind, rate, acceleration, span: f.span() })
+}
+
+fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
+    let Some(f) = Fields::open(node, "\"paper\"", keys::PAPER, faults) else {
+        return RawPaper::default();
+    };
+    let size = f.get("size").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"size\"", faults).map(RawSize::Sides),
+        _ => word(n, "\"size\"", faults).map(RawSize::Named),
+    });
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a") }
+}
+
+/// The members of one section, as they stand; none where there is no such object.
+pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)] {
+    let Kind::Object(members) = &root.kind else { return &[] };
+    match members.iter().find(|(key, _)| key.text == section) {
+        Some((_, Node { kind: Kind::Object(inner), .. })) => inner,
+        _ => &[],
+    }
+}

@@ -1,0 +1,137 @@
+//! Taking a JSON object apart: known keys, wanted types, and a diagnostic for everything else.
+
+use super::json::{Kind, Node, Word};
+use super::raw::RawQuantity;
+use crate::diag::{Diagnostic, Faults, Span};
+
+/// The members of an object whose keys have been checked.
+pub(super) struct Fields<'a> {
+    what: &'static str,
+    span: Span,
+    members: &'a [(Word, Node)],
+}
+
+impl<'a> Fields<'a> {
+    /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) where it is no object.
+    pub fn open(node: &'a Node, what: &'static str, keys: &[&str], faults: &mut Faults) -> Option<Self> {
+        let members = object(node, what, faults)?;
+        for (key, _) in members {
+            if !keys.contains(&key.text.as_str()) {
+                let d = Diagnostic::error("unknown-key", format!("`{}` is not a key of {what}", key.text)).at(key.span);
+                faults.push(d.help(suggest(&key.text, keys.iter().copied(), "the keys are")));
+            }
+        }
+        Some(Fields { what, span: node.span, members })
+    }
+
+    /// The value of a key, if it is there.
+    pub fn get(&self, key: &str) -> Option<&'a Node> {
+        self.members.iter().find(|(k, _)| k.text == key).map(|(_, v)| v)
+    }
+
+    /// The value of a key that must be there.
+    pub fn need(&self, key: &str, example: &str, faults: &mut Faults) -> Option<&'a Node> {
+        let found = self.get(key);
+        if found.is_none() {
+            let d = Diagnostic::error("missing-key", format!("{} has no `{key}`", self.what)).at(self.span);
+            faults.push(d.help(format!("add \"{key}\": {example}")));
+        }
+        found
+    }
+
+    /// Where the object stands.
+    pub fn span(&self) -> Span {
+        self.span
+    }
+}
+
+/// The members of any object, in order.
+pub(super) fn object<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
+    match &node.kind {
+        Kind::Object(members) => Some(members),
+        _ => wrong(node, what, "an object", faults),
+    }
+}
+
+/// The items of a list.
+pub(super) fn list<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [Node]> {
+    match &node.kind {
+        Kind::Array(items) => Some(items),
+        _ => wrong(node, what, "a list", faults),
+    }
+}
+
+/// A text that is not empty.
+pub(super) fn word(node: &Node, what: &str, faults: &mut Faults) -> Option<Word> {
+    match &node.kind {
+        Kind::Text(text) if text.trim().is_empty() => {
+            faults.push(Diagnostic::error("empty", format!("{what} is empty")).at(node.span));
+            None
+        }
+        Kind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
+        _ => wrong(node, what, "a text", faults),
+    }
+}
+
+/// A number or an expression in quotation marks.
+pub(super) fn quantity(node: &Node, what: &str, faults: &mut Faults) -> Option<RawQuantity> {
+    let (text, bare) = match &node.kind {
+        Kind::Number(text) => (text.clone(), true),
+        Kind::Text(_) => (word(node, what, faults)?.text, false),
+        _ => return wrong(node, what, "a quantity such as \"100 mm\"", faults),
+    };
+    Some(RawQuantity { text, span: node.span, bare })
+}
+
+/// Two quantities, such as coordinates.
+pub(super) fn two_quantities(node: &Node, what: &str, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+    match list(node, what, faults)? {
+        [a, b] => {
+            let (a, b) = (quantity(a, what, faults), quantity(b, what, faults));
+            Some([a?, b?])
+        }
+        items => {
+            let d = Diagnostic::error("wrong-count", format!("{what} has two values, this has {}", items.len())).at(node.span);
+            faults.push(d.help("write [x, y]"));
+            None
+        }
+    }
+}
+
+fn wrong<T>(node: &Node, what: &str, wanted: &str, faults: &mut Faults) -> Option<T> {
+    let d = Diagnostic::error("wrong-type", format!("{what} must be {wanted}, this is {}", node.what())).at(node.span);
+    faults.push(match &node.kind {
+        Kind::Number(n) if wanted == "a text" => d.help(format!("write \"{n}\"")),
+        _ => d,
+    });
+    None
+}
+
+/// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
+pub(super) fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: &str) -> String {
+    let lower = got.to_lowercase();
+    // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
+    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to guess from.
+    let one_slip = |k: &str| k.chars().count() >= 3 && strsim::osa_distance(got, k) == 1;
+    let score = |k: &str| match k.to_lowercase() == lower {
+        true => 1.0,
+        false if one_slip(k) => 0.95,
+        false => strsim::jaro_winkler(got, k),
+    };
+    let near = known
+        .clone()
+        .map(|k| (score(k), k))
+        .filter(|(score, _)| *score >= 0.7)
+        .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
+    match near {
+        Some((_, name)) => format!("did you mean `{name}`?"),
+        None => {
+            // More than a dozen names would bury the sentence they help to understand.
+            let mut names: Vec<&str> = known.take(13).collect();
+            if names.len() == 13 {
+                names[12] = "...";
+            }
+            format!("{otherwise} {}", names.join(", "))
+        }
+    }
+}

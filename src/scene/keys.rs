@@ -1,0 +1,28 @@
+//! Every key of the format, object by object: the decoder, its messages and the test of the schema read these lists.
+
+pub(super) const SCENE: &[&str] = &[
+    "title",
+    "statement",
+    "parameters",
+    "units",
+    "links",
+    "ground",
+    "points",
+    "lengths",
+    "guides",
+    "driver",
+    "sketch",
+    "side",
+    "find",
+    "paper",
+    "language",
+    "notation",
+];
+pub(super) const TEXT: &[&str] = &["en", "zh"];
+pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
+pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
+pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];
+pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
+pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
+pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
+pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a"];

@@ -1,0 +1,176 @@
+//! Names run together, as in print: `AB`, `O2B`, `B3B2`, `omega_3/2`, taken apart by the names that the scene declares.
+
+use super::fields::suggest;
+use super::json::Word;
+use super::model::{Link, LinkId, OnLink, Point, PointId};
+use crate::diag::Diagnostic;
+
+/// Longest name of a point or link. Figures print the names; nothing longer than this finds a place beside a joint.
+const MAX_NAME: usize = 16;
+
+/// The declared names.
+pub(super) struct Names<'a> {
+    pub points: &'a [Point],
+    pub links: &'a [Link],
+}
+
+/// What is wrong with a new name, if anything. `what` is "point" or "link"; a point begins with a letter.
+pub(super) fn check(name: &Word, what: &str) -> Option<Diagnostic> {
+    let text = &name.text;
+    let good = text.chars().all(|c| c.is_alphanumeric() || c == '\'' || c == '_');
+    let start = text.chars().next().is_some_and(|c| what == "link" || c.is_alphabetic());
+    if good && start && text.chars().count() <= MAX_NAME {
+        return None;
+    }
+    let d = Diagnostic::error("name", format!("`{text}` cannot name a {what}")).at(name.span);
+    let begin = if what == "link" { "up to" } else { "a letter first, up to" };
+    Some(d.help(format!("{begin} {MAX_NAME} letters, digits, ' or _")))
+}
+
+/// The two halves of `O2,B` or `O2-B`, if it is written so.
+fn halves(text: &str) -> Option<(&str, &str)> {
+    text.split_once([',', '-']).map(|(a, b)| (a.trim(), b.trim()))
+}
+
+impl Names<'_> {
+    fn find_point(&self, name: &str) -> Option<PointId> {
+        self.points.iter().position(|p| p.name == name).map(PointId)
+    }
+
+    fn find_link(&self, name: &str) -> Option<LinkId> {
+        self.links.iter().position(|l| l.name == name).map(LinkId)
+    }
+
+    /// The point of a name.
+    pub fn point(&self, word: &Word) -> Result<PointId, Diagnostic> {
+        self.find_point(&word.text).ok_or_else(|| self.no_point(&word.text, word))
+    }
+
+    /// The link of a name.
+    pub fn link(&self, word: &Word) -> Result<LinkId, Diagnostic> {
+        self.link_in(&word.text, word)
+    }
+
+    /// The link called `text`, which is a part of `word`.
+    pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
+        self.find_link(text).ok_or_else(|| {
+            let d = Diagnostic::error("unknown-link", format!("there is no link `{text}`")).at(word.span);
+            d.help(suggest(text, self.links.iter().map(|l| l.name.as_str()), "the links are"))
+        })
+    }
+
+    fn no_point(&self, text: &str, word: &Word) -> Diagnostic {
+        let d = Diagnostic::error("unknown-point", format!("there is no point `{text}`")).at(word.span);
+        d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), "the points are"))
+    }
+
+    /// Two different points, as in `AB` or `O2,B`.
+    pub fn pair(&self, word: &Word) -> Result<(PointId, PointId), Diagnostic> {
+        self.pair_in(&word.text, word)
+    }
+
+    /// Two different points named by `text`, which is a part of `word`.
+    pub fn pair_in(&self, text: &str, word: &Word) -> Result<(PointId, PointId), Diagnostic> {
+        let (a, b) = if let Some((a, b)) = halves(text) {
+            let find = |t: &str| self.find_point(t).ok_or_else(|| self.no_point(t, word));
+            (find(a)?, find(b)?)
+        } else {
+            let both = |i: usize| Some((self.find_point(&text[..i])?, self.find_point(&text[i..])?));
+            let found: Vec<_> = text.char_indices().skip(1).filter_map(|(i, _)| both(i)).collect();
+            match found.as_slice() {
+                [one] => *one,
+                [] => return Err(self.no_pair(text, word)),
+                many => {
+                    let readings = many.iter().map(|(a, b)| format!("\"{},{}\"", self.points[a.0].name, self.points[b.0].name));
+                    let d = Diagnostic::error("ambiguous", format!("`{text}` can be read in {} ways", many.len())).at(word.span);
+                    return Err(d.help(format!("write {}", readings.collect::<Vec<_>>().join(" or "))));
+                }
+            }
+        };
+        if a == b {
+            let d = Diagnostic::error("same-point", format!("`{text}` names the same point twice")).at(word.span);
+            return Err(d.help("two different points are wanted"));
+        }
+        Ok((a, b))
+    }
+
+    fn no_pair(&self, text: &str, word: &Word) -> Diagnostic {
+        // The longest declared name at the beginning leaves the part that is not known.
+        let known = self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
+        match known {
+            Some(p) if p.name.len() < text.len() => {
+                let rest = &text[p.name.len()..];
+                let d = Diagnostic::error("unknown-point", format!("in `{text}` there is no point `{rest}`")).at(word.span);
+                d.help(suggest(rest, self.points.iter().map(|p| p.name.as_str()), "the points are"))
+            }
+            _ => {
+                let d = Diagnostic::error("unknown-point", format!("`{text}` does not name two points")).at(word.span);
+                let names: Vec<_> = self.points.iter().take(12).map(|p| p.name.as_str()).collect();
+                d.help(format!("write two of the points one after the other or with a comma; the points are {}", names.join(", ")))
+            }
+        }
+    }
+
+    /// One or two points, each perhaps with a link: `E`, `B3`, `CB`, `B3B2`, `B3,B2`. `text` is a part of `word`.
+    ///
+    /// A name that is declared as a whole goes first: with a point `O2`, `O2` is that point and not the point of link 2 at O.
+    pub fn on_links(&self, text: &str, word: &Word) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
+        let mut readings: Vec<(usize, (OnLink, Option<OnLink>))> = Vec::new();
+        let weight = |p: &OnLink| usize::from(p.link.is_some());
+        if let Some((a, b)) = halves(text) {
+            for a in self.singles(a) {
+                readings.extend(self.singles(b).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
+            }
+        } else {
+            readings.extend(self.singles(text).into_iter().map(|a| (weight(&a), (a, None))));
+            for (i, _) in text.char_indices().skip(1) {
+                for a in self.singles(&text[..i]) {
+                    readings.extend(self.singles(&text[i..]).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
+                }
+            }
+        }
+        let Some(least) = readings.iter().map(|r| r.0).min() else {
+            return Err(self.no_on_link(text, word));
+        };
+        let best: Vec<_> = readings.iter().filter(|r| r.0 == least).map(|r| r.1).collect();
+        match best.as_slice() {
+            [one] => Ok(*one),
+            many => {
+                let d = Diagnostic::error("ambiguous", format!("`{text}` can be read in {} ways", many.len())).at(word.span);
+                Err(d.help(format!("write {}", many.iter().map(|r| self.print(r)).collect::<Vec<_>>().join(" or "))))
+            }
+        }
+    }
+
+    /// All readings of a text as one point, perhaps with a link. More than one where names overlap.
+    fn singles(&self, text: &str) -> Vec<OnLink> {
+        let mut out: Vec<_> = self.find_point(text).map(|point| OnLink { point, link: None }).into_iter().collect();
+        for (i, _) in text.char_indices().skip(1) {
+            if let (Some(point), Some(link)) = (self.find_point(&text[..i]), self.find_link(&text[i..])) {
+                out.push(OnLink { point, link: Some(link) });
+            }
+        }
+        out
+    }
+
+    fn print(&self, (a, b): &(OnLink, Option<OnLink>)) -> String {
+        let one = |p: &OnLink| format!("{}{}", self.points[p.point.0].name, p.link.map_or("", |l| self.links[l.0].name.as_str()));
+        match b {
+            Some(b) => format!("\"{},{}\"", one(a), one(b)),
+            None => format!("\"{}\"", one(a)),
+        }
+    }
+
+    fn no_on_link(&self, text: &str, word: &Word) -> Diagnostic {
+        let known = self.points.iter().filter(|p| text.starts_with(&p.name)).max_by_key(|p| p.name.len());
+        if let Some(p) = known
+            && p.name.len() < text.len()
+        {
+            let rest = &text[p.name.len()..];
+            let message = format!("in `{text}`, `{rest}` is neither a link nor a point");
+            let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
+            return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(rest, all, "there are"));
+        }
+        self.no_point(text, word)
+    }
+}

@@ -1,0 +1,108 @@
+//! The scene file as written: the same words, each with its place, nothing interpreted yet.
+
+use super::json::Word;
+use crate::diag::Span;
+
+/// A number or expression as written.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct RawQuantity {
+    /// `100`, `100 mm`, `2*r`.
+    pub text: String,
+    /// Its place, with quotation marks.
+    pub span: Span,
+    /// Whether it was a JSON number, without quotation marks.
+    pub bare: bool,
+}
+
+/// A text in one language (`other` absent) or in both.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawLocalized {
+    pub en: Option<String>,
+    pub zh: Option<String>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawLink {
+    pub name: Word,
+    pub points: Vec<Word>,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawPlace {
+    At([RawQuantity; 2]),
+    InLink { base: Word, xy: [RawQuantity; 2] },
+    Polar { base: Word, length: RawQuantity, angle: RawQuantity },
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawThrough {
+    Point(Word),
+    At([RawQuantity; 2], Span),
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawGuide {
+    pub pin: Option<Word>,
+    pub slider: Option<Word>,
+    pub on: Option<Word>,
+    pub line: Option<Word>,
+    pub through: Option<RawThrough>,
+    pub angle: Option<RawQuantity>,
+    pub offset: Option<RawQuantity>,
+    pub centre: Option<Word>,
+    pub radius: Option<RawQuantity>,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(super) struct RawDriver {
+    pub kind: RawDriverKind,
+    /// Missing where that has been reported.
+    pub rate: Option<RawQuantity>,
+    pub acceleration: Option<RawQuantity>,
+    pub span: Span,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawDriverKind {
+    Turn { link: Word, against: Option<Word>, line: Option<Word>, against_line: Option<Word>, angle: Option<RawQuantity> },
+    Slide { slide: Word, position: Option<RawQuantity> },
+    Cylinder { ends: Word, length: Option<RawQuantity>, links: Vec<Word> },
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum RawSize {
+    Named(Word),
+    Sides([RawQuantity; 2]),
+}
+
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawPaper {
+    pub size: Option<RawSize>,
+    pub mu_l: Option<RawQuantity>,
+    pub mu_v: Option<RawQuantity>,
+    pub mu_a: Option<RawQuantity>,
+}
+
+/// A scene file, decoded.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawScene {
+    pub title: Option<RawLocalized>,
+    pub statement: Option<RawLocalized>,
+    pub parameters: Vec<(Word, RawQuantity)>,
+    pub units: Vec<(Word, Word)>,
+    pub links: Vec<RawLink>,
+    /// Whether `links` could be read in full. If not, a name that is missing may stand in the part that could not be read.
+    pub links_sound: bool,
+    pub ground: Option<Word>,
+    pub points: Vec<(Word, RawPlace)>,
+    pub lengths: Vec<(Word, RawQuantity)>,
+    pub guides: Vec<RawGuide>,
+    pub drivers: Vec<RawDriver>,
+    pub sketch: Vec<(Word, [RawQuantity; 2])>,
+    pub sides: Vec<(Word, Word)>,
+    pub find: Vec<Word>,
+    pub paper: RawPaper,
+    pub language: Option<Word>,
+    pub notation: Option<Word>,
+}

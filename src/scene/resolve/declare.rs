@@ -1,0 +1,134 @@
+//! Points and links: those that the file lists, and those that a guide, the ground or a cylinder brings along.
+
+use std::collections::HashMap;
+
+use super::super::decode::{MAX_LINKS, MAX_POINTS};
+use super::super::names;
+use super::*;
+
+/// The declared names, in the order of the file.
+pub(super) struct Declared {
+    pub points: Vec<Point>,
+    pub links: Vec<Link>,
+    /// Missing (with a fault) where the file names none or an impossible one.
+    pub ground: Option<LinkId>,
+}
+
+/// Collects points and links while the sections are read in order.
+#[derive(Default)]
+struct Register {
+    points: Vec<Point>,
+    links: Vec<Link>,
+    by_point: HashMap<String, PointId>,
+    by_link: HashMap<String, LinkId>,
+}
+
+impl Register {
+    fn point(&mut self, word: &Word, faults: &mut Faults) -> PointId {
+        if let Some(id) = self.by_point.get(&word.text) {
+            return *id;
+        }
+        // A bad name is declared all the same: its other mentions are the same fault, not new ones.
+        faults.list.extend(names::check(word, "point"));
+        let id = PointId(self.points.len());
+        self.points.push(Point { name: word.text.clone(), place: Place::Unknown, sketch: None, span: word.span });
+        self.by_point.insert(word.text.clone(), id);
+        id
+    }
+
+    fn link(&mut self, word: &Word, points: Vec<PointId>, faults: &mut Faults) -> LinkId {
+        faults.list.extend(names::check(word, "link"));
+        let id = LinkId(self.links.len());
+        self.links.push(Link { name: word.text.clone(), points, span: word.span });
+        self.by_link.insert(word.text.clone(), id);
+        id
+    }
+}
+
+pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
+    let mut r = Register::default();
+    for link in &raw.links {
+        let mut points = Vec::with_capacity(link.points.len());
+        for word in &link.points {
+            let id = r.point(word, faults);
+            if points.contains(&id) {
+                let message = format!("link `{}` names point `{}` twice", link.name.text, word.text);
+                faults.push(Diagnostic::error("same-point", message).at(word.span).help("name it once"));
+            } else {
+                points.push(id);
+            }
+            if r.points.len() > MAX_POINTS {
+                let message = format!("there are more than {MAX_POINTS} points");
+                faults.push(Diagnostic::error("too-many", message).at(word.span));
+                return Declared { points: r.points, links: r.links, ground: None };
+            }
+        }
+        r.link(&link.name, points, faults);
+    }
+    let listed = r.links.len();
+    for guide in &raw.guides {
+        let Some(slider) = &guide.slider else { continue };
+        let id = r.by_link.get(&slider.text).copied();
+        match (id, &guide.pin) {
+            // Two guides may share an unlisted slider: a block pinned at one point, or a cross-shaped slider without a pin.
+            (Some(id), Some(pin)) if id.0 >= listed => {
+                let pin = r.point(pin, faults);
+                if !r.links[id.0].points.contains(&pin) {
+                    r.links[id.0].points.push(pin);
+                }
+            }
+            (Some(_), _) => {}
+            (None, pin) => {
+                let points = pin.iter().map(|pin| r.point(pin, faults)).collect();
+                r.link(slider, points, faults);
+            }
+        }
+    }
+    let ground = declare_ground(raw, &mut r, faults);
+    for driver in &raw.drivers {
+        let RawDriverKind::Cylinder { links, .. } = &driver.kind else { continue };
+        for link in links {
+            if !r.by_link.contains_key(&link.text) {
+                r.link(link, Vec::new(), faults);
+            }
+        }
+    }
+    if r.links.len() > MAX_LINKS {
+        faults.push(Diagnostic::error("too-many", format!("there are {} links; at most {MAX_LINKS} are allowed", r.links.len())));
+    } else if r.links.len() < 2 && !raw.links.is_empty() {
+        let d = Diagnostic::error("too-few-links", "a mechanism has at least two links, counting the ground; there is one");
+        faults.push(d.at(raw.links[0].name.span));
+    }
+    empty_links(raw, &r, ground, faults);
+    Declared { points: r.points, links: r.links, ground }
+}
+
+fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Option<LinkId> {
+    let word = raw.ground.as_ref()?;
+    if let Some(id) = r.by_link.get(&word.text) {
+        return Some(*id);
+    }
+    // A ground that nothing touches is a mistyped name, not a link without points of its own.
+    let carries = raw.guides.iter().any(|g| g.on.as_ref().is_none_or(|on| on.text == word.text));
+    if !carries {
+        let d = Diagnostic::error("unknown-link", format!("the ground `{}` is not among the links and carries no guide", word.text));
+        let known = raw.links.iter().map(|l| l.name.text.as_str());
+        faults.push(d.at(word.span).help(suggest(&word.text, known, "the links are")));
+        return None;
+    }
+    Some(r.link(word, Vec::new(), faults))
+}
+
+/// A link without points must slide, carry a guide or be the ground; else nothing joins it to the others.
+fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mut Faults) {
+    for (i, link) in r.links.iter().enumerate() {
+        let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == link.name);
+        let slides = raw.guides.iter().any(|g| named(&g.slider) || named(&g.on));
+        let cylinder =
+            |d: &RawDriver| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == link.name));
+        if link.points.is_empty() && !slides && ground != Some(LinkId(i)) && !raw.drivers.iter().any(cylinder) {
+            let d = Diagnostic::error("no-points", format!("link `{}` has no points and no guide", link.name)).at(link.span);
+            faults.push(d.help("name its points: [\"A\", \"B\"]"));
+        }
+    }
+}

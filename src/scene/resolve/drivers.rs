@@ -1,0 +1,156 @@
+//! The section `driver`.
+
+use super::guides::Numbered;
+use super::*;
+
+pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> Vec<Driver> {
+    let mut out: Vec<Driver> = Vec::new();
+    for raw in &c.raw.drivers {
+        let (rate, acceleration) = match raw.kind {
+            RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
+            _ => (Wanted::Velocity, Wanted::Acceleration),
+        };
+        let rate = raw.rate.as_ref().and_then(|q| c.values.si(q, rate, faults));
+        let acceleration = match &raw.acceleration {
+            Some(q) => c.values.si(q, acceleration, faults).map(Some),
+            None => Some(None),
+        };
+        let kind = match &raw.kind {
+            RawDriverKind::Turn { link, against, line, against_line, angle } => {
+                turn(c, raw, link, against, [line, against_line], angle, faults)
+            }
+            RawDriverKind::Slide { slide, position } => self::slide(c, guides, slide, position, faults),
+            RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
+        };
+        let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else { continue };
+        if out.iter().any(|d| same_motion(&d.kind, &kind)) {
+            let d = Diagnostic::error("given-twice", "this motion is already given by another driver").at(raw.span);
+            faults.push(d.help("keep one of the two"));
+            continue;
+        }
+        out.push(Driver { kind, rate, acceleration, span: raw.span });
+    }
+    out
+}
+
+fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
+    match (a, b) {
+        (DriverKind::Turn { link, against, .. }, DriverKind::Turn { link: l, against: g, .. }) => {
+            (link, against) == (l, g) || (link, against) == (g, l)
+        }
+        (DriverKind::Slide { guide: g, .. }, DriverKind::Slide { guide: h, .. }) => g == h,
+        (DriverKind::Cylinder { a, b, .. }, DriverKind::Cylinder { a: p, b: q, .. }) => (a, b) == (p, q) || (a, b) == (q, p),
+        _ => false,
+    }
+}
+
+fn turn(
+    c: &Context,
+    raw: &RawDriver,
+    link: &Word,
+    against: &Option<Word>,
+    lines: [&Option<Word>; 2],
+    angle: &Option<RawQuantity>,
+    faults: &mut Faults,
+) -> Option<DriverKind> {
+    let link = note(c.names.link(link), faults);
+    let against = match against {
+        Some(word) => note(c.names.link(word), faults),
+        None => Some(c.ground),
+    };
+    let angle = match angle {
+        Some(q) => Some(c.values.angle(q, faults)?),
+        None => None,
+    };
+    let (link, against) = (link?, against?);
+    if link == against {
+        let name = c.link_name(link);
+        let d = if link == c.ground {
+            Diagnostic::error("driver", format!("link `{name}` is the ground: it cannot be driven")).help("drive a moving link")
+        } else {
+            Diagnostic::error("driver", format!("link `{name}` cannot turn against itself")).help("name another link in \"against\"")
+        };
+        faults.push(d.at(raw.span));
+        return None;
+    }
+    let mut on = |word: &Option<Word>, link: LinkId| match word {
+        Some(word) => note(c.line_on(word, link), faults).map(Some),
+        None => Some(None),
+    };
+    let (line, against_line) = (on(lines[0], link)?, on(lines[1], against)?);
+    // A link whose guide is its direction has an angle without two points.
+    let has_direction = |l: LinkId, line: Option<(PointId, PointId)>| {
+        line.is_some()
+            || c.names.links[l.0].points.len() > 1
+            || c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(l)))
+    };
+    if angle.is_some() {
+        for (l, line) in [(link, line), (against, against_line)] {
+            if (l != c.ground) && !has_direction(l, line) {
+                let message = format!("link `{}` has no line whose angle could be given", c.link_name(l));
+                faults.push(Diagnostic::error("driver", message).at(raw.span).help(c.points_of(l)));
+                return None;
+            }
+        }
+    }
+    Some(DriverKind::Turn { link, against, line, against_line, angle })
+}
+
+fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQuantity>, faults: &mut Faults) -> Option<DriverKind> {
+    let position = match position {
+        Some(q) => Some(c.values.si(q, Wanted::Length, faults)?),
+        None => None,
+    };
+    let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == word.text);
+    let meant: Vec<usize> = (0..c.raw.guides.len()).filter(|i| named(&c.raw.guides[*i].pin) || named(&c.raw.guides[*i].slider)).collect();
+    match meant.as_slice() {
+        // A guide that has been left out for its own fault is not missed here.
+        [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
+        [] => {
+            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().map(|w| w.text.as_str());
+            let d = Diagnostic::error("driver", format!("no guide has a pin or slider `{}`", word.text)).at(word.span);
+            faults.push(if c.raw.guides.is_empty() { d.help("add \"guides\"") } else { d.help(suggest(&word.text, runners, "there are")) });
+            None
+        }
+        _ => {
+            let d = Diagnostic::error("ambiguous", format!("`{}` runs in {} guides", word.text, meant.len())).at(word.span);
+            faults.push(d.help("name a pin or slider that runs in one of them only"));
+            None
+        }
+    }
+}
+
+fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Word], faults: &mut Faults) -> Option<DriverKind> {
+    let length = match length {
+        Some(q) => Some(c.values.positive_length(q, "the length of the cylinder", faults)?),
+        None => None,
+    };
+    let (a, b) = note(c.names.pair(ends), faults)?;
+    if let Some(link) = c.common(a, b) {
+        let message = format!(
+            "`{}` and `{}` are both on link `{}`, so no cylinder can move them",
+            c.point_name(a),
+            c.point_name(b),
+            c.link_name(link)
+        );
+        faults.push(Diagnostic::error("driver", message).at(ends.span));
+        return None;
+    }
+    let ids: Vec<LinkId> = links.iter().filter_map(|w| note(c.names.link(w), faults)).collect();
+    let mut sound = ids.len() == links.len();
+    if !matches!(ids.as_slice(), [] | [_, _]) || (ids.len() == 2 && ids[0] == ids[1]) {
+        let d = Diagnostic::error("driver", "\"links\" of a cylinder numbers two links, the barrel and the rod").at(ends.span);
+        faults.push(d.help("write \"links\": [\"5\", \"6\"]"));
+        sound = false;
+    }
+    for ((id, word), end) in ids.iter().zip(links).zip([a, b]) {
+        if let Some(other) = c.names.links[id.0].points.iter().find(|p| **p != end) {
+            let message = format!("link `{}` of the cylinder has a further point `{}`", word.text, c.point_name(*other));
+            faults.push(
+                Diagnostic::error("driver", message).at(word.span).help("describe barrel and rod as links with a guide between them"),
+            );
+            sound = false;
+        }
+    }
+    sound.then_some(DriverKind::Cylinder { a, b, length, links: ids })
+}

@@ -1,0 +1,118 @@
+//! The section `find`: what is asked.
+
+use super::*;
+
+/// The quantities that can be asked, as they are written, with an example.
+const QUANTITIES: [(&str, &str); 13] = [
+    ("v", "v_E"),
+    ("a", "a_E"),
+    ("an", "an_CB"),
+    ("at", "at_CB"),
+    ("vr", "vr_B3B2"),
+    ("ar", "ar_B3B2"),
+    ("ak", "ak_B3B2"),
+    ("omega", "omega_3"),
+    ("alpha", "alpha_3"),
+    ("x", "x_E"),
+    ("y", "y_E"),
+    ("phi", "phi_3"),
+    ("l", "l_AB"),
+];
+
+pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
+    let mut out: Vec<Find> = Vec::new();
+    for word in &c.raw.find {
+        let Some(what) = note(asked(c, word), faults) else { continue };
+        if out.iter().any(|f| f.text == word.text) {
+            let d = Diagnostic::warning("given-twice", format!("`{}` is asked twice", word.text)).at(word.span);
+            faults.push(d.help("ask once"));
+            continue;
+        }
+        out.push(Find { what, text: word.text.clone(), span: word.span });
+    }
+    out
+}
+
+fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
+    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    let Some((symbol, rest)) = word.text.split_once('_') else {
+        let d = fault(format!("`{}` is not a quantity that can be asked", word.text));
+        return Err(d.help("write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2"));
+    };
+    if !QUANTITIES.iter().any(|(s, _)| *s == symbol) {
+        let d = fault(format!("`{symbol}` in `{}` is not a quantity that can be asked", word.text));
+        return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), "the quantities are")));
+    }
+    Ok(match symbol {
+        "omega" | "alpha" => return angular(c, word, symbol, rest),
+        "phi" => {
+            let link = c.names.link_in(rest, word)?;
+            let guided = c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == rest));
+            if c.names.links[link.0].points.len() < 2 && !guided {
+                return Err(fault(format!("link `{rest}` has no two points, so it has no angle")));
+            }
+            Asked::LinkAngle(link)
+        }
+        "l" => {
+            let (a, b) = c.names.pair_in(rest, word)?;
+            Asked::Distance(a, b)
+        }
+        "x" | "y" => match c.names.on_links(rest, word)? {
+            (OnLink { point, .. }, None) => Asked::Position(point),
+            _ => return Err(fault(format!("`{}` names two points; a coordinate has one", word.text))),
+        },
+        _ => match (symbol, c.names.on_links(rest, word)?) {
+            ("v", (a, None)) => Asked::Velocity(a),
+            ("a", (a, None)) => Asked::Acceleration(a),
+            (_, (_, None)) => {
+                let example = QUANTITIES.iter().find(|q| q.0 == symbol).map_or("", |q| q.1);
+                return Err(fault(format!("`{}` names one point; `{symbol}` is of one point relative to another", word.text))
+                    .help(format!("write for example {example}")));
+            }
+            (_, (of, Some(to))) => relative(c, word, symbol, of, to)?,
+        },
+    })
+}
+
+fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> Result<Asked, Diagnostic> {
+    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    if of == to {
+        return Err(fault(format!("`{}` is of a point relative to itself: zero", word.text)));
+    }
+    let sliding = matches!(symbol, "vr" | "ar" | "ak");
+    if sliding && (of.point != to.point || of.link.is_none() || to.link.is_none()) {
+        let d = fault(format!("`{}`: sliding is between two links at one place", word.text));
+        return Err(d.help(format!("name the place twice, each time with its link: {symbol}_{p}3{p}2", p = c.point_name(of.point))));
+    }
+    if matches!(symbol, "an" | "at") && of.point == to.point {
+        let d = fault(format!("`{}`: two links at one place have no line between them", word.text));
+        return Err(d.help(format!("ask for ar_ or ak_ with {}", &word.text[3..])));
+    }
+    Ok(match symbol {
+        "v" => Asked::RelativeVelocity(of, to),
+        "a" => Asked::RelativeAcceleration(of, to),
+        "an" => Asked::NormalAcceleration(of, to),
+        "at" => Asked::TangentialAcceleration(of, to),
+        "vr" => Asked::SlidingVelocity(of, to),
+        "ar" => Asked::SlidingAcceleration(of, to),
+        _ => Asked::Coriolis(of, to),
+    })
+}
+
+fn angular(c: &Context, word: &Word, symbol: &str, rest: &str) -> Result<Asked, Diagnostic> {
+    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    let omega = symbol == "omega";
+    if let Some((of, to)) = rest.split_once('/') {
+        let (of, to) = (c.names.link_in(of.trim(), word)?, c.names.link_in(to.trim(), word)?);
+        if of == to {
+            return Err(fault(format!("`{}` is of a link against itself: zero", word.text)));
+        }
+        return Ok(if omega { Asked::RelativeOmega(of, to) } else { Asked::RelativeAlpha(of, to) });
+    }
+    let link = c.names.link_in(rest, word)?;
+    if link == c.ground {
+        let d = fault(format!("link `{rest}` is the ground: it does not turn, so `{}` is zero", word.text));
+        return Err(d.help("ask for a moving link"));
+    }
+    Ok(if omega { Asked::Omega(link) } else { Asked::Alpha(link) })
+}

@@ -1,0 +1,187 @@
+//! The section `guides`: sliding pairs.
+
+use super::*;
+
+/// A guide with its number in the file: faulty guides are left out, and a driver may name one of those.
+pub(super) type Numbered = (Guide, usize);
+
+pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<Numbered> {
+    let mut out: Vec<Numbered> = Vec::with_capacity(c.raw.guides.len());
+    for (i, raw) in c.raw.guides.iter().enumerate() {
+        let Some(guide) = guide(c, raw, places, faults) else { continue };
+        if out.iter().any(|(g, _)| (g.pin, g.slider, g.on) == (guide.pin, guide.slider, guide.on) && guide.slider.is_some()) {
+            let message = format!("this slider already slides on link `{}`", c.link_name(guide.on));
+            faults.push(
+                Diagnostic::error("given-twice", message).at(raw.span).help("one guide joins two links; a second one would stop them"),
+            );
+            continue;
+        }
+        out.push((guide, i));
+    }
+    out
+}
+
+fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> Option<Guide> {
+    if raw.pin.is_none() && raw.slider.is_none() {
+        let d = Diagnostic::error("missing-key", "a guide has neither `pin` nor `slider`, so nothing runs in it").at(raw.span);
+        faults.push(d.help("name the running \"pin\", the sliding link \"slider\", or both"));
+        return None;
+    }
+    let on = match &raw.on {
+        Some(word) => note(c.names.link(word), faults),
+        None => Some(c.ground),
+    };
+    let pin = raw.pin.as_ref().map(|word| note(c.names.point(word), faults));
+    let slider = raw.slider.as_ref().map(|word| note(c.names.link(word), faults));
+    let (on, pin, slider) = (on?, transpose(pin)?, transpose(slider)?);
+    let mut sound = true;
+    let mut fault = |d: Diagnostic, faults: &mut Faults| {
+        sound = false;
+        faults.push(d);
+    };
+    if slider == Some(on) {
+        let message = format!("link `{}` cannot slide on itself", c.link_name(on));
+        fault(Diagnostic::error("guide", message).at(raw.span).help("name another link in \"on\""), faults);
+    }
+    if let (Some(pin), Some(slider), Some(word)) = (pin, slider, &raw.pin)
+        && !c.carries(slider, pin)
+    {
+        let message = format!("pin `{}` is not on slider `{}`", c.point_name(pin), c.link_name(slider));
+        fault(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(slider)), faults);
+    }
+    if let (Some(pin), Some(word)) = (pin, &raw.pin)
+        && c.carries(on, pin)
+    {
+        let message =
+            format!("pin `{}` is a point of link `{}`, which carries the guide: it cannot run in it", c.point_name(pin), c.link_name(on));
+        let d = Diagnostic::error("guide", message).at(word.span);
+        fault(d.help("the pin belongs to the link that runs, the guide to the link in \"on\""), faults);
+    }
+    let path = match &raw.centre {
+        Some(centre) => arc(c, raw, on, centre, faults),
+        None => line(c, raw, on, pin, places, faults),
+    };
+    let path = path?;
+    sound.then_some(Guide { pin, slider, on, path, span: raw.span })
+}
+
+/// `Some(None)` for what is absent, `None` for what has a fault.
+fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
+    match found {
+        None => Some(None),
+        Some(None) => None,
+        Some(found) => Some(found),
+    }
+}
+
+fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults) -> Option<GuidePath> {
+    let radius = match &raw.radius {
+        Some(quantity) => Some(c.values.positive_length(quantity, "the radius", faults)?),
+        None => None,
+    };
+    let straight = [
+        ("line", raw.line.is_some()),
+        ("through", raw.through.is_some()),
+        ("angle", raw.angle.is_some()),
+        ("offset", raw.offset.is_some()),
+    ];
+    if let Some((key, _)) = straight.iter().find(|(_, given)| *given) {
+        let d = Diagnostic::error("guide", format!("a guide about a `centre` is curved and has no `{key}`")).at(raw.span);
+        faults.push(d.help(format!("leave \"{key}\" or \"centre\" away")));
+        return None;
+    }
+    let centre = note(c.names.point(word), faults)?;
+    if !c.carries(on, centre) {
+        let message = format!("centre `{}` is not on link `{}`, which carries the guide", word.text, c.link_name(on));
+        faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
+        return None;
+    }
+    if raw.pin.is_none() {
+        let d = Diagnostic::error("missing-key", "a curved guide has no `pin`").at(raw.span);
+        faults.push(d.help("name the point that runs in it: \"pin\""));
+        return None;
+    }
+    Some(GuidePath::Arc { centre, radius })
+}
+
+fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &[Place], faults: &mut Faults) -> Option<GuidePath> {
+    if let Some(radius) = &raw.radius {
+        let d = Diagnostic::error("missing-key", "a guide with a `radius` has no `centre`").at(radius.span);
+        faults.push(d.help(format!("add \"centre\", a point of link `{}`", c.link_name(on))));
+        return None;
+    }
+    let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
+    let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
+    let offset = raw.offset.as_ref().map(|q| c.values.si(q, Wanted::Length, faults));
+    let through = raw.through.as_ref().map(|t| through(c, on, t, faults));
+    let (ends, angle, offset, through) = (transpose(ends)?, transpose(angle)?, transpose(offset)?, transpose(through)?);
+    let direction = match (ends, angle) {
+        (Some((a, b)), turned) => Direction::Along(a, b, turned),
+        (None, Some(angle)) => Direction::Instant(angle),
+        (None, None) => own(c, raw, on, pin, &through, places, faults)?,
+    };
+    let through = through.unwrap_or(match &direction {
+        Direction::Along(a, ..) => Through::Point(*a),
+        _ => Through::Pin,
+    });
+    Some(GuidePath::Line { through, direction, offset })
+}
+
+fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
+    match raw {
+        RawThrough::At(xy, span) => {
+            let xy = c.values.two_lengths(xy, faults);
+            if on != c.ground {
+                let d =
+                    Diagnostic::error("guide", format!("a guide on the moving link `{}` cannot pass through coordinates", c.link_name(on)));
+                faults.push(d.at(*span).help(format!("name a point: {}", c.points_of(on))));
+                return None;
+            }
+            xy.map(Through::At)
+        }
+        RawThrough::Point(word) => {
+            let point = note(c.names.point(word), faults)?;
+            if !c.carries(on, point) {
+                let message = format!("the guide passes through `{}`, which is not on link `{}`", word.text, c.link_name(on));
+                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
+                return None;
+            }
+            Some(Through::Point(point))
+        }
+    }
+}
+
+/// A guide without a direction gives its link its direction: a lever known by its pivot and its slot only.
+fn own(
+    c: &Context,
+    raw: &RawGuide,
+    on: LinkId,
+    pin: Option<PointId>,
+    through: &Option<Through>,
+    places: &[Place],
+    faults: &mut Faults,
+) -> Option<Direction> {
+    let mut fault = |message: String, help: &str| {
+        faults.push(Diagnostic::error("no-direction", message).at(raw.span).help(help));
+        None
+    };
+    if on == c.ground {
+        return fault(
+            "a guide on the ground has no direction".to_owned(),
+            "add \"angle\": \"0 deg\" (from the x axis) or \"line\", two points of the ground",
+        );
+    }
+    let (Some(Through::Point(point)), Some(pin)) = (through, pin) else {
+        return fault(
+            format!("the guide on link `{}` has no direction", c.link_name(on)),
+            "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\"",
+        );
+    };
+    let at = |p: PointId| matches!(places[p.0], Place::At(_));
+    if c.names.links[on.0].points.len() > 1 && !(at(*point) && at(pin)) {
+        let message =
+            format!("link `{}` has further points, so its guide through `{}` needs a direction", c.link_name(on), c.point_name(*point));
+        return fault(message, "add \"line\", two points of that link, and \"angle\" where the guide is turned from it");
+    }
+    Some(Direction::Own)
+}

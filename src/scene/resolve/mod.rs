@@ -1,0 +1,140 @@
+//! Raw scene to [`Scene`]: names to ids, texts to SI values, and every rule of the format that one file can break.
+//!
+//! Each file reads one section. All of them go on after a fault, so that one run shows them all; only what hangs on a
+//! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
+
+mod declare;
+mod drivers;
+mod find;
+mod guides;
+mod lengths;
+mod paper;
+mod places;
+
+use super::fields::suggest;
+use super::json::Word;
+use super::model::*;
+use super::names::Names;
+use super::raw::*;
+use super::units::Wanted;
+use super::values::Values;
+use crate::diag::{Diagnostic, Faults, Span};
+
+/// What every section needs.
+struct Context<'a> {
+    raw: &'a RawScene,
+    values: &'a Values<'a>,
+    names: Names<'a>,
+    ground: LinkId,
+}
+
+impl Context<'_> {
+    fn carries(&self, link: LinkId, point: PointId) -> bool {
+        self.names.links[link.0].points.contains(&point)
+    }
+
+    /// A link that carries both points.
+    fn common(&self, a: PointId, b: PointId) -> Option<LinkId> {
+        (0..self.names.links.len()).map(LinkId).find(|l| self.carries(*l, a) && self.carries(*l, b))
+    }
+
+    fn point_name(&self, p: PointId) -> &str {
+        &self.names.points[p.0].name
+    }
+
+    fn link_name(&self, l: LinkId) -> &str {
+        &self.names.links[l.0].name
+    }
+
+    /// The points of a link, for a help line.
+    fn points_of(&self, l: LinkId) -> String {
+        match self.names.links[l.0].points.as_slice() {
+            [] => format!("link `{}` has no points", self.link_name(l)),
+            points => {
+                let names: Vec<_> = points.iter().map(|p| self.point_name(*p)).collect();
+                format!("link `{}` has {}", self.link_name(l), names.join(", "))
+            }
+        }
+    }
+
+    /// A pair of points that must both be on `link`.
+    fn line_on(&self, word: &Word, link: LinkId) -> Result<(PointId, PointId), Diagnostic> {
+        let (a, b) = self.names.pair(word)?;
+        match [a, b].into_iter().find(|p| !self.carries(link, *p)) {
+            None => Ok((a, b)),
+            Some(p) => {
+                let message = format!("point `{}` is not on link `{}`", self.point_name(p), self.link_name(link));
+                Err(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)))
+            }
+        }
+    }
+}
+
+/// Hands a fault over and goes on without the value.
+fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
+    result.map_err(|d| faults.push(d)).ok()
+}
+
+/// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
+fn zero(span: Span) -> Given {
+    Given { value: 0.0, text: "0".to_owned(), span }
+}
+
+/// Resolves a whole scene. The result means something only where no error has been added to `faults`.
+pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
+    let mut found = Faults::default();
+    let scene = sections(raw, source, &mut found);
+    if !raw.links_sound {
+        found.list.retain(|d| !matches!(d.code, "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"));
+    }
+    // With an error already found, a remark about what is unused would be noise.
+    let broken = faults.has_errors() || found.has_errors();
+    faults.list.extend(found.list.into_iter().filter(|d| !broken || d.code != "unused-parameter"));
+    scene
+}
+
+fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
+    let (values, parameters) = Values::new(source, &raw.units, &raw.parameters, faults);
+    let declared = declare::declare(raw, faults);
+    let scene = {
+        let declare::Declared { points, links, ground } = &declared;
+        let context = Context { raw, values: &values, names: Names { points, links }, ground: ground.unwrap_or(LinkId(0)) };
+        // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
+        let lengths = lengths::lengths(&context, faults);
+        let places = places::places(&context, *ground, &lengths, faults);
+        let sketch = places::sketch(&context, faults);
+        let sides = places::sides(&context, faults);
+        let guides = ground.map(|_| guides::guides(&context, &places, faults));
+        let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
+        let find = ground.map(|_| find::find(&context, faults));
+        let paper = paper::paper(raw, &values, faults);
+        let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
+        faults.list.extend(values.unused(&raw.parameters));
+        let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| Point { place, sketch, ..p.clone() }).collect();
+        Scene {
+            title: localized(&raw.title).unwrap_or_default(),
+            statement: localized(&raw.statement),
+            parameters,
+            points,
+            links: links.clone(),
+            ground: (*ground)?,
+            guides: guides?.into_iter().map(|g| g.0).collect(),
+            lengths,
+            drivers: drivers?,
+            sides,
+            find: find?,
+            language,
+            notation,
+            paper,
+        }
+    };
+    Some(scene)
+}
+
+/// A text given in one language serves for both.
+fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
+    let raw = raw.as_ref()?;
+    let en = raw.en.clone().or_else(|| raw.zh.clone())?;
+    let zh = raw.zh.clone().unwrap_or_else(|| en.clone());
+    Some(Localized { en, zh })
+}

@@ -1,0 +1,88 @@
+//! The sections `paper`, `language` and `notation`.
+
+use super::*;
+
+/// ISO 216 sheets, upright, in mm.
+const SHEETS: [(&str, [f64; 2]); 5] =
+    [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A5", [148.0, 210.0])];
+
+/// Sides of a sheet in mm. On less than 20 mm no figure has room, and more than 5 m no printer takes; a picture of either size
+/// would only be an accident of units.
+const SIDES_MM: [f64; 2] = [20.0, 5000.0];
+
+pub(super) fn paper(raw: &RawScene, values: &Values, faults: &mut Faults) -> Paper {
+    let size_mm = match &raw.paper.size {
+        Some(RawSize::Named(word)) => named(word, faults),
+        Some(RawSize::Sides(sides)) => sides_mm(sides, values, faults),
+        None => None,
+    };
+    let mut scale = |q: &Option<RawQuantity>, wanted: Wanted, key: &str| {
+        let q = q.as_ref()?;
+        let given = values.si(q, wanted, faults)?;
+        if given.value <= 0.0 {
+            faults.push(Diagnostic::error("not-positive", format!("`{key}` must be greater than zero")).at(q.span));
+            return None;
+        }
+        // The value counts per metre of paper.
+        Some(given.value / 1000.0)
+    };
+    Paper {
+        size_mm,
+        mu_l: scale(&raw.paper.mu_l, Wanted::ScaleOfLengths, "mu_l"),
+        mu_v: scale(&raw.paper.mu_v, Wanted::ScaleOfVelocities, "mu_v"),
+        mu_a: scale(&raw.paper.mu_a, Wanted::ScaleOfAccelerations, "mu_a"),
+    }
+}
+
+fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
+    let mut parts = word.text.split_whitespace();
+    let sheet = parts.next().and_then(|name| SHEETS.iter().find(|(s, _)| *s == name));
+    let landscape = match (parts.next(), parts.next()) {
+        (None, _) => Some(false),
+        (Some("landscape"), None) => Some(true),
+        _ => None,
+    };
+    let (Some((_, [w, h])), Some(landscape)) = (sheet, landscape) else {
+        let d = Diagnostic::error("paper", format!("there is no paper size `{}`", word.text)).at(word.span);
+        let known: Vec<_> = SHEETS.iter().map(|(s, _)| *s).collect();
+        faults.push(d.help(format!("write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]", known.join(", "))));
+        return None;
+    };
+    Some(if landscape { [*h, *w] } else { [*w, *h] })
+}
+
+fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> Option<[f64; 2]> {
+    let [w, h] = values.two_lengths(sides, faults)?;
+    let mm = [w.value * 1000.0, h.value * 1000.0];
+    for (given, mm) in [&w, &h].into_iter().zip(mm) {
+        if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
+            let message = format!("a side of {mm} mm; paper has sides from {} mm to {} mm", SIDES_MM[0], SIDES_MM[1]);
+            faults.push(Diagnostic::error("paper", message).at(given.span));
+            return None;
+        }
+    }
+    Some(mm)
+}
+
+pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
+    let word = raw.language.as_ref()?;
+    match word.text.as_str() {
+        "en" => Some(Lang::En),
+        "zh" => Some(Lang::Zh),
+        other => {
+            let d = Diagnostic::error("language", format!("there is no language `{other}`")).at(word.span);
+            faults.push(d.help("write \"en\" or \"zh\""));
+            None
+        }
+    }
+}
+
+pub(super) fn notation(raw: &RawScene, faults: &mut Faults) -> Option<String> {
+    let word = raw.notation.as_ref()?;
+    if ["en", "cn"].contains(&word.text.as_str()) {
+        return Some(word.text.clone());
+    }
+    let d = Diagnostic::error("notation", format!("there is no notation `{}`", word.text)).at(word.span);
+    faults.push(d.help("write \"en\" or \"cn\""));
+    None
+}

@@ -1,0 +1,181 @@
+//! The sections `points`, `sketch` and `side`, and the rules for ground pivots without coordinates.
+
+use super::lengths::same;
+use super::*;
+
+/// The place of every point, in the order of the points.
+pub(super) fn places(c: &Context, ground: Option<LinkId>, lengths: &[Length], faults: &mut Faults) -> Vec<Place> {
+    let mut places = vec![Place::Unknown; c.names.points.len()];
+    for (word, raw) in &c.raw.points {
+        let point = note(c.names.point(word), faults);
+        let place = place(c, point, raw, faults);
+        if let (Some(point), Some(place)) = (point, place) {
+            places[point.0] = place;
+        }
+    }
+    circular(c, &mut places, faults);
+    if let Some(ground) = ground {
+        pivots(c, ground, lengths, &mut places);
+    }
+    contradictions(c, lengths, &places, faults);
+    places
+}
+
+fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Faults) -> Option<Place> {
+    match raw {
+        RawPlace::At(xy) => c.values.two_lengths(xy, faults).map(Place::At),
+        RawPlace::InLink { base, xy } => {
+            let base = self_or_base(c, point, base, faults);
+            let xy = c.values.two_lengths(xy, faults);
+            Some(Place::InLink { base: base?, xy: xy? })
+        }
+        RawPlace::Polar { base, length, angle } => {
+            let base = self_or_base(c, point, base, faults);
+            let length = c.values.positive_length(length, "the length", faults);
+            let angle = c.values.angle(angle, faults);
+            Some(Place::Polar { base: base?, length: length?, angle: angle? })
+        }
+    }
+}
+
+/// The base of a place in a link: two other points of a link that carries the point too.
+fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut Faults) -> Option<(PointId, PointId)> {
+    let (a, b) = note(c.names.pair(word), faults)?;
+    let point = point?;
+    if point == a || point == b {
+        let d = Diagnostic::error("same-point", format!("`{}` cannot be its own base", c.point_name(point))).at(word.span);
+        faults.push(d.help("name two other points of its link"));
+        return None;
+    }
+    let link = (0..c.names.links.len()).map(LinkId).find(|l| [a, b, point].iter().all(|p| c.carries(*l, *p)));
+    if link.is_none() {
+        let message = format!("no link has all of `{}`, `{}` and `{}`", c.point_name(a), c.point_name(b), c.point_name(point));
+        faults.push(Diagnostic::error("not-on-link", message).at(word.span));
+        return None;
+    }
+    Some((a, b))
+}
+
+/// Places whose bases lead back to themselves: D by the base AC and C by the base AD.
+fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
+    // 0 not seen, 1 on the way, 2 done.
+    let mut state = vec![0u8; places.len()];
+    for start in 0..places.len() {
+        // An explicit stack: a chain of bases can be as long as there are points.
+        let mut stack = vec![(start, false)];
+        while let Some((p, leaving)) = stack.pop() {
+            if leaving {
+                state[p] = 2;
+                continue;
+            }
+            if state[p] == 2 {
+                continue;
+            }
+            if state[p] == 1 {
+                let span = c.names.points[p].span;
+                let span = c.raw.points.iter().find(|(w, _)| w.text == c.names.points[p].name).map_or(span, |(w, _)| w.span);
+                let message = format!("the place of `{}` is given by way of itself", c.point_name(PointId(p)));
+                faults.push(Diagnostic::error("circular", message).at(span).help("take a base of points that are known without it"));
+                // Once said is enough; without its place the circle is open.
+                places[p] = Place::Unknown;
+                state[p] = 2;
+                continue;
+            }
+            state[p] = 1;
+            stack.push((p, true));
+            if let Place::InLink { base, .. } | Place::Polar { base, .. } = &places[p] {
+                stack.push((base.0.0, false));
+                stack.push((base.1.0, false));
+            }
+        }
+    }
+}
+
+/// Ground pivots without coordinates: two with a length between them lie on the x axis, the first at the origin; a single
+/// one lies at the origin. Where any point has coordinates the frame of the plane is given already.
+fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [Place]) {
+    if places.iter().any(|p| matches!(p, Place::At(_))) {
+        return;
+    }
+    let pivots = &c.names.links[ground.0].points;
+    let span = c.raw.ground.as_ref().map_or(c.names.links[ground.0].span, |w| w.span);
+    if let [only] = pivots.as_slice() {
+        places[only.0] = Place::At([zero(span), zero(span)]);
+        return;
+    }
+    for (i, &first) in pivots.iter().enumerate() {
+        for &second in &pivots[i + 1..] {
+            let between = lengths.iter().find(|l| (l.a, l.b) == (first, second) || (l.b, l.a) == (first, second));
+            let free = [first, second].iter().all(|p| matches!(places[p.0], Place::Unknown));
+            if let (Some(length), true) = (between, free) {
+                places[first.0] = Place::At([zero(length.value.span), zero(length.value.span)]);
+                places[second.0] = Place::At([length.value.clone(), zero(length.value.span)]);
+                return;
+            }
+        }
+    }
+}
+
+/// Lengths that the places of their ends contradict.
+fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mut Faults) {
+    for length in lengths {
+        let distance = match (&places[length.a.0], &places[length.b.0]) {
+            (Place::At(p), Place::At(q)) => libm::hypot(q[0].value - p[0].value, q[1].value - p[1].value),
+            (Place::InLink { base, xy }, _) if base.0 == length.b => libm::hypot(xy[0].value, xy[1].value),
+            (_, Place::InLink { base, xy }) if base.0 == length.a => libm::hypot(xy[0].value, xy[1].value),
+            (Place::Polar { base, length: l, .. }, _) if base.0 == length.b => l.value,
+            (_, Place::Polar { base, length: l, .. }) if base.0 == length.a => l.value,
+            _ => continue,
+        };
+        if !same(distance, length.value.value) {
+            let (a, b) = (c.point_name(length.a), c.point_name(length.b));
+            let message = format!("{a} and {b} lie {} m apart by their coordinates, but {} is given", short(distance), length.value.text);
+            let d = Diagnostic::error("contradiction", message).at(length.value.span);
+            faults.push(d.help("leave the length or the coordinates away"));
+        }
+    }
+}
+
+/// A number for a message, with six digits.
+fn short(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
+}
+
+/// The rough coordinates of every point.
+pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> {
+    let mut out = vec![None; c.names.points.len()];
+    for (word, xy) in &c.raw.sketch {
+        let point = note(c.names.point(word), faults);
+        let xy = c.values.two_lengths(xy, faults);
+        if let (Some(point), Some([x, y])) = (point, xy) {
+            out[point.0] = Some([x.value, y.value]);
+        }
+    }
+    out
+}
+
+/// `"C": "left of BD"`.
+pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
+    let mut out = Vec::new();
+    for (word, said) in &c.raw.sides {
+        let point = note(c.names.point(word), faults);
+        let text = said.text.trim();
+        let parts = ["left", "right"].into_iter().find_map(|side| {
+            let line = text.strip_prefix(side)?.trim_start().strip_prefix("of ")?;
+            Some((side == "left", line.trim()))
+        });
+        let Some((left, line)) = parts else {
+            let d = Diagnostic::error("side", format!("`{text}` does not say a side")).at(said.span);
+            faults.push(d.help("write \"left of BD\" or \"right of BD\", as seen looking from B to D"));
+            continue;
+        };
+        let (Some((from, to)), Some(point)) = (note(c.names.pair_in(line, said), faults), point) else { continue };
+        if point == from || point == to {
+            let d = Diagnostic::error("side", format!("`{}` lies on the line `{line}` itself", word.text)).at(said.span);
+            faults.push(d.help("name a line through two other points"));
+            continue;
+        }
+        out.push(Side { point, left, from, to, span: said.span });
+    }
+    out
+}

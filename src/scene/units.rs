@@ -1,0 +1,215 @@
+//! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
+
+use std::f64::consts::PI;
+
+/// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
+/// taken for a length or a pure number by mistake.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Dim {
+    /// Exponent of the metre.
+    pub length: i32,
+    /// Exponent of the second.
+    pub time: i32,
+    /// Exponent of the radian.
+    pub angle: i32,
+}
+
+impl Dim {
+    /// A pure number.
+    pub const NUMBER: Dim = Dim::new(0, 0, 0);
+    /// An angle.
+    pub const ANGLE: Dim = Dim::new(0, 0, 1);
+
+    const fn new(length: i32, time: i32, angle: i32) -> Dim {
+        Dim { length, time, angle }
+    }
+
+    /// The dimension of a product with the `k`-th power of another: `self · other^k`.
+    pub const fn times(self, other: Dim, k: i32) -> Dim {
+        Dim::new(self.length + k * other.length, self.time + k * other.time, self.angle + k * other.angle)
+    }
+
+    /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length and `ω·r` a velocity:
+    /// beside a length, radians are pure numbers.
+    pub const fn serves(self, wanted: Dim) -> bool {
+        self.length == wanted.length && self.time == wanted.time && (self.angle == wanted.angle || self.length != 0)
+    }
+
+    /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
+    pub fn describe(self) -> String {
+        let known = match (self.length, self.time, self.angle) {
+            (0, 0, 0) => "a pure number",
+            (1, 0, 0) => "a length",
+            (2, 0, 0) => "an area",
+            (0, 1, 0) => "a time",
+            (0, 0, 1) => "an angle",
+            (0, -1, 1) => "an angular velocity",
+            (0, -2, 1) => "an angular acceleration",
+            (1, -1, 0) => "a velocity",
+            (1, -2, 0) => "an acceleration",
+            _ => return format!("a quantity in {}", self.units()),
+        };
+        known.to_owned()
+    }
+
+    fn units(self) -> String {
+        let part = |sign: i32| {
+            let mut out = Vec::new();
+            for (name, k) in [("m", self.length), ("rad", self.angle), ("s", self.time)] {
+                match k * sign {
+                    1 => out.push(name.to_owned()),
+                    k if k > 1 => out.push(format!("{name}^{k}")),
+                    _ => {}
+                }
+            }
+            out
+        };
+        let (above, below) = (part(1), part(-1));
+        let above = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
+        match below.as_slice() {
+            [] => above,
+            [one] => format!("{above}/{one}"),
+            many => format!("{above}/({})", many.join(" ")),
+        }
+    }
+}
+
+/// A unit: its value is `numerator / denominator` SI units, or that many degrees.
+#[derive(Debug, PartialEq)]
+pub struct Unit {
+    /// As written.
+    pub name: &'static str,
+    /// Its dimension.
+    pub dim: Dim,
+    /// Over `denominator`. Two whole numbers, because 250 / 1000 is rounded once and 250 × 0.001 twice.
+    pub numerator: f64,
+    /// Under `numerator`.
+    pub denominator: f64,
+    /// Whether the ratio counts degrees instead of radians: 1 rev = 360 of them, 1 rpm = 6 of them per second.
+    pub degrees: bool,
+}
+
+const fn unit(name: &'static str, dim: Dim, numerator: f64, denominator: f64) -> Unit {
+    Unit { name, dim, numerator, denominator, degrees: false }
+}
+
+const fn degrees(name: &'static str, dim: Dim, numerator: f64) -> Unit {
+    Unit { name, dim, numerator, denominator: 1.0, degrees: true }
+}
+
+const LENGTH: Dim = Dim::new(1, 0, 0);
+const TIME: Dim = Dim::new(0, 1, 0);
+const RATE: Dim = Dim::new(0, -1, 1);
+
+/// All units. The inch and the foot are the international ones (25.4 mm, 304.8 mm).
+pub static UNITS: &[Unit] = &[
+    unit("m", LENGTH, 1.0, 1.0),
+    unit("cm", LENGTH, 1.0, 100.0),
+    unit("mm", LENGTH, 1.0, 1000.0),
+    unit("km", LENGTH, 1000.0, 1.0),
+    unit("in", LENGTH, 254.0, 10000.0),
+    unit("ft", LENGTH, 3048.0, 10000.0),
+    degrees("deg", Dim::ANGLE, 1.0),
+    degrees("°", Dim::ANGLE, 1.0),
+    unit("rad", Dim::ANGLE, 1.0, 1.0),
+    degrees("rev", Dim::ANGLE, 360.0),
+    unit("s", TIME, 1.0, 1.0),
+    unit("min", TIME, 60.0, 1.0),
+    unit("h", TIME, 3600.0, 1.0),
+    degrees("rpm", RATE, 6.0),
+];
+
+/// The unit of a name.
+pub fn unit_named(name: &str) -> Option<&'static Unit> {
+    UNITS.iter().find(|u| u.name == name)
+}
+
+/// Degrees as radians.
+pub fn radians(degrees: f64) -> f64 {
+    degrees * PI / 180.0
+}
+
+/// What a place in the scene asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wanted {
+    /// m.
+    Length,
+    /// rad or degrees.
+    Angle,
+    /// rad/s.
+    Omega,
+    /// rad/s².
+    Alpha,
+    /// m/s.
+    Velocity,
+    /// m/s².
+    Acceleration,
+    /// m per mm of paper.
+    ScaleOfLengths,
+    /// (m/s) per mm of paper.
+    ScaleOfVelocities,
+    /// (m/s²) per mm of paper.
+    ScaleOfAccelerations,
+}
+
+impl Wanted {
+    /// The quantities that the `units` table of a scene knows, with their keys.
+    pub const TABLE: [(&'static str, Wanted); 6] = [
+        ("length", Wanted::Length),
+        ("angle", Wanted::Angle),
+        ("omega", Wanted::Omega),
+        ("alpha", Wanted::Alpha),
+        ("velocity", Wanted::Velocity),
+        ("acceleration", Wanted::Acceleration),
+    ];
+
+    /// Its dimension.
+    pub const fn dim(self) -> Dim {
+        match self {
+            Wanted::Length => LENGTH,
+            Wanted::Angle => Dim::ANGLE,
+            Wanted::Omega => RATE,
+            Wanted::Alpha => Dim::new(0, -2, 1),
+            Wanted::Velocity => Dim::new(1, -1, 0),
+            Wanted::Acceleration => Dim::new(1, -2, 0),
+            Wanted::ScaleOfLengths => Dim::NUMBER,
+            Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
+            Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
+        }
+    }
+
+    /// In words, as a message begins: `a length`.
+    pub const fn describe(self) -> &'static str {
+        match self {
+            Wanted::Length => "a length",
+            Wanted::Angle => "an angle",
+            Wanted::Omega => "an angular velocity",
+            Wanted::Alpha => "an angular acceleration",
+            Wanted::Velocity => "a velocity",
+            Wanted::Acceleration => "an acceleration",
+            Wanted::ScaleOfLengths => "a scale of lengths",
+            Wanted::ScaleOfVelocities => "a scale of velocities",
+            Wanted::ScaleOfAccelerations => "a scale of accelerations",
+        }
+    }
+
+    /// A unit to propose for a bare number.
+    pub const fn usual_unit(self) -> &'static str {
+        match self {
+            Wanted::Length => "mm",
+            Wanted::Angle => "deg",
+            Wanted::Omega => "rad/s",
+            Wanted::Alpha => "rad/s^2",
+            Wanted::Velocity => "m/s",
+            Wanted::Acceleration => "m/s^2",
+            Wanted::ScaleOfLengths => "m/mm",
+            Wanted::ScaleOfVelocities => "(m/s)/mm",
+            Wanted::ScaleOfAccelerations => "(m/s^2)/mm",
+        }
+    }
+
+    /// The key of the `units` table that gives bare numbers of this kind their unit; scales have none.
+    pub fn key(self) -> Option<&'static str> {
+        Wanted::TABLE.iter().find(|(_, w)| *w == self).map(|(k, _)| *k)
+    }
+}

@@ -1,0 +1,198 @@
+//! Quantities of the scene: parameters in order, the `units` table, and every number to SI with its dimension checked.
+
+use std::cell::RefCell;
+use std::collections::{HashMap, HashSet};
+
+use super::expr::{self, Expr, NoValue, Value};
+use super::fields::suggest;
+use super::json::Word;
+use super::model::{Angle, Given};
+use super::raw::RawQuantity;
+use super::units::{Dim, Wanted};
+use crate::diag::{Diagnostic, Faults, Span};
+
+/// Parameters and units of a scene, ready to read its quantities.
+pub(super) struct Values<'a> {
+    source: &'a str,
+    /// Names in the order of the file; a value is missing where the parameter had a fault.
+    names: Vec<&'a str>,
+    known: HashMap<&'a str, Option<Value>>,
+    units: HashMap<&'static str, String>,
+    used: RefCell<HashSet<String>>,
+}
+
+impl<'a> Values<'a> {
+    /// Reads the `units` table and the parameters, in order.
+    pub fn new(
+        source: &'a str,
+        units: &[(Word, Word)],
+        parameters: &'a [(Word, RawQuantity)],
+        faults: &mut Faults,
+    ) -> (Self, Vec<(String, Given)>) {
+        let mut values =
+            Values { source, names: Vec::new(), known: HashMap::new(), units: HashMap::new(), used: RefCell::new(HashSet::new()) };
+        for (key, unit) in units {
+            values.unit(key, unit, faults);
+        }
+        let mut list = Vec::new();
+        for (name, quantity) in parameters {
+            let value = match values.evaluate(quantity) {
+                Ok((_, value)) => Some(value),
+                Err(fault) => {
+                    faults.list.extend(fault);
+                    None
+                }
+            };
+            if !expr::is_name(&name.text) {
+                let d = Diagnostic::error("name", format!("`{}` cannot name a parameter", name.text)).at(name.span);
+                faults.push(d.help("a name is a letter followed by letters, digits or _"));
+            } else if expr::is_reserved(&name.text) {
+                let d =
+                    Diagnostic::error("name", format!("`{}` is a unit or a function and cannot name a parameter", name.text)).at(name.span);
+                faults.push(d.help(format!("call it `{}0`", name.text)));
+            } else {
+                values.names.push(&name.text);
+                values.known.insert(&name.text, value);
+            }
+            if let Some(value) = value {
+                list.push((name.text.clone(), Given { value: value.si(), text: quantity.text.clone(), span: quantity.span }));
+            }
+        }
+        (values, list)
+    }
+
+    fn unit(&mut self, key: &Word, unit: &Word, faults: &mut Faults) {
+        let Some((name, wanted)) = Wanted::TABLE.iter().find(|(k, _)| *k == key.text) else {
+            let d = Diagnostic::error("unknown-key", format!("`{}` is not a quantity of \"units\"", key.text)).at(key.span);
+            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), "the quantities are")));
+            return;
+        };
+        let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
+        match self.evaluate(&quantity) {
+            Ok((_, value)) if value.dim == wanted.dim() => {
+                self.units.insert(name, unit.text.clone());
+            }
+            Ok(_) => {
+                let d = Diagnostic::error("unit", format!("`{}` is not a unit of {}", unit.text, wanted.describe())).at(unit.span);
+                faults.push(d.help(format!("write \"{}\"", wanted.usual_unit())));
+            }
+            Err(fault) => faults.list.extend(fault),
+        }
+    }
+
+    /// Warnings about parameters that nothing uses; to be asked when everything has been read.
+    pub fn unused(&self, parameters: &[(Word, RawQuantity)]) -> Vec<Diagnostic> {
+        let used = self.used.borrow();
+        parameters
+            .iter()
+            .filter(|(name, _)| !used.contains(&name.text))
+            .map(|(name, _)| Diagnostic::warning("unused-parameter", format!("parameter `{}` is not used", name.text)).at(name.span))
+            .collect()
+    }
+
+    /// A quantity in SI units.
+    pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
+        let (text, value) = self.value(quantity, wanted, faults)?;
+        Some(Given { value: value.si(), text, span: quantity.span })
+    }
+
+    /// A length that must be greater than zero.
+    pub fn positive_length(&self, quantity: &RawQuantity, what: &str, faults: &mut Faults) -> Option<Given> {
+        let given = self.si(quantity, Wanted::Length, faults)?;
+        if given.value > 0.0 {
+            return Some(given);
+        }
+        let d = Diagnostic::error("not-positive", format!("{what} is {} m; it must be greater than zero", given.value));
+        faults.push(d.at(quantity.span));
+        None
+    }
+
+    /// An angle, in degrees where it is written in degrees.
+    pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
+        let (text, value) = self.value(quantity, Wanted::Angle, faults)?;
+        Some(Given { value: value.angle(), text, span: quantity.span })
+    }
+
+    /// Two coordinates in metres.
+    pub fn two_lengths(&self, xy: &[RawQuantity; 2], faults: &mut Faults) -> Option<[Given; 2]> {
+        let x = self.si(&xy[0], Wanted::Length, faults);
+        let y = self.si(&xy[1], Wanted::Length, faults);
+        Some([x?, y?])
+    }
+
+    /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
+    fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<(String, Value)> {
+        let result = self.evaluate(quantity).and_then(|(expr, value)| self.fit(quantity, &expr, value, wanted).map_err(Some));
+        match result {
+            Ok(found) => Some(found),
+            Err(fault) => {
+                faults.list.extend(fault);
+                None
+            }
+        }
+    }
+
+    fn fit(&self, quantity: &RawQuantity, expr: &Expr, value: Value, wanted: Wanted) -> Result<(String, Value), Diagnostic> {
+        let text = &quantity.text;
+        // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
+        let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
+        if !is_number {
+            if value.dim.serves(wanted.dim()) {
+                return Ok((text.clone(), value));
+            }
+            let message = format!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
+            let d = Diagnostic::error("dimension", message).at(quantity.span);
+            return Err(d.help(format!("write it in {}", wanted.usual_unit())));
+        }
+        if value.number == 0.0 {
+            return Ok((text.clone(), Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle }));
+        }
+        let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
+        let with_unit = |unit: &str| match (simple, unit.bytes().all(|b| b.is_ascii_alphabetic())) {
+            (true, true) => format!("{text} {unit}"),
+            (true, false) => format!("{text} ({unit})"),
+            (false, _) => format!("({text}) ({unit})"),
+        };
+        let Some(unit) = wanted.key().and_then(|k| self.units.get(k)) else {
+            let d = Diagnostic::error("no-unit", format!("{} is wanted here, `{text}` has no unit", wanted.describe())).at(quantity.span);
+            let usual = wanted.usual_unit();
+            let proposal = if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
+            return Err(match wanted.key() {
+                Some(key) => d.help(format!("write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers")),
+                None => d.help(format!("write \"{proposal}\"")),
+            });
+        };
+        let text = with_unit(unit);
+        let full = RawQuantity { text: text.clone(), span: quantity.span, bare: true };
+        match self.evaluate(&full) {
+            Ok((_, value)) => Ok((text, value)),
+            // The number and the unit have been read one by one; together they can only be too large.
+            Err(fault) => Err(fault.unwrap_or_else(|| Diagnostic::error("expression", format!("`{text}` has no value")).at(quantity.span))),
+        }
+    }
+
+    /// Parses and evaluates; the error is `None` where the fault is that of a parameter and has been reported there.
+    fn evaluate(&self, quantity: &RawQuantity) -> Result<(Expr, Value), Option<Diagnostic>> {
+        let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
+        let lookup = |name: &str| {
+            self.used.borrow_mut().insert(name.to_owned());
+            self.known.get(name).copied().flatten()
+        };
+        match expr::evaluate(&expr, &lookup) {
+            Ok(value) => Ok((expr, value)),
+            Err(NoValue::Reported) => Err(None),
+            Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
+        }
+    }
+
+    /// Turns a place in the expression into a place in the file.
+    fn locate(&self, quantity: &RawQuantity, d: Diagnostic) -> Diagnostic {
+        let Span { start, end } = quantity.span;
+        // With escapes in the string the two texts do not run in step; then the whole value is the place.
+        let in_step = !quantity.bare && self.source.get(start + 1..end.saturating_sub(1)) == Some(quantity.text.as_str());
+        match d.span {
+            Some(inner) if in_step => d.at(Span::new(start + 1 + inner.start, start + 1 + inner.end)),
+            _ => d.at(quantity.span),
+        }
+    }
+}
