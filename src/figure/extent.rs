@@ -87,7 +87,7 @@ impl Item {
             Shape::Path { start, pieces, .. } => {
                 start.is_finite()
                     && pieces.iter().all(|p| match p {
-                        Piece::Line(q) => q.is_finite(),
+                        Piece::Move(q) | Piece::Line(q) => q.is_finite(),
                         Piece::Arc { centre, radius_mm, from_rad, to_rad } => centre.is_finite() && all(&[*radius_mm, *from_rad, *to_rad]),
                     })
             }
@@ -109,7 +109,7 @@ impl Item {
                 let mut points = vec![*start];
                 for p in pieces {
                     match *p {
-                        Piece::Line(q) => points.push(q),
+                        Piece::Move(q) | Piece::Line(q) => points.push(q),
                         Piece::Arc { centre, radius_mm, from_rad, to_rad } => {
                             points.extend(arc_points(centre, radius_mm, from_rad, to_rad));
                         }
@@ -147,7 +147,7 @@ impl Item {
                 *start = *start + by;
                 for p in pieces {
                     match p {
-                        Piece::Line(q) => *q = *q + by,
+                        Piece::Move(q) | Piece::Line(q) => *q = *q + by,
                         Piece::Arc { centre, .. } => *centre = *centre + by,
                     }
                 }

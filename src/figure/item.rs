@@ -129,6 +129,11 @@ impl Stroke {
         Stroke { cap: Cap::Round, ..self }
     }
 
+    /// The same with cut ends.
+    pub const fn flat(self) -> Stroke {
+        Stroke { cap: Cap::Butt, ..self }
+    }
+
     /// The same in another colour.
     pub const fn coloured(self, colour: Colour) -> Stroke {
         Stroke { colour, ..self }
@@ -150,6 +155,8 @@ pub enum Anchor {
 /// A piece of a [`Shape::Path`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
+    /// Begins anew elsewhere, as between the strokes of a hatching.
+    Move(Point),
     /// A straight line to the point.
     Line(Point),
     /// An arc that begins where the path is and ends at `centre` + radius · (cos `to_rad`, sin `to_rad`);
@@ -277,5 +284,12 @@ impl Item {
     pub fn with_id(mut self, id: impl Into<String>) -> Item {
         self.id = id.into();
         self
+    }
+}
+
+/// Puts words before the class of each item, such as the step that brings it.
+pub fn tag(items: &mut [Item], words: &str) {
+    for item in items {
+        item.class = format!("{words} {}", item.class).trim_end().to_owned();
     }
 }

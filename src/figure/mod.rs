@@ -7,5 +7,7 @@ pub mod extent;
 pub mod font;
 pub mod item;
 pub mod label;
+pub mod place;
 pub mod style;
+pub mod symbols;
 pub mod text;

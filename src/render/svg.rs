@@ -88,6 +88,9 @@ impl Writer {
                 let mut d = format!("M{}", self.xy(*start));
                 for piece in pieces {
                     match *piece {
+                        Piece::Move(p) => {
+                            let _ = write!(d, "M{}", self.xy(p));
+                        }
                         Piece::Line(p) => {
                             let _ = write!(d, "L{}", self.xy(p));
                         }
