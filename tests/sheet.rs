@@ -3,7 +3,7 @@
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
 use hodograph::figure::extent::translate;
-use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
 use hodograph::figure::label::Label;
 use hodograph::figure::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
 use hodograph::figure::style::Style;
@@ -60,6 +60,11 @@ impl Board {
         self.requests.push(LabelRequest::along(Label::math(label), STYLE.label_mm, from, to, STYLE.vector.width_mm / 2.0).owned(owner));
     }
 
+    fn arc(&mut self, centre: Point, radius_mm: f64, angles: [f64; 2], label: &str, owner: u32) {
+        let request = LabelRequest::along_arc(Label::math(label), STYLE.label_mm, centre, radius_mm, angles, STYLE.vector.width_mm / 2.0);
+        self.requests.push(request.owned(owner));
+    }
+
     fn point(&mut self, at: Point, clear_mm: f64, label: &str, side: Option<Vec2>) {
         let request = LabelRequest::at_point(Label::math(label), STYLE.label_mm, at, clear_mm);
         self.requests.push(LabelRequest { prefer: side, ..request });
@@ -102,9 +107,9 @@ fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
     board.vector(c, c + vc_along * 0.8, "v_C");
     let crank = (b - a).angle();
     let owner = board.draw(sym::angle(&STYLE, a, 12.0, 0.0, crank));
-    board.along(a + Vec2::from_angle(0.2) * 12.0, a + Vec2::from_angle(crank - 0.2) * 12.0, r"\varphi_1", owner);
+    board.arc(a, 12.0, [0.0, crank], r"\varphi_1", owner);
     let owner = board.draw(sym::rotation(&STYLE, a, 7.6, 1.4, 3.0));
-    board.along(a + Vec2::from_angle(1.9) * 7.8, a + Vec2::from_angle(2.6) * 7.8, r"\omega_1", owner);
+    board.arc(a, 7.6, [1.4, 3.0], r"\omega_1", owner);
     for p in [a, d] {
         board.draw(sym::fixed_pivot(&STYLE, p, Vec2::new(0.0, -1.0)));
     }
@@ -260,5 +265,4 @@ fn fourbar_sheet_in_two_languages() {
 fn symbol_sheet() {
     let (svg, _) = ink(&symbols(), "symbols");
     assert!(svg.contains(r#"class="ground hatch""#));
-    assert_eq!(Stroke::new(0.25), STYLE.thin);
 }

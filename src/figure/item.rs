@@ -83,7 +83,7 @@ impl Dash {
     pub const fn pattern_mm(self) -> &'static [f64] {
         match self {
             Dash::Solid => &[],
-            Dash::Dashed => &[1.8, 0.9],
+            Dash::Dashed => &[1.4, 0.8],
             Dash::DashDot => &[4.0, 0.8, 0.4, 0.8],
             Dash::Dotted => &[0.3, 0.7],
         }

@@ -210,5 +210,6 @@ mod tests {
         assert_eq!(Label::math(r"\omega_1^2 l_{AB}").plain(), "ω_1^2l_AB");
         assert_eq!(Label::math(r"\mu_l = 0.002 m/mm").plain(), "μ_l = 0.002 m/mm");
         assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
+        assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_4, TAU};
 
-use crate::figure::extent::Rect;
+use crate::figure::extent::{Rect, on_circle};
 use crate::geom::{Point, Vec2};
 
 use super::{Target, Wanted};
@@ -25,9 +25,11 @@ const POINT_GAPS: [(f64, f64); 3] = [(0.6, 0.0), (1.3, 1.0), (2.4, 2.6)];
 /// Stations along a line. The ends are left to the labels of the points.
 const STATIONS: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74];
 /// Air between a line and its label.
-const LINE_GAPS: [(f64, f64); 2] = [(0.7, 0.0), (1.5, 0.9)];
+const LINE_GAPS: [(f64, f64); 2] = [(0.9, 0.0), (1.7, 0.9)];
 /// Cost of a station at the line's end against its middle: less than a place farther off.
 const STATION_COST: f64 = 3.0;
+/// Cost of the inside of an arc, where the lines of an angle are.
+const INSIDE_COST: f64 = 1.2;
 /// Cost of the direction opposite to the preferred one, where one was asked for.
 const PREFER_COST: f64 = 2.4;
 /// The same where none was: enough to decide between equals, too little to go farther off.
@@ -35,7 +37,7 @@ const DEFAULT_COST: f64 = 0.5;
 /// Lengths of a leader line, and what it costs: more than any nearness, less than covering a line's width.
 const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
 
-/// 48 places around a point, 28 along a segment.
+/// 48 places around a point, 28 along a segment or an arc.
 pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
     match wanted.target {
         Target::Point { at, clear_mm } => {
@@ -65,6 +67,24 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
             }
             all
         }
+        Target::Arc { centre, radius_mm, from_rad, to_rad, clear_mm } => {
+            let mut all = Vec::with_capacity(2 * STATIONS.len() * LINE_GAPS.len());
+            for (gap, base) in LINE_GAPS {
+                for t in STATIONS {
+                    let u = Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
+                    let outside = reach(u, wanted, radius_mm + clear_mm + gap);
+                    // Inside, the box's farthest corner must stay in the circle: the half diagonal always does.
+                    let inside = radius_mm - clear_mm - gap - wanted.half_width_mm.hypot(wanted.half_height_mm);
+                    for (t_mm, side, off) in [(outside, u, 0.0), (inside, -u, INSIDE_COST)] {
+                        let rect = wanted.rect(centre + u * t_mm);
+                        let base = base + off + STATION_COST * (t - 0.5).abs();
+                        let wish = if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
+                        all.push(Candidate { rect, leader: None, base: base + wish });
+                    }
+                }
+            }
+            all
+        }
     }
 }
 
@@ -73,6 +93,7 @@ pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
+        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => (on_circle(centre, radius_mm, (from_rad + to_rad) / 2.0), 0.0),
     };
     let mut all = Vec::with_capacity(DIRECTIONS * LEADERS.len());
     for (length, base) in LEADERS {

@@ -116,6 +116,7 @@ fn meets(bar: &Bar, target: Target) -> bool {
             let slack = clear_mm + bar.half_width_mm;
             to_segment(bar.from, from, to) <= slack && to_segment(bar.to, from, to) <= slack
         }
+        Target::Arc { .. } => false,
     }
 }
 
@@ -123,6 +124,12 @@ fn own_distance(rect: Rect, target: Target) -> f64 {
     match target {
         Target::Point { at, clear_mm } => (nearest(rect, at).distance(at) - clear_mm).max(0.0),
         Target::Segment { from, to, clear_mm } => (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None }) - clear_mm).max(0.0),
+        Target::Arc { centre, radius_mm, clear_mm, .. } => {
+            let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
+            // Outside the circle the near side counts, inside the far one, which lies half a diagonal beyond the middle.
+            let far = mid + rect.min.distance(rect.max) / 2.0;
+            ((near - radius_mm).max(radius_mm - far) - clear_mm).max(0.0)
+        }
     }
 }
 

@@ -40,6 +40,19 @@ pub enum Target {
         /// Half the width of the line.
         clear_mm: f64,
     },
+    /// A piece of a circle, such as an angle or the arrow of a rotation; outside is preferred.
+    Arc {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius_mm: f64,
+        /// Angle of its beginning.
+        from_rad: f64,
+        /// Angle of its end.
+        to_rad: f64,
+        /// Half the width of the line.
+        clear_mm: f64,
+    },
 }
 
 /// A label that wants a place.
@@ -53,7 +66,7 @@ pub struct LabelRequest {
     pub target: Target,
     /// The owner named by the obstacles that the label's own thing makes; they are neither foreign nor as costly.
     pub owner: Option<u32>,
-    /// The side to prefer, such as away from a polygon's middle; `None` for the upper right.
+    /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
     pub prefer: Option<Vec2>,
 }
 
@@ -66,6 +79,12 @@ impl LabelRequest {
     /// A label along a line.
     pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
         LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None }
+    }
+
+    /// A label along a piece of a circle.
+    pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
+        let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
+        LabelRequest { label, size_mm, target, owner: None, prefer: None }
     }
 
     /// The same with an owner.

@@ -112,6 +112,23 @@ fn a_walled_in_point_gets_a_leader() {
 }
 
 #[test]
+fn beside_an_arc_means_off_the_arc() {
+    let centre = Point::new(60.0, 60.0);
+    for k in 0..12 {
+        let from = k as f64 * 0.5;
+        let angles = [from, from + 1.2];
+        let mut obstacles = Obstacles::default();
+        let [from_rad, to_rad] = angles;
+        let arc = Shape::Arc { centre, radius_mm: 12.0, from_rad, to_rad, stroke: Stroke::new(0.25) };
+        obstacles.add(&[Item::new("angle", arc)], Some(1));
+        let request = LabelRequest::along_arc(Label::math(r"\varphi_1"), 4.5, centre, 12.0, angles, 0.125).owned(1);
+        let p = place(&[request], &obstacles, PAPER)[0];
+        let gap = candidate::nearest(p.bounds, centre).distance(centre) - 12.0;
+        assert!((0.5..2.0).contains(&gap), "{angles:?}: {gap} mm from the arc");
+    }
+}
+
+#[test]
 fn labels_stay_on_the_paper() {
     let corner = LabelRequest::at_point(Label::math("v_{B3B2}^r"), 4.5, Point::new(178.0, 118.0), 1.0);
     let p = place(&[corner], &Obstacles::default(), PAPER)[0];

@@ -23,7 +23,8 @@ pub fn plate(style: &Style, points: &[Point]) -> Vec<Item> {
 /// direction or no angle between them.
 pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<Item> {
     let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else { return Vec::new() };
-    let leg = 2.2 * style.pin_radius_mm;
+    // Well out of the two thick lines, or the mark would drown in them.
+    let leg = 3.2 * style.pin_radius_mm;
     let points = vec![corner, corner + a * leg, corner + b * leg];
     vec![Item::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
 }

@@ -21,8 +21,8 @@ pub enum Guide {
 /// A fixed guide for a slider's block: hatched ground along the block's sides.
 pub fn guide(style: &Style, centre: Point, angle_rad: f64, length_mm: f64, kind: Guide) -> Vec<Item> {
     let along = Vec2::from_angle(angle_rad) * (length_mm / 2.0);
-    // The block's outline and the guide's line touch with their edges.
-    let off = Vec2::from_angle(angle_rad).perp() * (style.block_width_mm / 2.0 + style.outline.width_mm);
+    // The block's side and the guide's line fall together: two lines there would read as one thick one.
+    let off = Vec2::from_angle(angle_rad).perp() * (style.block_width_mm / 2.0);
     let mut items = ground_line(style, centre - along - off, centre + along - off);
     if kind == Guide::TwoSided {
         items.extend(ground_line(style, centre + along + off, centre - along + off));
@@ -83,8 +83,8 @@ pub fn cylinder(style: &Style, base: Point, tip: Point, barrel_mm: f64) -> Vec<I
     let Some(u) = (tip - base).unit() else { return Vec::new() };
     let n = u.perp() * (style.block_width_mm / 2.0);
     let line = |from: Point, to: Point, stroke: Stroke, class: &str| Item::new(class, Shape::Line { from, to, stroke });
-    // An eye of two pins' length between the joint and the barrel's bottom.
-    let bottom = base + u * (2.0 * style.pin_radius_mm);
+    // As much bar between the joint's circle and the barrel's bottom as the circle is wide.
+    let bottom = base + u * (3.0 * style.pin_radius_mm);
     let mouth = bottom + u * barrel_mm;
     let margin = style.pin_radius_mm;
     let stroke_mm = (tip.distance(bottom) - barrel_mm).clamp(margin, (barrel_mm - margin).max(margin));
