@@ -18,9 +18,9 @@ pub struct Head {
     pub notch: f64,
 }
 
-/// A head is at most this part of its vector, so that a short vector is still a vector and not a head alone. At one
-/// half the shaft of the shortest readable vector (2 mm) is 1 mm; larger, and the shaft vanishes in the hollow back.
-const HEAD_PART_MAX: f64 = 0.5;
+/// A head is at most this part of its vector, so that a short vector is still a vector and not a head alone. Larger,
+/// and the shaft vanishes in the hollow back; smaller, and the head of a vector of 2 mm is no wider than its shaft.
+const HEAD_PART_MAX: f64 = 0.7;
 
 impl Head {
     /// Vectors of polygons and on the mechanism: three times as long as wide, as the textbooks print it.
@@ -30,7 +30,8 @@ impl Head {
 
     fn limited(self, length_mm: f64) -> Head {
         let k = (length_mm * HEAD_PART_MAX / self.length_mm).min(1.0);
-        Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k, ..self }
+        // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head must show beside it.
+        Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }
     }
 
     fn polygon(self, tip: Point, along: Vec2) -> [Point; 4] {
@@ -90,7 +91,8 @@ mod tests {
         assert_eq!(long.head[0], Point::new(30.0, 0.0));
         assert_eq!(long.head[1], Point::new(27.0, 0.5));
         let short = straight(Point::ORIGIN, Point::new(2.0, 0.0), Head::VECTOR);
-        assert!((short.head[1].x - 1.0).abs() < 1e-12 && short.head[1].y < 0.2);
+        assert!((short.head[1].x - 0.6).abs() < 1e-12, "70 % of 2 mm");
+        assert!((0.25..0.5).contains(&short.head[1].y), "narrower than a full head, wider than the 0.4 mm shaft");
         assert!(straight(Point::ORIGIN, Point::ORIGIN, Head::VECTOR).head.is_empty());
     }
 

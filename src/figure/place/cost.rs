@@ -11,7 +11,7 @@ use super::{Target, Wanted};
 /// never the better bargain.
 pub(super) const TOUCH: f64 = 8.0;
 /// Air that a label keeps around its ink, so that a line beside it is seen as beside.
-const AIR_MM: f64 = 0.35;
+const AIR_MM: f64 = 0.5;
 /// Each millimetre of a line under a label.
 const PER_MM: f64 = 1.0;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
