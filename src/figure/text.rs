@@ -48,6 +48,13 @@ pub struct Typeset {
 ///
 /// A character that no embedded font has leaves a gap of half an em and a `missing-glyph` warning; it is never drawn
 /// as a box and never dropped in silence.
+///
+/// ```
+/// use hodograph::figure::{label::Label, text};
+/// // Digits of Times are half an em wide.
+/// assert_eq!(text::set(&Label::math("3")).width_em, 0.5);
+/// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");
+/// ```
 pub fn set(label: &Label) -> Typeset {
     let mut setter = Setter { missing: Vec::new() };
     let line = setter.row(label.row());

@@ -28,6 +28,17 @@ use super::number::mm;
 ///
 /// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is not a number,
 /// all of them in the order of the items.
+///
+/// ```
+/// use hodograph::figure::item::{Figure, Item, Shape, Stroke};
+/// use hodograph::{geom::Point, render::svg};
+/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
+/// let items = vec![Item::new("link", edge).with_id("crank")];
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), items };
+/// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
+/// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
 pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     let mut writer = Writer { height_mm: figure.height_mm, faults: Faults::default() };
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {

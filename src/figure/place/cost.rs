@@ -34,7 +34,7 @@ const LEADER_CROSSES: f64 = 2.5;
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
 /// Air between two labels, for each of them.
-const PAIR_AIR_MM: f64 = 0.3;
+pub(super) const PAIR_AIR_MM: f64 = 0.3;
 
 /// The part of a place's cost that does not depend on other labels.
 pub(super) fn fixed(c: &Candidate, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) -> f64 {

@@ -1,7 +1,7 @@
 //! Where labels stand: at their point or along their line, clear of everything else.
 //!
-//! Every label has a fixed list of places ([`candidate`]), each with a static cost ([`cost`]: what it covers, how far
-//! it strays, whether it stands nearer to a foreign line than to its own); [`search`] picks one each so that the sum
+//! Every label has a fixed list of places (`candidate`), each with a static cost (`cost`: what it covers, how far
+//! it strays, whether it stands nearer to a foreign line than to its own); `search` picks one each so that the sum
 //! with the overlaps of pairs is small. A label whose best place is still poor is offered places farther off, with a
 //! leader line. Fixed order, no randomness: the same requests give the same places.
 //!

@@ -18,12 +18,20 @@ struct Choice {
     places: Vec<Candidate>,
     fixed: Vec<f64>,
     picked: usize,
+    /// The labels with a place that could meet one of this label's places.
+    neighbours: Vec<usize>,
 }
 
 impl Choice {
     fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
         self.fixed.extend(places.iter().map(|c| cost::fixed(c, wanted, obstacles, paper)));
         self.places.extend(places);
+    }
+
+    /// The box around all its places and leader lines.
+    fn reach(&self) -> Rect {
+        let with_leader = |c: &Candidate| c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)));
+        self.places.iter().map(with_leader).reduce(Rect::union).expect("every label has places")
     }
 
     fn place(&self) -> &Candidate {
@@ -35,7 +43,7 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect) -> Vec<
     let mut choices: Vec<Choice> = wanted
         .iter()
         .map(|w| {
-            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0 };
+            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, neighbours: Vec::new() };
             choice.offer(candidate::near(w), w, obstacles, paper);
             choice.picked = argmin(&choice.fixed);
             choice
@@ -59,14 +67,24 @@ fn argmin(costs: &[f64]) -> usize {
 
 /// Cost of place `k` of label `i` beside the picked places of all others.
 fn total(choices: &[Choice], i: usize, k: usize) -> f64 {
-    choices[i].fixed[k] + beside(choices, &choices[i].places[k], &[i])
+    choices[i].fixed[k] + beside(choices, i, k, i)
 }
 
-fn beside(choices: &[Choice], place: &Candidate, without: &[usize]) -> f64 {
-    choices.iter().enumerate().filter(|(j, _)| !without.contains(j)).map(|(_, c)| cost::pair(place, c.place())).sum()
+/// What place `k` of label `i` costs beside the picked places of its neighbours, `without` left out.
+fn beside(choices: &[Choice], i: usize, k: usize, without: usize) -> f64 {
+    let me = &choices[i];
+    me.neighbours.iter().filter(|&&j| j != without).map(|&j| cost::pair(&me.places[k], choices[j].place())).sum()
+}
+
+fn meet(choices: &mut [Choice]) {
+    let reach: Vec<Rect> = choices.iter().map(|c| c.reach().grown(cost::PAIR_AIR_MM)).collect();
+    for (i, choice) in choices.iter_mut().enumerate() {
+        choice.neighbours = (0..reach.len()).filter(|&j| j != i && reach[i].overlap_mm2(reach[j]) > 0.0).collect();
+    }
 }
 
 fn settle(choices: &mut [Choice]) {
+    meet(choices);
     descend(choices);
     for _ in 0..ROUNDS_MAX {
         if !move_pairs(choices) {
@@ -102,8 +120,8 @@ fn move_pairs(choices: &mut [Choice]) -> bool {
         }
         // Whoever stands where one of the label's own better places is, not only where it is now.
         let bound = total(choices, i, choices[i].picked);
-        let rivals: Vec<usize> = (0..choices.len())
-            .filter(|&j| j != i)
+        let all = choices[i].neighbours.iter().copied();
+        let rivals: Vec<usize> = all
             .filter(|&j| {
                 let here = choices[j].place();
                 choices[i].places.iter().zip(&choices[i].fixed).any(|(p, &f)| f < bound && cost::pair(p, here) > 0.0)
@@ -117,11 +135,10 @@ fn move_pairs(choices: &mut [Choice]) -> bool {
 }
 
 fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
-    let costs = |me: usize| -> Vec<f64> {
-        let all = choices[me].places.iter().zip(&choices[me].fixed);
-        all.map(|(place, fixed)| fixed + beside(choices, place, &[i, j])).collect()
+    let costs = |me: usize, other: usize| -> Vec<f64> {
+        choices[me].fixed.iter().enumerate().map(|(k, fixed)| fixed + beside(choices, me, k, other)).collect()
     };
-    let (ci, cj) = (costs(i), costs(j));
+    let (ci, cj) = (costs(i, j), costs(j, i));
     let (mut best, mut at) = (f64::INFINITY, (choices[i].picked, choices[j].picked));
     let now = ci[at.0] + cj[at.1] + cost::pair(choices[i].place(), choices[j].place());
     for (a, place_a) in choices[i].places.iter().enumerate() {

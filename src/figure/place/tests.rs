@@ -134,3 +134,29 @@ fn labels_stay_on_the_paper() {
     let p = place(&[corner], &Obstacles::default(), PAPER)[0];
     assert_eq!(clashes(&[p], &Obstacles::default()).2, 0);
 }
+
+/// A hundred vectors thrown on an A4 sheet, every other one labelled along itself, the rest at their tails.
+#[test]
+fn scattered_vectors_have_no_overlap() {
+    let mut seed = 12345_u64;
+    let mut random = || {
+        // Knuth's MMIX generator: the same sheet on every run.
+        seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (seed >> 33) as f64 / (1_u64 << 31) as f64
+    };
+    let paper = Rect { min: Point::ORIGIN, max: Point::new(280.0, 190.0) };
+    let (mut obstacles, mut requests) = (Obstacles::default(), Vec::new());
+    for k in 0..100 {
+        let from = Point::new(10.0 + 260.0 * random(), 10.0 + 170.0 * random());
+        let to = from + Vec2::from_angle(std::f64::consts::TAU * random()) * (6.0 + 22.0 * random());
+        obstacles.add(&[arrow(from, to)], Some(k));
+        requests.push(match k % 2 {
+            0 => LabelRequest::along(Label::math("v_{CB}"), 3.0, from, to, 0.2).owned(k),
+            _ => LabelRequest::at_point(Label::math("b'_2"), 3.0, from, 0.3),
+        });
+    }
+    let placements = place(&requests, &obstacles, paper);
+    let (pairs, covering, _) = clashes(&placements, &obstacles);
+    assert_eq!((pairs, covering), (0, 0));
+    assert!(placements.iter().filter(|p| p.leader.is_some()).count() <= 3, "leader lines are the exception");
+}
