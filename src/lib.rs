@@ -3,6 +3,7 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod accuracy;
 pub mod analytic;
 pub mod answer;
 pub mod construct;
@@ -17,3 +18,4 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod trig;
+pub mod worked;

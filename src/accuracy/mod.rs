@@ -1,0 +1,5 @@
+//! How far drawing and analysis are apart.
+
+mod agreement;
+
+pub use agreement::{Agreement, compare};

@@ -1,0 +1,100 @@
+//! The reference problems: each scene of `tests/cases` solved by drawing and by the loop equations, against answers that
+//! were computed without this project.
+
+use hodograph::answer::Value;
+use hodograph::geom::Vec2;
+use hodograph::scene;
+use hodograph::worked::{Scope, work};
+use serde_json::Value as Json;
+
+struct Row {
+    id: String,
+    name: String,
+    drawn: f64,
+    computed: f64,
+    tolerance: f64,
+}
+
+fn number(v: &Json) -> f64 {
+    match v {
+        Json::Number(n) => n.as_f64().unwrap(),
+        Json::String(s) => s.parse().unwrap(),
+        other => panic!("not a number: {other}"),
+    }
+}
+
+fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
+    match (v, which) {
+        (Value::Scalar(s), _) => s,
+        (Value::Vector(v), Some("x")) => v.x,
+        (Value::Vector(v), Some("y")) => v.y,
+        (Value::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
+        (Value::Vector(v), _) => v.norm(),
+    }
+}
+
+#[test]
+fn reference_cases() {
+    let mut rows = Vec::new();
+    let mut failures = Vec::new();
+    let mut files: Vec<_> = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|f| f.unwrap().path()).collect();
+    files.sort();
+    let mut solved = 0;
+    for path in files {
+        let id = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let case: Json = serde_json::from_str(&text).unwrap();
+        let scene = match scene::read(case["scene"].to_string()) {
+            Ok(s) => s.value,
+            Err(f) => {
+                failures.push(format!("{id}: {f}"));
+                continue;
+            }
+        };
+        let worked = match work(&scene, Scope::Questions) {
+            Ok(w) => w.value,
+            Err(f) => {
+                failures.push(format!("{id}: {f}"));
+                continue;
+            }
+        };
+        solved += 1;
+        for e in case["expect"].as_array().unwrap() {
+            let find = e["find"].as_str().unwrap();
+            let Some(i) = scene.find.iter().position(|f| f.text == find) else {
+                failures.push(format!("{id}: {find} is not asked for"));
+                continue;
+            };
+            let along = e["along"].as_array().map(|a| {
+                let at = |k: usize| {
+                    let name = a[k].as_str().unwrap();
+                    worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap()
+                };
+                (at(1) - at(0)).unit().unwrap()
+            });
+            let outcome = &worked.results[i];
+            let exact = number(&e["exact"]);
+            let scale = number(&e["scale"]);
+            let tolerance = number(&e["tolerance"]);
+            let miss = |v: Value| {
+                let got = component(v, e["component"].as_str(), along) * scale;
+                let difference = if e["compare"] == "signed" { (got - exact).abs() } else { (got.abs() - exact.abs()).abs() };
+                // An answer of exactly zero is judged against the largest answer of the case.
+                let largest = case["expect"].as_array().unwrap().iter().map(|x| number(&x["exact"]).abs()).fold(1e-300, f64::max);
+                difference / exact.abs().max(1e-6 * largest)
+            };
+            let drawn = outcome.drawn.as_ref().map_or(f64::INFINITY, |a| miss(a.value));
+            let computed = miss(outcome.computed);
+            rows.push(Row { id: id.clone(), name: e["name"].as_str().unwrap().into(), drawn, computed, tolerance });
+        }
+    }
+    for r in &rows {
+        let bad = !(r.drawn <= r.tolerance && r.computed <= r.tolerance);
+        println!("{} {:32} {:24} drawn {:9.1e} computed {:9.1e} allowed {:7.0e}", if bad { "X" } else { " " }, r.id, r.name, r.drawn, r.computed, r.tolerance);
+        if bad {
+            failures.push(format!("{} {}: drawing off by {:e}, analysis by {:e}, allowed {:e}", r.id, r.name, r.drawn, r.computed, r.tolerance));
+        }
+    }
+    println!("{solved} cases, {} answers", rows.len());
+    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
