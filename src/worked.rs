@@ -92,9 +92,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
             (Some(d), _) => {
                 let scale = match computed {
                     Value::Vector(_) => construction.polygon(level).map_or(0.0, construct::Polygon::largest),
-                    Value::Scalar(_) => {
-                        construction.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max)
-                    }
+                    Value::Scalar(_) => construction.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max),
                 };
                 Some(compare(d.value, computed, scale, solution.condition, level))
             }

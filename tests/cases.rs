@@ -37,7 +37,8 @@ fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
 fn reference_cases() {
     let mut rows = Vec::new();
     let mut failures = Vec::new();
-    let mut files: Vec<_> = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|f| f.unwrap().path()).collect();
+    let mut files: Vec<_> =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|f| f.unwrap().path()).collect();
     files.sort();
     let mut solved = 0;
     for path in files {
@@ -90,9 +91,20 @@ fn reference_cases() {
     }
     for r in &rows {
         let bad = !(r.drawn <= r.tolerance && r.computed <= r.tolerance);
-        println!("{} {:32} {:24} drawn {:9.1e} computed {:9.1e} allowed {:7.0e}", if bad { "X" } else { " " }, r.id, r.name, r.drawn, r.computed, r.tolerance);
+        println!(
+            "{} {:32} {:24} drawn {:9.1e} computed {:9.1e} allowed {:7.0e}",
+            if bad { "X" } else { " " },
+            r.id,
+            r.name,
+            r.drawn,
+            r.computed,
+            r.tolerance
+        );
         if bad {
-            failures.push(format!("{} {}: drawing off by {:e}, analysis by {:e}, allowed {:e}", r.id, r.name, r.drawn, r.computed, r.tolerance));
+            failures.push(format!(
+                "{} {}: drawing off by {:e}, analysis by {:e}, allowed {:e}",
+                r.id, r.name, r.drawn, r.computed, r.tolerance
+            ));
         }
     }
     println!("{solved} cases, {} answers", rows.len());

@@ -9,6 +9,7 @@
 
 mod build;
 mod locus;
+pub mod notation;
 pub mod text;
 
 pub use build::plan;

@@ -1,8 +1,41 @@
-//! Words and symbols of a plan.
-use super::{Plan, Spot, VertexId};
-use crate::scene::Scene;
+//! Words and symbols of a plan, in the label language: `v_{CB}`, `a^n_{B3}`, `\perp BC`, `2\omega_3 v_{B3B2}`.
+//!
+//! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
 
-/// Name of a vertex in capitals.
+use super::notation::Notation;
+use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
+use crate::mechanism::Level;
+use crate::scene::{DriverKind, GuideId, GuidePath, Lang, Scene};
+
+/// What the texts are written for.
+#[derive(Clone, Copy, Debug)]
+pub struct Writer<'a> {
+    /// The scene, for names.
+    pub scene: &'a Scene,
+    /// The plan.
+    pub plan: &'a Plan,
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Language of words.
+    pub lang: Lang,
+}
+
+/// One column of an equation table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// What stands before it: nothing, `=` or `+`.
+    pub joint: &'static str,
+    /// The vector's symbol.
+    pub symbol: String,
+    /// Its direction.
+    pub direction: String,
+    /// Its magnitude.
+    pub magnitude: String,
+    /// The term, if it is one (not for a whole known vector).
+    pub term: Option<Term>,
+}
+
+/// Name of a vertex in capitals, as diagnostics use it: `C`, `B3`, `S`.
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let mut name = match vertex.spot {
@@ -16,4 +49,250 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
         name.push_str(scene.link_name(n));
     }
     name
+}
+
+/// A point's name in the label language: `O2` → `O_2`, `B` → `B`.
+pub fn point_label(name: &str) -> String {
+    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    let head = &name[..name.len() - digits.len()];
+    if head.is_empty() || digits.is_empty() || !digits.chars().all(|c| c.is_ascii_digit()) {
+        name.to_string()
+    } else {
+        format!("{head}_{{{digits}}}")
+    }
+}
+
+impl Writer<'_> {
+    /// Name of a vertex in capitals.
+    pub fn name(&self, v: VertexId) -> String {
+        vertex_name(self.scene, self.plan, v)
+    }
+
+    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
+    pub fn line(&self, a: VertexId, b: VertexId) -> String {
+        let spot = |v: VertexId| match self.plan.vertex(v).spot {
+            Spot::Point(p) => point_label(self.scene.point_name(p)),
+            Spot::Special { .. } => "S".into(),
+        };
+        format!("{}{}", spot(a), spot(b))
+    }
+
+    fn quantity(level: Level) -> &'static str {
+        if level == Level::Acceleration { "a" } else { "v" }
+    }
+
+    /// Symbol of a whole vector of a vertex: `v_{B3}`.
+    pub fn vector(&self, level: Level, v: VertexId) -> String {
+        format!("{}_{{{}}}", Self::quantity(level), self.name(v))
+    }
+
+    fn subscript(&self, t: &Term) -> String {
+        if self.plan.vertex(t.to).fixed { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+    }
+
+    fn superscript(&self, level: Level, t: &Term) -> String {
+        let fixed_guide = self.plan.vertex(t.to).fixed;
+        match (t.kind, t.by) {
+            (TermKind::Relative, _) => String::new(),
+            (TermKind::Normal, _) => "n".into(),
+            (TermKind::Tangential, _) => "t".into(),
+            (TermKind::Coriolis, _) => self.notation.coriolis.clone(),
+            (TermKind::Extension, _) => self.notation.sliding.clone(),
+            // On a fixed straight guide sliding is the point's whole motion.
+            (TermKind::Slide, By::Guide { guide, .. }) if fixed_guide => {
+                if level == Level::Acceleration && self.is_arc(guide) {
+                    "t".into()
+                } else {
+                    String::new()
+                }
+            }
+            (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
+            (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
+                format!("{}t", self.notation.sliding)
+            }
+            (TermKind::Slide, _) => self.notation.sliding.clone(),
+            (TermKind::SlideNormal, _) => format!("{}n", self.notation.sliding),
+        }
+    }
+
+    fn is_arc(&self, g: GuideId) -> bool {
+        matches!(self.scene.guides[g.0].path, GuidePath::Arc { .. })
+    }
+
+    /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
+    pub fn symbol(&self, level: Level, t: &Term) -> String {
+        let (q, sub, sup) = (Self::quantity(level), self.subscript(t), self.superscript(level, t));
+        if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
+    }
+
+    /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
+    pub fn turning(&self, level: Level, body: Body) -> String {
+        let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
+        match body {
+            Body::Link(l) => format!("{letter}_{{{}}}", self.scene.link_name(l)),
+            Body::Cylinder(d) => match &self.scene.drivers[d].kind {
+                DriverKind::Cylinder { links, .. } if !links.is_empty() => format!("{letter}_{{{}}}", self.scene.link_name(links[0])),
+                DriverKind::Cylinder { a, b, .. } => {
+                    format!("{letter}_{{{}{}}}", self.scene.point_name(*a), self.scene.point_name(*b))
+                }
+                _ => letter.into(),
+            },
+        }
+    }
+
+    /// The name of a guide's direction: the line of two points it runs along, else x–x, t–t.
+    fn guide_line(&self, g: GuideId) -> String {
+        let guide = &self.scene.guides[g.0];
+        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        match &guide.path {
+            GuidePath::Line { direction: crate::scene::Direction::Along(a, b, None), .. } => format!("{}{}", p(*a), p(*b)),
+            GuidePath::Line { direction: crate::scene::Direction::Own, through: crate::scene::Through::Point(a), offset: None } => {
+                match guide.pin {
+                    Some(b) => format!("{}{}", p(*a), p(b)),
+                    None => p(*a),
+                }
+            }
+            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if guide.on == self.scene.ground => {
+                match angle.value {
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => "x".into(),
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => "y".into(),
+                    _ => "t\\text{–}t".into(),
+                }
+            }
+            GuidePath::Line { .. } => format!("t_{{{}}}", self.scene.link_name(guide.on)),
+            GuidePath::Arc { centre, .. } => match guide.pin {
+                Some(b) => format!("{}{}", p(*centre), p(b)),
+                None => p(*centre),
+            },
+        }
+    }
+
+    /// Direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
+    pub fn direction(&self, t: &Term) -> String {
+        let spot = |v: VertexId| match self.plan.vertex(v).spot {
+            Spot::Point(p) => point_label(self.scene.point_name(p)),
+            Spot::Special { .. } => "S".into(),
+        };
+        match (t.kind, t.by) {
+            (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
+            (TermKind::Normal, _) => format!("{} \\to {}", spot(t.of), spot(t.to)),
+            (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
+            (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
+            (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
+            (TermKind::Slide, By::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
+            (TermKind::Slide, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
+                let (GuidePath::Arc { centre, .. }, Some(pin)) = (&self.scene.guides[guide.0].path, self.scene.guides[guide.0].pin) else {
+                    return String::new();
+                };
+                let (k, p) = (point_label(self.scene.point_name(*centre)), point_label(self.scene.point_name(pin)));
+                let carried = self.plan.vertex(t.of).on == Some(self.scene.guides[guide.0].on);
+                if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
+            }
+            (TermKind::Slide | TermKind::SlideNormal, _) => String::new(),
+        }
+    }
+
+    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, or the sign for unknown.
+    pub fn magnitude(&self, level: Level, t: &Term) -> String {
+        if !t.known {
+            return self.notation.unknown.clone();
+        }
+        let length = || {
+            let spot = |v: VertexId| match self.plan.vertex(v).spot {
+                Spot::Point(p) => self.scene.point_name(p).to_string(),
+                Spot::Special { .. } => "S".into(),
+            };
+            // In the order of the line's name on the link, lower end first.
+            format!("l_{{{}{}}}", spot(t.to), spot(t.of))
+        };
+        let squared = |s: String| s.replacen('_', "^2_", 1);
+        match (t.kind, t.by) {
+            (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(Level::Velocity, b), length()),
+            (TermKind::Normal, By::Turning(b)) => format!("{} {}", squared(self.turning(Level::Velocity, b)), length()),
+            (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(Level::Acceleration, b), length()),
+            (TermKind::Coriolis, By::Guide { guide, .. }) => {
+                let omega = self.turning(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                format!("2{omega} v^{{{}}}_{{{}}}", self.notation.sliding, self.subscript(t))
+            }
+            (TermKind::Coriolis, By::Cylinder(d)) => {
+                format!("2{} v^{{{}}}_{{{}}}", self.turning(Level::Velocity, Body::Cylinder(d)), self.notation.sliding, self.subscript(t))
+            }
+            (TermKind::SlideNormal, _) => {
+                let sup = if self.plan.vertex(t.to).fixed { String::new() } else { format!("^{{{}}}", self.notation.sliding) };
+                let v =
+                    if sup.is_empty() { format!("v^2_{{{}}}", self.subscript(t)) } else { format!("(v{sup}_{{{}}})^2", self.subscript(t)) };
+                format!("{v}/\\rho")
+            }
+            _ => {
+                let _ = level;
+                self.notation.known.clone()
+            }
+        }
+    }
+
+    /// The columns of an equation with its loci: the chain that starts at a fixed point (or the point itself) on the
+    /// left, then the others, each after an equals sign.
+    pub fn columns(&self, level: Level, target: VertexId, chains: &[Chain]) -> Vec<Column> {
+        let mut out: Vec<Column> = Vec::new();
+        let absolute_left =
+            !self.plan.vertex(chains[0].start).fixed || chains.len() == 1 && chains[0].known.len() + chains[0].unknown.len() > 1;
+        if absolute_left {
+            out.push(Column {
+                joint: "",
+                symbol: self.vector(level, target),
+                direction: self.notation.unknown.clone(),
+                magnitude: self.notation.unknown.clone(),
+                term: None,
+            });
+        }
+        for chain in chains {
+            let mut first = true;
+            let mut joint = || {
+                let j = if first && !out_is_empty(absolute_left, chain, chains) {
+                    "="
+                } else if first {
+                    ""
+                } else {
+                    "+"
+                };
+                first = false;
+                j
+            };
+            if !self.plan.vertex(chain.start).fixed {
+                let (direction, magnitude) = self.known_vector(level, chain.start);
+                out.push(Column { joint: joint(), symbol: self.vector(level, chain.start), direction, magnitude, term: None });
+            }
+            for t in chain.known.iter().chain(&chain.unknown) {
+                out.push(Column {
+                    joint: joint(),
+                    symbol: self.symbol(level, t),
+                    direction: self.direction(t),
+                    magnitude: self.magnitude(level, t),
+                    term: Some(*t),
+                });
+            }
+        }
+        out
+    }
+
+    /// Direction and magnitude of a vertex known before: those of its own single term, else "known".
+    fn known_vector(&self, level: Level, v: VertexId) -> (String, String) {
+        let defining = self.plan.steps(level).iter().flat_map(|g| g.alternatives.first()).flatten().find_map(|s| match s {
+            Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
+            _ => None,
+        });
+        if let Some(c) = defining
+            && self.plan.vertex(c.start).fixed
+            && let [t] = c.known[..]
+        {
+            return (self.direction(&t), self.magnitude(level, &t));
+        }
+        (self.notation.known.clone(), self.notation.known.clone())
+    }
+}
+
+fn out_is_empty(absolute_left: bool, chain: &Chain, chains: &[Chain]) -> bool {
+    !absolute_left && std::ptr::eq(chain, &chains[0])
 }
