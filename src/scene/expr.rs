@@ -102,9 +102,14 @@ const FUNCTIONS: [(&str, Function); 8] = [
     ("abs", Function::Abs),
 ];
 
+/// Units that a parameter may hide: `h` is the usual letter of a height, and no quantity of a mechanism is given per hour.
+/// Directly after a number they still are units.
+const HIDEABLE: [&str; 4] = ["h", "min", "in", "ft"];
+
 /// Whether a name means something in every expression (a unit, a function, pi) and cannot name a parameter.
 pub fn is_reserved(name: &str) -> bool {
-    name == "pi" || unit_named(name).is_some() || FUNCTIONS.iter().any(|(n, _)| *n == name)
+    let unit = unit_named(name).is_some() && !HIDEABLE.contains(&name);
+    name == "pi" || unit || FUNCTIONS.iter().any(|(n, _)| *n == name)
 }
 
 /// Whether an expression consists of a single name that could name a parameter.

@@ -50,6 +50,9 @@ impl<'a> Values<'a> {
                 let d =
                     Diagnostic::error("name", format!("`{}` is a unit or a function and cannot name a parameter", name.text)).at(name.span);
                 faults.push(d.help(format!("call it `{}0`", name.text)));
+                // Where it is used, it is meant: that is the same fault.
+                values.names.push(&name.text);
+                values.known.insert(&name.text, None);
             } else {
                 values.names.push(&name.text);
                 values.known.insert(&name.text, value);
