@@ -3,7 +3,8 @@
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
-use super::expr::{self, Expr, NoValue, Value};
+use super::eval::{NoValue, Value, evaluate};
+use super::expr::{self, Expr};
 use super::fields::suggest;
 use super::json::Word;
 use super::model::{Angle, Given};
@@ -181,7 +182,7 @@ impl<'a> Values<'a> {
             self.used.borrow_mut().insert(name.to_owned());
             self.known.get(name).copied().flatten()
         };
-        match expr::evaluate(&expr, &lookup) {
+        match evaluate(&expr, &lookup) {
             Ok(value) => Ok((expr, value)),
             Err(NoValue::Reported) => Err(None),
             Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
