@@ -3,9 +3,16 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
+pub mod analytic;
+pub mod answer;
+pub mod construct;
 pub mod diag;
 pub mod figure;
 pub mod geom;
+pub mod mechanism;
+pub mod plan;
+pub mod position;
+pub mod quantity;
 pub mod render;
 pub mod report;
 pub mod scene;

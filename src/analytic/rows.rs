@@ -1,0 +1,349 @@
+//! The rows of the Jacobian and of its right-hand sides.
+//!
+//! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
+//! and so that scaling the scene by 2^k changes no digit.
+//!
+//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
+
+use super::{LinkMotion, Solution};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Level, Mechanism, Passive};
+use crate::position::{Configuration, Path};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use nalgebra::DVector;
+
+/// One equation.
+pub(super) struct Row {
+    /// (unknown, coefficient); an unknown may occur twice.
+    pub coefficients: Vec<(usize, f64)>,
+    /// Right-hand side of the velocity equation.
+    pub rate: f64,
+    /// Right-hand side of the acceleration equation, given the solved rates.
+    gamma: Gamma,
+}
+
+/// γ as a function of the rates.
+type Gamma = Box<dyn Fn(&DVector<f64>) -> f64>;
+
+impl Row {
+    pub fn acceleration(&self, rates: &DVector<f64>) -> f64 {
+        (self.gamma)(rates)
+    }
+}
+
+/// A point of a body, as a function of the unknowns: v = v₀ + ω r⊥.
+#[derive(Clone, Copy)]
+struct Handle {
+    /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
+    first: Option<usize>,
+    turns: bool,
+    /// From the body's origin.
+    r: Vec2,
+}
+
+impl Handle {
+    /// Adds k·v to a row.
+    fn add(&self, row: &mut Vec<(usize, f64)>, k: Vec2) {
+        let Some(i) = self.first else { return };
+        row.push((i, k.x));
+        row.push((i + 1, k.y));
+        if self.turns {
+            row.push((i + 2, k.dot(self.r.perp())));
+        }
+    }
+
+    fn omega(&self, q: &DVector<f64>) -> f64 {
+        match self.first {
+            Some(i) if self.turns => q[i + 2],
+            _ => 0.0,
+        }
+    }
+
+    fn velocity(&self, q: &DVector<f64>) -> Vec2 {
+        let Some(i) = self.first else { return Vec2::ZERO };
+        Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
+    }
+
+    /// The part of the acceleration that is not linear in q̈: −ω² r.
+    fn bias(&self, q: &DVector<f64>) -> Vec2 {
+        let w = self.omega(q);
+        self.r * -(w * w)
+    }
+}
+
+pub(super) struct Layout {
+    pub links: Vec<LinkId>,
+    bare: Vec<PointId>,
+    pub unknowns: usize,
+    pub origins: Vec<Option<Point>>,
+    /// 1 / (power of two near the mechanism's size).
+    scale: f64,
+}
+
+impl Layout {
+    pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Layout {
+        let links = super::taking_part(scene, m, at, demand);
+        let bare: Vec<PointId> = m
+            .pins
+            .iter()
+            .copied()
+            .filter(|p| scene.carriers(*p).next().is_none() && m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)))
+            .collect();
+        // The origin of a link's unknowns is one of its own points, so that arms are short and an offset of all
+        // coordinates takes no digits.
+        let origins = (0..scene.links.len())
+            .map(|l| {
+                scene.links[l]
+                    .points
+                    .iter()
+                    .find_map(|p| at.points[p.0])
+                    .or_else(|| scene.guides.iter().filter(|g| g.on == LinkId(l)).find_map(|g| at.points[g.pin?.0]))
+                    .or_else(|| at.poses[l].map(|p| p.origin))
+            })
+            .collect();
+        let _ = m.passive.iter().filter(|p| matches!(p, Some(Passive::Block(_)))).count();
+        let unknowns = 3 * links.len() + 2 * bare.len();
+        Layout { links, bare, unknowns, origins, scale: crate::position::kernel::power_of_two_scale(at.extent()) }
+    }
+
+    fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<Handle> {
+        if l == scene.ground {
+            return Some(Handle { first: None, turns: false, r: Vec2::ZERO });
+        }
+        let i = self.links.iter().position(|k| *k == l)?;
+        Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
+    }
+
+    /// The moving thing at a pin: a link that carries it, or the bare pin.
+    fn pin(&self, scene: &Scene, p: PointId, at: Point) -> Option<Handle> {
+        if let Some(i) = self.bare.iter().position(|q| *q == p) {
+            return Some(Handle { first: Some(3 * self.links.len() + 2 * i), turns: false, r: Vec2::ZERO });
+        }
+        scene.carriers(p).find_map(|l| self.body(scene, l, at))
+    }
+
+    pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
+        let mut rows = Vec::new();
+        self.revolutes(scene, at, &mut rows);
+        for g in (0..scene.guides.len()).map(GuideId) {
+            self.guide(scene, at, g, &mut rows);
+        }
+        for d in 0..scene.drivers.len() {
+            self.driver(scene, at, d, &mut rows);
+        }
+        rows
+    }
+
+    /// All links at a pin have its velocity.
+    fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
+        for p in (0..scene.points.len()).map(PointId) {
+            let Some(place) = at.points[p.0] else { continue };
+            let here: Vec<Handle> = scene.carriers(p).filter_map(|l| self.body(scene, l, place)).collect();
+            for pair in here.windows(2) {
+                let (a, b) = (pair[0], pair[1]);
+                for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+                    let mut c = Vec::new();
+                    a.add(&mut c, k);
+                    b.add(&mut c, -k);
+                    rows.push(Row { coefficients: c, rate: 0.0, gamma: Box::new(move |q| k.dot(b.bias(q) - a.bias(q))) });
+                }
+            }
+        }
+    }
+
+    /// ω_a − ω_b = rate.
+    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, rate: f64, acceleration: f64) -> Option<Row> {
+        let (ha, hb) = (self.body(scene, a, Point::ORIGIN)?, self.body(scene, b, Point::ORIGIN)?);
+        let mut c = Vec::new();
+        if let Some(i) = ha.first {
+            c.push((i + 2, 1.0));
+        }
+        if let Some(i) = hb.first {
+            c.push((i + 2, -1.0));
+        }
+        Some(Row { coefficients: c, rate, gamma: Box::new(move |_| acceleration) })
+    }
+
+    fn guide(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
+        let guide = &scene.guides[g.0];
+        let Some(path) = at.guides[g.0] else { return };
+        if let (Some(s), Path::Line { .. }) = (guide.slider, path)
+            && let Some(row) = self.lock(scene, s, guide.on, 0.0, 0.0)
+            && self.links.contains(&s) | self.links.contains(&guide.on)
+        {
+            rows.push(row);
+        }
+        if let (Some(s), Path::Arc { .. }, Some(p)) = (guide.slider, path, guide.pin) {
+            // A block in a curved slot turns with the radius to its pin.
+            self.block_on_arc(scene, at, s, p, path, guide.on, rows);
+        }
+        let runner = match guide.pin {
+            Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
+            None => guide.slider.and_then(|s| {
+                let x = self.origins[s.0].or(self.origins[guide.on.0])?;
+                Some((self.body(scene, s, x)?, x))
+            }),
+        };
+        let Some((runner, place)) = runner else { return };
+        match path {
+            Path::Line { through, direction } => {
+                let Some(carrier) = self.body(scene, guide.on, through) else { return };
+                if runner.first.is_none() && carrier.first.is_none() {
+                    return;
+                }
+                // n·(P − Q) = const, n and Q fixed in the carrier.
+                rows.push(self.projection(runner, carrier, direction.perp(), place - through, 0.0, 0.0));
+            }
+            Path::Arc { centre, .. } => {
+                let Some(carrier) = self.body(scene, guide.on, centre) else { return };
+                rows.push(self.distance(runner, carrier, place - centre, 0.0, 0.0));
+            }
+        }
+    }
+
+    /// k·(P − Q) = s(t) with k fixed in the body of Q: the row for its first and second derivative.
+    ///
+    /// d/dt: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ. d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
+    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, rate: f64, acceleration: f64) -> Row {
+        let arm = arm * self.scale;
+        let turned = k.perp();
+        let mut c = Vec::new();
+        p.add(&mut c, k);
+        q.add(&mut c, -k);
+        if let (Some(i), true) = (q.first, q.turns) {
+            c.push((i + 2, turned.dot(arm)));
+        }
+        let gamma = move |x: &DVector<f64>| {
+            let w = q.omega(x);
+            acceleration - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * turned.dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
+        };
+        Row { coefficients: c, rate, gamma: Box::new(gamma) }
+    }
+
+    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇, d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈; divided by l.
+    fn distance(&self, p: Handle, q: Handle, d: Vec2, rate: f64, acceleration: f64) -> Row {
+        let d = d * self.scale;
+        let l = d.norm();
+        let u = d * (1.0 / l);
+        let mut c = Vec::new();
+        p.add(&mut c, u);
+        q.add(&mut c, -u);
+        let gamma = move |x: &DVector<f64>| {
+            let v = p.velocity(x) - q.velocity(x);
+            acceleration - u.dot(p.bias(x) - q.bias(x)) + (rate * rate - v.norm2()) / l
+        };
+        Row { coefficients: c, rate, gamma: Box::new(gamma) }
+    }
+
+    /// Turning of the line Q→P against which a body is held: ω_body l² = d × (v_P − v_Q), and its derivative
+    /// α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
+    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2) -> Row {
+        let d = d * self.scale;
+        let l2 = d.norm2();
+        let k = d.perp() * (1.0 / l2);
+        let mut c = Vec::new();
+        p.add(&mut c, k);
+        q.add(&mut c, -k);
+        if let Some(i) = body.first {
+            c.push((i + 2, -1.0));
+        }
+        let gamma = move |x: &DVector<f64>| {
+            let v = p.velocity(x) - q.velocity(x);
+            2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x))
+        };
+        Row { coefficients: c, rate: 0.0, gamma: Box::new(gamma) }
+    }
+
+    #[allow(clippy::too_many_arguments)] // a block, its pin, its path and carrier: none of them belongs together elsewhere
+    fn block_on_arc(&self, scene: &Scene, at: &Configuration, s: LinkId, p: PointId, path: Path, on: LinkId, rows: &mut Vec<Row>) {
+        let Path::Arc { centre, .. } = path else { return };
+        let Some(place) = at.points[p.0] else { return };
+        if let (Some(body), Some(pin), Some(carrier)) =
+            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, on, centre))
+            && self.links.contains(&s)
+        {
+            rows.push(self.along_line(body, pin, carrier, place - centre));
+        }
+    }
+
+    fn driver(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {
+        let driver = &scene.drivers[d];
+        let (rate, acceleration) = (driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value));
+        match &driver.kind {
+            DriverKind::Turn { link, against, .. } => {
+                if self.links.contains(link) || self.links.contains(against) {
+                    rows.extend(self.lock(scene, *link, *against, rate, acceleration));
+                }
+            }
+            DriverKind::Slide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                let runner = match g.pin {
+                    Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
+                    None => g.slider.and_then(|s| {
+                        let x = self.origins[s.0].or(self.origins[g.on.0])?;
+                        Some((self.body(scene, s, x)?, x))
+                    }),
+                };
+                let (Some((runner, place)), Some(path)) = (runner, at.guides[guide.0]) else { return };
+                let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
+                match path {
+                    Path::Line { through, direction } => {
+                        let Some(carrier) = self.body(scene, g.on, through) else { return };
+                        if runner.first.is_some() || carrier.first.is_some() {
+                            rows.push(self.projection(runner, carrier, direction, place - through, rate, acceleration));
+                        }
+                    }
+                    Path::Arc { centre, radius } => {
+                        // s = ρ (angle of the radius − angle of the carrier).
+                        let Some(carrier) = self.body(scene, g.on, centre) else { return };
+                        let mut row = self.along_line(carrier, runner, carrier, place - centre);
+                        let rho = radius * self.scale;
+                        row.rate = rate / rho;
+                        let inner = row.gamma;
+                        row.gamma = Box::new(move |x| inner(x) + acceleration / rho);
+                        rows.push(row);
+                    }
+                }
+            }
+            DriverKind::Cylinder { a, b, links, .. } => {
+                let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
+                let (Some(ha), Some(hb)) = (self.pin(scene, *a, pa), self.pin(scene, *b, pb)) else { return };
+                rows.push(self.distance(hb, ha, pb - pa, rate * self.scale, acceleration * self.scale));
+                for (i, l) in links.iter().enumerate() {
+                    // Barrel and rod: each sits on its end and turns with the line.
+                    let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
+                    if let Some(body) = self.body(scene, *l, place)
+                        && self.links.contains(l)
+                    {
+                        if !scene.links[l.0].points.contains(a) && !scene.links[l.0].points.contains(b) {
+                            for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+                                let mut c = Vec::new();
+                                body.add(&mut c, k);
+                                end.add(&mut c, -k);
+                                rows.push(Row { coefficients: c, rate: 0.0, gamma: Box::new(move |q| k.dot(end.bias(q) - body.bias(q))) });
+                            }
+                        }
+                        rows.push(self.along_line(body, hb, ha, pb - pa));
+                    }
+                }
+            }
+        }
+    }
+
+    pub fn unpack(&self, rates: &DVector<f64>, accelerations: &DVector<f64>, out: &mut Solution) {
+        let back = 1.0 / self.scale;
+        let vec = |x: &DVector<f64>, i: usize| Vec2::new(x[i], x[i + 1]) * back;
+        for (i, l) in self.links.iter().enumerate() {
+            out.links[l.0] = Some(LinkMotion {
+                v: vec(rates, 3 * i),
+                omega: rates[3 * i + 2],
+                a: vec(accelerations, 3 * i),
+                alpha: accelerations[3 * i + 2],
+            });
+        }
+        for (i, p) in self.bare.iter().enumerate() {
+            let k = 3 * self.links.len() + 2 * i;
+            out.bare.push((*p, vec(rates, k), vec(accelerations, k)));
+        }
+    }
+}

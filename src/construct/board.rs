@@ -1,0 +1,503 @@
+//! Carries a plan out on paper.
+
+use super::scale::{self, Boxes};
+use super::{Action, Construction, Diagram, Edge, Mark, Polygon, RateReading};
+use crate::diag::{Diagnostic, Faults};
+use crate::geom::{Crossing, Point, Vec2, cross_lines};
+use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::plan::{Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
+use crate::position::{Configuration, Path};
+use crate::scene::{DriverKind, LinkId, Scene};
+
+/// Draws a plan.
+///
+/// # Errors
+/// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
+pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
+    let mut board = Board::new(scene, m, at, plan, boxes)?;
+    for level in [Level::Velocity, Level::Acceleration] {
+        if plan.level < level {
+            continue;
+        }
+        let fixed = match level {
+            Level::Velocity => scene.paper.mu_v,
+            _ => scene.paper.mu_a,
+        };
+        // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
+        let mark = board.done.rates.len();
+        let trial = board.draw(level, board.trial_scale(level))?;
+        let mu = fixed.unwrap_or_else(|| scale::choose(extent(&trial), boxes.polygon));
+        board.done.rates.truncate(mark);
+        let polygon = board.draw(level, mu)?;
+        match level {
+            Level::Velocity => board.done.velocity = Some(polygon),
+            _ => board.done.acceleration = Some(polygon),
+        }
+    }
+    let done = board.done;
+    let finite = |p: &Polygon| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
+    if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_finite()) {
+        return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
+    }
+    Ok(done)
+}
+
+fn extent(p: &Polygon) -> [f64; 2] {
+    let mut lo = Vec2::ZERO;
+    let mut hi = Vec2::ZERO;
+    for q in p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied()) {
+        lo = Vec2::new(lo.x.min(q.x), lo.y.min(q.y));
+        hi = Vec2::new(hi.x.max(q.x), hi.y.max(q.y));
+    }
+    [(hi.x - lo.x) * p.mu, (hi.y - lo.y) * p.mu]
+}
+
+struct Board<'a> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration,
+    plan: &'a Plan,
+    done: Construction,
+}
+
+/// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
+/// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
+/// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
+const PARALLEL_UNITS: f64 = 8.0;
+
+/// Under this sine (10°) a pencil error is more than five times magnified: the reader is told.
+const BAD_ANGLE: f64 = 0.173_648_177_666_930_3;
+
+impl<'a> Board<'a> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, plan: &'a Plan, boxes: &Boxes) -> Result<Self, Faults> {
+        let origin = scene.links[scene.ground.0]
+            .points
+            .iter()
+            .chain(scene.links.iter().flat_map(|l| &l.points))
+            .find_map(|p| at.points[p.0])
+            .unwrap_or(Point::ORIGIN);
+        let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
+        let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
+        for p in at.points.iter().flatten() {
+            lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
+            hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
+        }
+        let size = if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] };
+        let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose(size, boxes.diagram));
+        let mut board = Board {
+            scene,
+            m,
+            at,
+            plan,
+            done: Construction {
+                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()] },
+                velocity: None,
+                acceleration: None,
+                rates: Vec::new(),
+                chosen: vec![0; m.groups.len()],
+                warnings: Vec::new(),
+            },
+        };
+        for g in 0..m.groups.len() {
+            if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
+                board.done.chosen[g] = board.best_alternative(g)?;
+            }
+        }
+        for (i, v) in plan.vertices.iter().enumerate() {
+            board.done.diagram.spots[i] = match v.spot {
+                Spot::Point(p) => at.points[p.0].map(|q| board.paper(q)),
+                Spot::Special { group, legs } => board.constraint_crossing(group, legs).map(|c| c.at).filter(|p| p.is_finite()),
+            };
+        }
+        Ok(board)
+    }
+
+    /// A place of the mechanism in mm of paper.
+    fn paper(&self, p: Point) -> Point {
+        ((p - self.done.diagram.origin) * (1.0 / self.done.diagram.mu_l)).to_point()
+    }
+
+    fn spot(&self, v: VertexId) -> Point {
+        self.done.diagram.spots[v.0].expect("a planned vertex has a place on the diagram")
+    }
+
+    /// From `to` to `of` on the diagram, in metres.
+    fn arm(&self, of: VertexId, to: VertexId) -> Vec2 {
+        (self.spot(of) - self.spot(to)) * self.done.diagram.mu_l
+    }
+
+    /// The line (on paper) on which a leg gives a locus for every point of the core.
+    fn constraint_line(&self, leg: &Leg) -> Option<(Point, Vec2)> {
+        let point = |p: crate::scene::PointId| self.at.points[p.0].map(|q| self.paper(q));
+        match *leg {
+            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
+                let (n, f) = (point(near)?, point(far)?);
+                Some((n, n - f))
+            }
+            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => {
+                let p = point(pin)?;
+                Some((
+                    p,
+                    match self.at.guide(guide) {
+                        Path::Line { direction, .. } => direction.perp(),
+                        Path::Arc { centre, .. } => p - self.paper(centre),
+                    },
+                ))
+            }
+            _ => None,
+        }
+    }
+
+    fn constraint_crossing(&self, group: usize, legs: (usize, usize)) -> Option<Crossing> {
+        let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
+        let ((p, u), (q, w)) = (self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?);
+        Some(cross_lines(p, u, q, w))
+    }
+
+    /// The pair of constraint lines that cross most squarely and closest to the link.
+    fn best_alternative(&self, group: usize) -> Result<usize, Faults> {
+        let Core::Link { legs, link } = &self.m.groups[group].core else { return Ok(0) };
+        let nears: Vec<Point> = legs.iter().filter_map(|l| self.constraint_line(l)).map(|(p, _)| p).collect();
+        let centre = nears.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2()) * (1.0 / nears.len().max(1) as f64);
+        let size = nears.iter().map(|p| (p.to_vec2() - centre).norm()).fold(0.0, f64::max);
+        let score = |pair: (usize, usize)| -> f64 {
+            match self.constraint_crossing(group, pair) {
+                Some(c) if c.at.is_finite() => c.sine.abs() / (1.0 + (c.at.to_vec2() - centre).norm() / size),
+                _ => 0.0,
+            }
+        };
+        let scores = [(0, 1), (0, 2), (1, 2)].map(score);
+        let best = (0..3).fold(0, |b, i| if scores[i] > scores[b] { i } else { b });
+        if scores[best] > 0.0 {
+            return Ok(best);
+        }
+        Err(Diagnostic::error(
+            "dead-centre",
+            format!("the three legs of link {} are parallel: it is at a dead centre", self.scene.link_name(*link)),
+        )
+        .at(self.scene.links[link.0].span)
+        .into())
+    }
+
+    /// A scale for the trial drawing: of the order of the vectors, so that no square overflows.
+    fn trial_scale(&self, level: Level) -> f64 {
+        let rate = self.scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
+        let size = self.at.extent().max(f64::MIN_POSITIVE);
+        let v = self.scene.drivers.iter().fold(0.0f64, |v, d| {
+            v.max(match d.kind {
+                DriverKind::Turn { .. } => d.rate.value.abs() * size,
+                _ => d.rate.value.abs(),
+            })
+        });
+        let s = match level {
+            Level::Acceleration => v * (v / size).max(rate),
+            _ => v,
+        };
+        let s = s / 100.0;
+        if s.is_normal() { s } else { 1.0 }
+    }
+
+    fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon, Faults> {
+        let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::ORIGIN)).collect();
+        let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
+        let plan = self.plan;
+        for steps in plan.steps(level) {
+            let alternative = self.done.chosen[steps.group].min(steps.alternatives.len().saturating_sub(1));
+            for step in steps.alternatives.get(alternative).into_iter().flatten() {
+                self.step(&mut polygon, step)?;
+            }
+            for (body, rate) in &steps.rates {
+                self.turning(&mut polygon, *body, *rate);
+            }
+        }
+        Ok(polygon)
+    }
+
+    fn step(&mut self, p: &mut Polygon, step: &Step) -> Result<(), Faults> {
+        match step {
+            Step::Equation { target, chains, .. } => self.equation(p, *target, chains),
+            Step::Image { target, from: (a, b), .. } => {
+                let (ia, ib) = (self.image(p, *a), self.image(p, *b));
+                let ratio = self.arm(*target, *a).divide_by(self.arm(*b, *a));
+                if !ratio.is_finite() {
+                    return Err(self.coincide(*a, *b).into());
+                }
+                p.images[target.0] = Some(ia + (ib - ia).rotate_by(ratio));
+                p.actions.push(Action::Copy { target: *target, from: (*a, *b) });
+                Ok(())
+            }
+            Step::Same { target, from, .. } => {
+                p.images[target.0] = Some(self.image(p, *from));
+                p.actions.push(Action::Same { target: *target, from: *from });
+                Ok(())
+            }
+        }
+    }
+
+    fn image(&self, p: &Polygon, v: VertexId) -> Point {
+        p.images[v.0].expect("the plan finds a vertex before it uses it")
+    }
+
+    fn mark(&self, v: VertexId) -> Mark {
+        if self.plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
+    }
+
+    fn equation(&mut self, p: &mut Polygon, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
+        let mut ends: Vec<(Mark, Point, Option<Vec2>)> = Vec::new();
+        for chain in chains {
+            let mut at = (self.mark(chain.start), self.image(p, chain.start));
+            for (i, term) in chain.known.iter().enumerate() {
+                let end = at.1 + self.known_vector(p, term)? * (1.0 / p.mu);
+                // The last known vector of a chain without unknowns ends in the target itself.
+                let last = chain.unknown.is_empty() && i + 1 == chain.known.len() && chains.len() == 1;
+                let mark = if last { Mark::Image(target) } else { Mark::Part(*term) };
+                p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true });
+                p.actions.push(Action::LayOff(p.edges.len() - 1));
+                at = (mark, end);
+            }
+            let direction = match chain.unknown.first() {
+                Some(term) => {
+                    let u = self.direction(term)?;
+                    p.actions.push(Action::Line { terms: chain.unknown.clone(), through: at.1, direction: u });
+                    Some(u)
+                }
+                None => None,
+            };
+            ends.push((at.0, at.1, direction));
+        }
+        match ends[..] {
+            [(_, a, Some(u)), (_, b, Some(w))] => {
+                let c = cross_lines(a, u, b, w);
+                let tolerance = PARALLEL_UNITS * f64::EPSILON * (1.0 + self.rounding(&chains[0]) + self.rounding(&chains[1]));
+                if c.sine.abs() <= tolerance || !c.at.is_finite() {
+                    return Err(self.dead_centre(p.level, target, chains).into());
+                }
+                if c.sine.abs() < BAD_ANGLE {
+                    self.warn_bad_angle(p.level, target, chains, c.sine);
+                }
+                p.images[target.0] = Some(c.at);
+                let mut edges = Vec::new();
+                for ((mark, from, _), chain) in ends.iter().zip(chains) {
+                    p.edges.push(Edge {
+                        terms: chain.unknown.clone(),
+                        from: (*mark, *from),
+                        to: (Mark::Image(target), c.at),
+                        known: false,
+                    });
+                    edges.push(p.edges.len() - 1);
+                }
+                p.actions.push(Action::Cross { target, edges, sine: c.sine });
+            }
+            [(_, a, None)] => {
+                p.images[target.0] = Some(a);
+                p.actions.push(Action::Reach(target));
+            }
+            _ => unreachable!("an equation has one chain without, or two with, unknown parts"),
+        }
+        Ok(())
+    }
+
+    /// Size of the mechanism over the length from which a direction is taken: how rounding of places acts on it.
+    fn rounding(&self, chain: &Chain) -> f64 {
+        let Some(term) = chain.unknown.first() else { return 0.0 };
+        match term.by {
+            By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).norm(),
+            By::Guide { .. } => 1.0,
+        }
+    }
+
+    fn guide_tangent(&self, term: &Term) -> Vec2 {
+        let By::Guide { guide, .. } = term.by else { unreachable!("only sliding terms have a tangent") };
+        let pin = match self.plan.vertex(term.of).spot {
+            Spot::Point(p) => self.at.point(p),
+            Spot::Special { .. } => Point::ORIGIN,
+        };
+        self.at.guide(guide).tangent_at(pin)
+    }
+
+    /// Direction (unit) of an unknown term.
+    fn direction(&self, term: &Term) -> Result<Vec2, Faults> {
+        let u = match term.by {
+            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
+            By::Guide { .. } => self.guide_tangent(term).unit(),
+        };
+        u.ok_or_else(|| self.coincide(term.of, term.to).into())
+    }
+
+    fn coincide(&self, a: VertexId, b: VertexId) -> Diagnostic {
+        let (a, b) = (self.name(a), self.name(b));
+        Diagnostic::error("coincident-points", format!("{a} and {b} coincide in this pose: their line has no direction"))
+            .help("choose another pose, or other lengths")
+    }
+
+    fn name(&self, v: VertexId) -> String {
+        crate::plan::text::vertex_name(self.scene, self.plan, v)
+    }
+
+    /// Whether the first point of a sliding term belongs to the carrier of the guide (then signs are reversed).
+    fn reversed(&self, term: &Term) -> bool {
+        let By::Guide { guide, .. } = term.by else { return false };
+        let on = self.scene.guides[guide.0].on;
+        let v = self.plan.vertex(term.of);
+        match (v.on, v.spot) {
+            (Some(l), _) => l == on,
+            (None, Spot::Point(p)) => self.scene.links[on.0].points.contains(&p),
+            (None, Spot::Special { .. }) => false,
+        }
+    }
+
+    /// ω or α of a body from what was read so far.
+    fn rate(&self, level: Level, body: Body) -> f64 {
+        if let Body::Link(l) = body
+            && self.m.never_turns[l.0]
+        {
+            return 0.0;
+        }
+        self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
+    }
+
+    /// Finds the turning of a body; needed ones that come earlier in the list are there already.
+    fn turning(&mut self, p: &mut Polygon, body: Body, rate: Rate) {
+        let level = p.level;
+        if self.done.rate(level, body).is_some() {
+            return;
+        }
+        let reading = match rate {
+            Rate::Zero => RateReading { level, body, value: 0.0, measured: None },
+            Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None },
+            Rate::Given { driver, against } => {
+                let d = &self.scene.drivers[driver];
+                let own = match level {
+                    Level::Acceleration => d.acceleration.as_ref().map_or(0.0, |a| a.value),
+                    _ => d.rate.value,
+                };
+                // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
+                let sign = match d.kind {
+                    DriverKind::Turn { link, .. } if Body::Link(link) == body => 1.0,
+                    _ => -1.0,
+                };
+                RateReading { level, body, value: self.rate(level, Body::Link(against)) + sign * own, measured: None }
+            }
+            Rate::Measured { of, to } => {
+                let r = self.arm(of, to);
+                let l = r.norm();
+                let drawn = self.image(p, of) - self.image(p, to);
+                // Carried back to the link: the part square to the arm turns it.
+                let mut square = (r * (1.0 / l)).cross(drawn);
+                if let (Level::Acceleration, Body::Cylinder(d)) = (level, body) {
+                    // A cylinder's square part is aᵗ and Coriolis together; on paper aᵗ is measured from k′.
+                    let omega = self.rate(Level::Velocity, body);
+                    square -= 2.0 * omega * self.scene.drivers[d].rate.value / p.mu;
+                }
+                RateReading { level, body, value: square * p.mu / l, measured: Some((square.abs(), l)) }
+            }
+        };
+        self.done.rates.push(reading);
+        p.actions.push(Action::Rate(self.done.rates.len() - 1));
+    }
+
+    /// A known term as a vector in SI.
+    fn known_vector(&self, p: &Polygon, term: &Term) -> Result<Vec2, Faults> {
+        let arm = || self.arm(term.of, term.to);
+        Ok(match (term.kind, term.by) {
+            (TermKind::Relative, By::Turning(body)) => arm().perp() * self.rate(Level::Velocity, body),
+            (TermKind::Normal, By::Turning(body)) => {
+                let omega = self.rate(Level::Velocity, body);
+                arm() * -(omega * omega)
+            }
+            (TermKind::Tangential, By::Turning(body)) => arm().perp() * self.rate(Level::Acceleration, body),
+            (TermKind::Extension, By::Cylinder(d)) => {
+                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
+                e * self.given(p.level, d)
+            }
+            (TermKind::Coriolis, By::Cylinder(d)) => {
+                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
+                e.perp() * (2.0 * self.rate(Level::Velocity, Body::Cylinder(d)) * self.scene.drivers[d].rate.value)
+            }
+            (TermKind::Slide, By::Guide { driver: Some(d), .. }) => {
+                self.guide_tangent(term) * (self.given(p.level, d) * if self.reversed(term) { -1.0 } else { 1.0 })
+            }
+            (TermKind::Coriolis, By::Guide { guide, .. }) => {
+                let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                self.slide_velocity(term).perp() * (2.0 * omega)
+            }
+            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
+                let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
+                let v = self.slide_velocity(term);
+                let (Spot::Point(pin), ()) = (self.plan.vertex(term.of).spot, ()) else { unreachable!("a runner is a point") };
+                let inward = (centre - self.at.point(pin)) * (1.0 / radius);
+                inward * (v.norm2() / radius * if self.reversed(term) { -1.0 } else { 1.0 })
+            }
+            _ => unreachable!("this kind of term is never known"),
+        })
+    }
+
+    fn given(&self, level: Level, driver: usize) -> f64 {
+        let d = &self.scene.drivers[driver];
+        match level {
+            Level::Acceleration => d.acceleration.as_ref().map_or(0.0, |a| a.value),
+            _ => d.rate.value,
+        }
+    }
+
+    /// Sliding velocity between the two points of a term, measured on the velocity polygon.
+    fn slide_velocity(&self, term: &Term) -> Vec2 {
+        let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
+        (self.image(v, term.of) - self.image(v, term.to)) * v.mu
+    }
+
+    fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {
+        let words: Vec<String> = chains.iter().filter_map(|c| c.unknown.first()).map(|t| self.held_by(t)).collect();
+        let at = self.name(target);
+        let what = match level {
+            Level::Acceleration => "acceleration",
+            _ => "velocity",
+        };
+        let lie = if chains.iter().flat_map(|c| &c.unknown).all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
+            "lie in line"
+        } else {
+            "leave the same direction open"
+        };
+        let mut d = Diagnostic::error(
+            "dead-centre",
+            format!("dead centre: {} {lie} at {at}, so that its {what} is not determined", words.join(" and ")),
+        )
+        .help("choose another pose, or drive another link");
+        if let Spot::Point(p) = self.plan.vertex(target).spot {
+            d = d.at(self.scene.points[p.0].span);
+        }
+        d
+    }
+
+    fn held_by(&self, t: &Term) -> String {
+        let line = || format!("{}{}", self.name(t.to), self.name(t.of));
+        match t.by {
+            By::Turning(Body::Link(l)) => format!("link {} ({})", self.link(l), line()),
+            By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
+            By::Guide { guide, .. } => format!("the guide on link {}", self.link(self.scene.guides[guide.0].on)),
+        }
+    }
+
+    fn link(&self, l: LinkId) -> &str {
+        self.scene.link_name(l)
+    }
+
+    fn warn_bad_angle(&mut self, level: Level, target: VertexId, chains: &[Chain], sine: f64) {
+        let words: Vec<String> = chains.iter().filter_map(|c| c.unknown.first()).map(|t| self.held_by(t)).collect();
+        let degrees = libm::asin(sine.abs()).to_degrees();
+        let d = Diagnostic::warning(
+            "bad-angle",
+            format!(
+                "{} is found under {}°: {} are near a dead centre, and a pencil error grows {} times",
+                self.name(target),
+                crate::quantity::significant(degrees, 2),
+                words.join(" and "),
+                crate::quantity::significant(1.0 / sine.abs(), 2)
+            ),
+        );
+        // Both levels cross under the same angle: one warning is enough.
+        if level == Level::Velocity && !self.done.warnings.contains(&d) {
+            self.done.warnings.push(d);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! The drawing board: ruler and paper, in millimetres.
+//!
+//! Walks a [`Plan`] on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
+//! vectors, draws lines of known direction, crosses them, copies triangles by similarity, measures. What is measured is
+//! multiplied by μ. It never looks at the loop equations.
+
+mod board;
+mod readings;
+pub mod scale;
+pub mod text;
+
+pub use board::construct;
+pub use readings::{Answer, read};
+
+use crate::diag::Diagnostic;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::plan::{Body, Term, VertexId};
+
+/// The mechanism drawn to scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagram {
+    /// μ_l, m per mm.
+    pub mu_l: f64,
+    /// The place (m) that lies in the diagram's origin.
+    pub origin: Point,
+    /// Vertices' places in mm of paper.
+    pub spots: Vec<Option<Point>>,
+}
+
+/// The end of a laid-off vector that is no vertex's image.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// The pole.
+    Pole,
+    /// The image of a vertex.
+    Image(VertexId),
+    /// The end of a part of an equation: n′, k′ and the like, told by the term that ends there.
+    Part(Term),
+}
+
+/// A vector drawn on the board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Edge {
+    /// Its terms: one, or two that lie in one line and are drawn as one.
+    pub terms: Vec<Term>,
+    /// Where it starts.
+    pub from: (Mark, Point),
+    /// Where it ends.
+    pub to: (Mark, Point),
+    /// Whether its magnitude was known when it was drawn.
+    pub known: bool,
+}
+
+/// Two lines crossed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crossed {
+    /// The vertex found.
+    pub target: VertexId,
+    /// Sine of the angle between the lines.
+    pub sine: f64,
+}
+
+/// What was done, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// A known vector laid off: index of the edge.
+    LayOff(usize),
+    /// A line of known direction drawn from the end of the known part of a chain.
+    Line {
+        /// The unknown terms along it.
+        terms: Vec<Term>,
+        /// Point on paper.
+        through: Point,
+        /// Unit direction.
+        direction: Vec2,
+    },
+    /// Two lines crossed, which gave two edges (indices).
+    Cross {
+        /// The vertex found.
+        target: VertexId,
+        /// The edges it closed.
+        edges: Vec<usize>,
+        /// Sine of the crossing.
+        sine: f64,
+    },
+    /// The end of a chain of known vectors taken as a vertex's image.
+    Reach(VertexId),
+    /// A triangle copied.
+    Copy {
+        /// The vertex found.
+        target: VertexId,
+        /// The two images that it stands on.
+        from: (VertexId, VertexId),
+    },
+    /// The same image as another vertex, because the link does not turn.
+    Same {
+        /// The vertex found.
+        target: VertexId,
+        /// The other.
+        from: VertexId,
+    },
+    /// A turning rate found (index into [`Construction::rates`]).
+    Rate(usize),
+}
+
+/// A polygon.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    /// Velocity or acceleration.
+    pub level: Level,
+    /// μ, SI per mm.
+    pub mu: f64,
+    /// Images of the vertices, mm from the pole; fixed vertices lie in the pole.
+    pub images: Vec<Option<Point>>,
+    /// Vectors drawn.
+    pub edges: Vec<Edge>,
+    /// What was done.
+    pub actions: Vec<Action>,
+}
+
+impl Polygon {
+    /// The polygon's largest distance from the pole, in SI: the scale against which small differences are judged.
+    pub fn largest(&self) -> f64 {
+        self.images.iter().flatten().map(|p| p.to_vec2().norm()).fold(0.0, f64::max) * self.mu
+    }
+}
+
+/// A turning rate read off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateReading {
+    /// Level: velocity for ω, acceleration for α.
+    pub level: Level,
+    /// The body.
+    pub body: Body,
+    /// rad/s or rad/s².
+    pub value: f64,
+    /// Length measured (mm of polygon), the link's length (m) by which its value was divided; `None` where it was given.
+    pub measured: Option<(f64, f64)>,
+}
+
+/// Everything on the board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Construction {
+    /// The mechanism to scale.
+    pub diagram: Diagram,
+    /// The velocity polygon, if velocities are asked for.
+    pub velocity: Option<Polygon>,
+    /// The acceleration polygon.
+    pub acceleration: Option<Polygon>,
+    /// Turning rates.
+    pub rates: Vec<RateReading>,
+    /// For each group, the alternative of its steps that was drawn.
+    pub chosen: Vec<usize>,
+    /// Crossings under a bad angle and the like.
+    pub warnings: Vec<Diagnostic>,
+}
+
+impl Construction {
+    /// The polygon of a level.
+    pub fn polygon(&self, level: Level) -> Option<&Polygon> {
+        match level {
+            Level::Position => None,
+            Level::Velocity => self.velocity.as_ref(),
+            Level::Acceleration => self.acceleration.as_ref(),
+        }
+    }
+
+    /// A vertex's vector in SI, through μ.
+    pub fn vector(&self, level: Level, v: VertexId) -> Option<Vec2> {
+        let p = self.polygon(level)?;
+        Some(p.images[v.0]?.to_vec2() * p.mu)
+    }
+
+    /// A turning rate.
+    pub fn rate(&self, level: Level, body: Body) -> Option<f64> {
+        self.rates.iter().find(|r| r.level == level && r.body == body).map(|r| r.value)
+    }
+}

@@ -1,0 +1,84 @@
+//! Answers read off the paper: measured length × μ, with sense.
+
+use super::Construction;
+use crate::answer::{Source, Value, evaluate, level_of};
+use crate::geom::Vec2;
+use crate::mechanism::{Level, Mechanism, Passive};
+use crate::plan::{Body, Plan, VertexId};
+use crate::position::Configuration;
+use crate::scene::{Asked, LinkId, PointId, Scene};
+
+/// The answer to one question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// Index into the scene's `find` list.
+    pub find: usize,
+    /// The value.
+    pub value: Value,
+    /// Length measured on paper (mm) and the scale (SI/mm) it was multiplied by; `None` for given values and positions.
+    pub measured: Option<(f64, f64)>,
+}
+
+struct OnPaper<'a> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    plan: &'a Plan,
+    paper: &'a Construction,
+}
+
+impl OnPaper<'_> {
+    fn vertex(&self, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
+        self.plan.find_vertex(self.scene, p, on)
+    }
+}
+
+impl Source for OnPaper<'_> {
+    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
+        if on == Some(self.scene.ground) {
+            return Some(Vec2::ZERO);
+        }
+        self.paper.vector(level, self.vertex(p, on)?)
+    }
+
+    fn turning(&self, level: Level, link: LinkId) -> Option<f64> {
+        if self.m.never_turns[link.0] {
+            return Some(0.0);
+        }
+        let body = match self.m.passive[link.0] {
+            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+            _ => Body::Link(self.m.turns_as(self.scene, link)),
+        };
+        if let Body::Link(l) = body
+            && self.m.never_turns[l.0]
+        {
+            return Some(0.0);
+        }
+        self.paper.rate(level, body)
+    }
+}
+
+/// The answers from the drawing board; `None` for what was not drawn (a group higher than class III).
+pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
+    let source = OnPaper { scene, m, plan, paper };
+    scene
+        .find
+        .iter()
+        .enumerate()
+        .map(|(find, f)| {
+            let value = evaluate(scene, at, &source, &f.what)?;
+            let level = level_of(&f.what);
+            let measured = match (value, paper.polygon(level)) {
+                (Value::Vector(v), Some(p)) => Some((v.norm() / p.mu, p.mu)),
+                (Value::Scalar(_), Some(p)) => {
+                    let body = match f.what {
+                        Asked::Omega(l) | Asked::Alpha(l) => Some(Body::Link(m.turns_as(scene, l))),
+                        _ => None,
+                    };
+                    paper.rates.iter().find(|r| r.level == level && Some(r.body) == body).and_then(|r| r.measured).map(|(mm, _)| (mm, p.mu))
+                }
+                _ => None,
+            };
+            Some(Answer { find, value, measured })
+        })
+        .collect()
+}

@@ -1,0 +1,196 @@
+//! The embedded fonts: which character comes from which font, and how a run of characters becomes outlines.
+//!
+//! Decided here: the order in which the four fonts are asked. Not decided here: what is italic (the label
+//! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
+//! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
+//! caller, never drawn as a box.
+
+use std::sync::LazyLock;
+
+use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
+use skrifa::font::{Font, glyph::outline::PathSink};
+use skrifa::{DrawMemory, GlyphId, ScalerFont};
+
+/// How a character is to look, before a font is chosen for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Slant {
+    /// Letters of quantities and points.
+    Italic,
+    /// Digits, units, words.
+    Upright,
+    /// Operators, relations and primes: the mathematical font first, so that all of them share one weight and axis.
+    Symbol,
+}
+
+/// One of the embedded fonts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// Tinos Regular: Latin and Greek with the metrics of Times.
+    Roman,
+    /// Tinos Italic.
+    Italic,
+    /// STIX Two Math (subset): arrows, ⊥ ∥ ∠ √, primes, circled numbers.
+    Math,
+    /// Noto Serif CJK SC (subset): Song-style Chinese.
+    Song,
+}
+
+const ITALIC_FIRST: [Face; 4] = [Face::Italic, Face::Roman, Face::Math, Face::Song];
+const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Italic];
+const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic];
+
+struct Loaded {
+    font: Font,
+    scaler: ScalerFont,
+}
+
+impl Loaded {
+    fn new(bytes: &'static [u8]) -> Loaded {
+        let font = Font::new(bytes, 0).expect("an embedded font is readable: a test shapes with each of them");
+        let scaler = ScalerFont::unhinted(font.clone(), None);
+        Loaded { font, scaler }
+    }
+}
+
+static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-normal.ttf")));
+static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-italic.ttf")));
+static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/stix-math-sub.ttf")));
+static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/song-gb1-cff.otf")));
+
+impl Face {
+    fn loaded(self) -> &'static Loaded {
+        match self {
+            Face::Roman => &ROMAN,
+            Face::Italic => &ITALIC,
+            Face::Math => &MATH,
+            Face::Song => &SONG,
+        }
+    }
+
+    /// The font for a character of that slant; `None` when no embedded font has it.
+    pub fn of(c: char, slant: Slant) -> Option<Face> {
+        let order = match slant {
+            Slant::Italic => ITALIC_FIRST,
+            Slant::Upright => ROMAN_FIRST,
+            Slant::Symbol => MATH_FIRST,
+        };
+        order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some())
+    }
+
+    /// Shapes a run of characters (kerning included) and returns its outline, first glyph's origin at 0, in em.
+    pub fn outline(self, run: &str) -> Run {
+        let loaded = self.loaded();
+        let em = f64::from(loaded.font.units_per_em());
+        let mut buffer = Buffer::new();
+        buffer.push_str(run);
+        buffer.guess_segment_properties();
+        shape(&ShaperFont::new(&loaded.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
+        let mut sink = Sink { segments: Vec::new(), dx: 0.0, dy: 0.0, em };
+        let mut pen = 0.0;
+        for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
+            sink.dx = pen + f64::from(pos.x_offset);
+            sink.dy = f64::from(pos.y_offset);
+            if let Some(glyph) = loaded.scaler.outline(GlyphId::new(info.glyph_id)) {
+                // An embedded outline that cannot be drawn would be a damaged build, not a user's fault.
+                glyph.draw(DrawMemory::Scratch, &mut sink).expect("embedded outlines are sound");
+            }
+            pen += f64::from(pos.x_advance);
+        }
+        Run { segments: sink.segments, advance_em: pen / em }
+    }
+}
+
+/// One piece of a glyph's outline, in em, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment<T> {
+    /// Starts a contour.
+    Move([T; 2]),
+    /// A straight line.
+    Line([T; 2]),
+    /// A quadratic curve: control point, end.
+    Quad([T; 2], [T; 2]),
+    /// A cubic curve: two control points, end.
+    Cubic([T; 2], [T; 2], [T; 2]),
+    /// Closes the contour.
+    Close,
+}
+
+impl<T: Copy> Segment<T> {
+    /// The same segment with each of its points mapped.
+    pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> Segment<U> {
+        match self {
+            Segment::Move(a) => Segment::Move(f(a)),
+            Segment::Line(a) => Segment::Line(f(a)),
+            Segment::Quad(a, b) => Segment::Quad(f(a), f(b)),
+            Segment::Cubic(a, b, c) => Segment::Cubic(f(a), f(b), f(c)),
+            Segment::Close => Segment::Close,
+        }
+    }
+}
+
+/// A shaped run of one font.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The contours of all glyphs, in em, y up, baseline at 0.
+    pub segments: Vec<Segment<f64>>,
+    /// Where the next run begins, in em.
+    pub advance_em: f64,
+}
+
+struct Sink {
+    segments: Vec<Segment<f64>>,
+    dx: f64,
+    dy: f64,
+    em: f64,
+}
+
+impl Sink {
+    fn at(&self, x: f32, y: f32) -> [f64; 2] {
+        [(f64::from(x) + self.dx) / self.em, (f64::from(y) + self.dy) / self.em]
+    }
+}
+
+impl PathSink for Sink {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.segments.push(Segment::Move(self.at(x, y)));
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.segments.push(Segment::Line(self.at(x, y)));
+    }
+    fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
+        self.segments.push(Segment::Quad(self.at(cx0, cy0), self.at(x, y)));
+    }
+    fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
+        self.segments.push(Segment::Cubic(self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y)));
+    }
+    fn close(&mut self) {
+        self.segments.push(Segment::Close);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_embedded_font_shapes() {
+        // Advances as printed by `ttx -t hmtx`, in em.
+        for (face, text, advance_em) in
+            [(Face::Roman, "1", 0.5), (Face::Italic, "v", 0.444), (Face::Math, "⊥", 0.720), (Face::Song, "速", 1.0)]
+        {
+            let run = face.outline(text);
+            assert!(run.segments.len() > 3, "{face:?} draws {text}");
+            assert!((run.advance_em - advance_em).abs() < 1e-3, "{face:?} {text}: {} em", run.advance_em);
+        }
+    }
+
+    #[test]
+    fn faces_by_slant() {
+        assert_eq!(Face::of('v', Slant::Italic), Some(Face::Italic));
+        assert_eq!(Face::of('v', Slant::Upright), Some(Face::Roman));
+        assert_eq!(Face::of('=', Slant::Symbol), Some(Face::Math));
+        assert_eq!(Face::of('→', Slant::Italic), Some(Face::Math));
+        assert_eq!(Face::of('度', Slant::Italic), Some(Face::Song));
+        assert_eq!(Face::of('\u{1F600}', Slant::Upright), None);
+    }
+}

@@ -1,0 +1,215 @@
+//! The label language: what a short formula or a sentence on a figure says, parsed into rows of atoms.
+//!
+//! ```text
+//! v_{B3B2}^r   a^n_{CB}   \omega_1^2 l_{AB}   b'_2   \mu_l = 0.002 m/mm   \perp AB   B \to A
+//! \text{max}   \circled{3}   \checkmark   \sin\varphi   \,   \quad
+//! ```
+//!
+//! Decided here: what is italic. Letters of quantities and points are; digits, operators and words are not; nor are
+//! units, which are what stands after a number **and a space** (`2 m/s` is two metres per second, `2l` twice a length).
+//! Spaces mean nothing else in a formula, except beside Chinese. Not decided here: sizes, fonts, places.
+
+use crate::diag::Diagnostic;
+
+use super::font::Slant;
+
+mod parse;
+
+/// What is written at one place of a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    source: String,
+    row: Vec<Node>,
+    faults: Vec<Diagnostic>,
+}
+
+/// What an atom does to the space around it, as in TeX.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// A letter, a digit, a word.
+    Ordinary,
+    /// `+ − ×` between two operands.
+    Binary,
+    /// `= → ≈ <`.
+    Relation,
+    /// `, ;`.
+    Punctuation,
+    /// A function's name: a thin space to its argument.
+    Function,
+}
+
+/// One atom with its scripts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Node {
+    /// The characters.
+    pub text: String,
+    /// How they look.
+    pub slant: Slant,
+    /// What they do to the space around them.
+    pub role: Role,
+    /// Extra space after the atom, in em.
+    pub space_em: f64,
+    /// Number of primes.
+    pub primes: usize,
+    /// The subscript's row; empty for none.
+    pub sub: Vec<Node>,
+    /// The superscript's row; empty for none.
+    pub sup: Vec<Node>,
+}
+
+impl Node {
+    fn new(text: impl Into<String>, slant: Slant, role: Role) -> Node {
+        Node { text: text.into(), slant, role, space_em: 0.0, primes: 0, sub: Vec::new(), sup: Vec::new() }
+    }
+
+    fn space(em: f64) -> Node {
+        Node { space_em: em, ..Node::new("", Slant::Upright, Role::Ordinary) }
+    }
+}
+
+impl Label {
+    /// A formula. Never fails: what it cannot read is kept as it stands and reported by [`Label::faults`].
+    pub fn math(source: impl Into<String>) -> Label {
+        let source = source.into();
+        let (row, faults) = parse::formula(&source);
+        Label { source, row, faults }
+    }
+
+    /// A sentence: every character upright and as it stands.
+    pub fn text(source: impl Into<String>) -> Label {
+        let source = source.into();
+        let row = vec![Node::new(source.clone(), Slant::Upright, Role::Ordinary)];
+        Label { source, row, faults: Vec::new() }
+    }
+
+    /// This label followed by another, such as a caption's words followed by a formula.
+    pub fn then(mut self, other: Label) -> Label {
+        self.source.push_str(&other.source);
+        self.row.extend(other.row);
+        self.faults.extend(other.faults);
+        self
+    }
+
+    /// What was written.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// The atoms.
+    pub fn row(&self) -> &[Node] {
+        &self.row
+    }
+
+    /// What the parser could not read (`label-syntax`).
+    pub fn faults(&self) -> &[Diagnostic] {
+        &self.faults
+    }
+
+    /// In one line of characters, for screen readers and text reports: `ω_1^2 l_AB`.
+    pub fn plain(&self) -> String {
+        let mut out = String::new();
+        plain_row(&self.row, &mut out);
+        out
+    }
+}
+
+fn plain_row(row: &[Node], out: &mut String) {
+    for node in row {
+        let spaced = matches!(node.role, Role::Relation | Role::Binary);
+        if spaced {
+            out.push(' ');
+        }
+        out.push_str(&node.text);
+        out.extend(std::iter::repeat_n('′', node.primes));
+        for (mark, script) in [('_', &node.sub), ('^', &node.sup)] {
+            if !script.is_empty() {
+                out.push(mark);
+                plain_row(script, out);
+            }
+        }
+        if spaced || node.space_em > 0.0 {
+            out.push(' ');
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape(source: &str) -> String {
+        fn row(nodes: &[Node]) -> String {
+            nodes
+                .iter()
+                .map(|n| {
+                    let mark = match n.slant {
+                        Slant::Italic => 'i',
+                        Slant::Upright => 'u',
+                        Slant::Symbol => 's',
+                    };
+                    let mut s = format!("{mark}:{}{}", n.text, "'".repeat(n.primes));
+                    if !n.sub.is_empty() {
+                        s += &format!("_({})", row(&n.sub));
+                    }
+                    if !n.sup.is_empty() {
+                        s += &format!("^({})", row(&n.sup));
+                    }
+                    s
+                })
+                .collect::<Vec<_>>()
+                .join(" ")
+        }
+        let label = Label::math(source);
+        assert_eq!(label.faults(), [], "{source}");
+        row(label.row())
+    }
+
+    #[test]
+    fn quantities_points_and_numbers() {
+        assert_eq!(shape("v_{B3B2}^r"), "i:v_(i:B u:3 i:B u:2)^(i:r)");
+        assert_eq!(shape("a^n_{CB}"), "i:a_(i:CB)^(i:n)");
+        assert_eq!(shape(r"\omega_1^2 l_{AB}"), "i:ω_(u:1)^(u:2) i:l_(i:AB)");
+        assert_eq!(shape("b'_2"), "i:b'_(u:2)");
+        assert_eq!(shape("b_2'"), "i:b'_(u:2)");
+        assert_eq!(shape("n''"), "i:n''");
+        assert_eq!(shape(r"2\omega_3 v_{B3B2}"), "u:2 i:ω_(u:3) i:v_(i:B u:3 i:B u:2)");
+        assert_eq!(shape(r"B \to A"), "i:B s:→ i:A");
+        assert_eq!(shape(r"\perp AB"), "s:⊥ i:AB");
+        assert_eq!(shape("?"), "u:?");
+    }
+
+    #[test]
+    fn units_follow_a_number_and_a_space() {
+        assert_eq!(shape(r"\mu_l = 0.002 m/mm"), "i:μ_(i:l) s:= u:0.002 u: u:m/mm");
+        assert_eq!(shape(r"\mu_v = 0.01 (m/s)/mm"), "i:μ_(i:l) s:= u:0.01 u: u:(m/s)/mm".replace("(i:l)", "(i:v)"));
+        assert_eq!(shape("a = 12 m/s^2, b"), "i:a s:= u:12 u: u:m/s^(u:2) u:, i:b");
+        assert_eq!(shape("2l"), "u:2 i:l");
+        assert_eq!(shape("2 + l"), "u:2 s:+ i:l");
+    }
+
+    #[test]
+    fn words_chinese_and_circles() {
+        assert_eq!(shape(r"v_{\text{max}}"), "i:v_(u:max)");
+        assert_eq!(shape("大小 v_B"), "u:大小 u: i:v_(i:B)");
+        assert_eq!(shape(r"\circled{3}"), "s:③");
+        assert_eq!(shape(r"\checkmark"), "s:√");
+    }
+
+    #[test]
+    fn faults_are_said_and_the_rest_stays() {
+        for (source, word) in [(r"\fooo_1", "fooo"), ("v_{B", "}"), ("v_", "_"), ("v_1_2", "_"), ("}", "}"), (r"\circled{99}", "99")] {
+            let label = Label::math(source);
+            assert_eq!(label.faults().len(), 1, "{source}: {:?}", label.faults());
+            assert_eq!(label.faults()[0].code, "label-syntax");
+            assert!(label.faults()[0].message.contains(word), "{source}: {}", label.faults()[0]);
+        }
+    }
+
+    #[test]
+    fn plain_line() {
+        assert_eq!(Label::math(r"\omega_1^2 l_{AB}").plain(), "ω_1^2l_AB");
+        assert_eq!(Label::math(r"\mu_l = 0.002 m/mm").plain(), "μ_l = 0.002 m/mm");
+        assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
+        assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");
+    }
+}

@@ -1,0 +1,183 @@
+//! What a place costs, in millimetres of foreign line covered.
+
+use crate::figure::extent::Rect;
+use crate::geom::Point;
+
+use super::candidate::{Candidate, nearest};
+use super::obstacle::{Bar, Obstacles};
+use super::{Target, Wanted};
+
+/// The first touch of anything: more than the farthest place near the thing (6.4) can cost, so that touching is
+/// never the better bargain.
+pub(super) const TOUCH: f64 = 8.0;
+/// Air that a label keeps around its ink, so that a line beside it is seen as beside.
+const AIR_MM: f64 = 0.5;
+/// Each millimetre of a line under a label.
+const PER_MM: f64 = 1.0;
+/// An arrowhead is what the reader looks for: it counts as this many lines.
+const HEAD_FACTOR: f64 = 2.0;
+/// The label's own line through its letters is bad, but does not mislead.
+const OWN_FACTOR: f64 = 0.5;
+/// Each millimetre of a disc's depth and each square millimetre of a box.
+const PER_DEPTH: f64 = 2.0;
+/// Leaving the paper: worse than anything on it.
+const OUTSIDE: f64 = 200.0;
+/// Each millimetre by which a foreign line is nearer than the label's own thing, plus a margin that tells them apart.
+const NEARER_PER_MM: f64 = 1.8;
+/// Foreign lines must be this much farther off than the own thing before they stop being mistaken for it.
+const NEARER_MARGIN_MM: f64 = 0.8;
+/// Nearness never costs as much as touching.
+const NEARER_MAX: f64 = 4.0;
+/// A leader line across a line, or across a label.
+const LEADER_CROSSES: f64 = 2.5;
+/// Overlap of two labels, and each square millimetre of it.
+const OVERLAP: f64 = 25.0;
+const OVERLAP_PER_MM2: f64 = 2.0;
+/// Air between two labels, for each of them.
+pub(super) const PAIR_AIR_MM: f64 = 0.3;
+
+/// The part of a place's cost that does not depend on other labels.
+pub(super) fn fixed(c: &Candidate, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) -> f64 {
+    let mut cost = c.base;
+    let own_distance = own_distance(c.rect, wanted.target);
+    let mut nearer: f64 = 0.0;
+    let own = |owner: Option<u32>| owner.is_some() && owner == wanted.owner;
+    for bar in &obstacles.bars {
+        let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
+        let look = grown.grown(own_distance + NEARER_MARGIN_MM);
+        if far_apart(look, bar) {
+            continue;
+        }
+        let covered = clipped_mm(bar.from, bar.to, grown);
+        if covered > 0.0 {
+            cost += (TOUCH + PER_MM * covered) * if own(bar.owner) { OWN_FACTOR } else { 1.0 };
+        } else if !own(bar.owner) && !meets(bar, wanted.target) {
+            let foreign = distance(c.rect, bar) - bar.half_width_mm;
+            nearer = nearer.max(own_distance + NEARER_MARGIN_MM - foreign);
+        }
+    }
+    cost += (NEARER_PER_MM * nearer).min(NEARER_MAX);
+    for head in &obstacles.heads {
+        let grown = c.rect.grown(head.half_width_mm + AIR_MM);
+        if !far_apart(grown, head) {
+            let covered = clipped_mm(head.from, head.to, grown);
+            if covered > 0.0 {
+                cost += HEAD_FACTOR * (TOUCH + PER_MM * covered);
+            }
+        }
+    }
+    for disc in &obstacles.discs {
+        let depth = disc.radius_mm + AIR_MM - nearest(c.rect, disc.centre).distance(disc.centre);
+        if depth > 0.0 {
+            cost += TOUCH + PER_DEPTH * depth;
+        }
+    }
+    for rect in &obstacles.rects {
+        let area = rect.overlap_mm2(c.rect.grown(AIR_MM));
+        if area > 0.0 {
+            cost += TOUCH + PER_DEPTH * area;
+        }
+    }
+    let inside = c.rect.overlap_mm2(paper);
+    if inside < c.rect.width_mm() * c.rect.height_mm() - 1e-9 {
+        cost += OUTSIDE;
+    }
+    if let Some((a, b)) = c.leader {
+        let crossed = obstacles.bars.iter().filter(|bar| !own(bar.owner) && !meets(bar, wanted.target) && crosses(a, b, bar.from, bar.to));
+        cost += LEADER_CROSSES * crossed.count() as f64;
+    }
+    cost
+}
+
+/// What two places cost beside one another.
+pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
+    let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
+    let area = ra.overlap_mm2(rb);
+    let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
+        if leader.is_some_and(|(p, q)| clipped_mm(p, q, rect) > 0.0) {
+            cost += OVERLAP;
+        }
+    }
+    if let (Some((p, q)), Some((r, s))) = (a.leader, b.leader)
+        && crosses(p, q, r, s)
+    {
+        cost += LEADER_CROSSES;
+    }
+    cost
+}
+
+/// Whether a line ends or passes at the target: then to stand near it is to stand near the own point.
+fn meets(bar: &Bar, target: Target) -> bool {
+    match target {
+        Target::Point { at, clear_mm } => to_segment(at, bar.from, bar.to) <= clear_mm + bar.half_width_mm,
+        // Another line between the same two points, such as the one under a vector.
+        Target::Segment { from, to, clear_mm } => {
+            let slack = clear_mm + bar.half_width_mm;
+            to_segment(bar.from, from, to) <= slack && to_segment(bar.to, from, to) <= slack
+        }
+        Target::Arc { .. } => false,
+    }
+}
+
+fn own_distance(rect: Rect, target: Target) -> f64 {
+    match target {
+        Target::Point { at, clear_mm } => (nearest(rect, at).distance(at) - clear_mm).max(0.0),
+        Target::Segment { from, to, clear_mm } => (distance(rect, &Bar { from, to, half_width_mm: 0.0, owner: None }) - clear_mm).max(0.0),
+        Target::Arc { centre, radius_mm, clear_mm, .. } => {
+            let (near, mid) = (nearest(rect, centre).distance(centre), rect.centre().distance(centre));
+            // Outside the circle the near side counts, inside the far one, which lies half a diagonal beyond the middle.
+            let far = mid + rect.min.distance(rect.max) / 2.0;
+            ((near - radius_mm).max(radius_mm - far) - clear_mm).max(0.0)
+        }
+    }
+}
+
+fn far_apart(rect: Rect, bar: &Bar) -> bool {
+    bar.from.x.max(bar.to.x) < rect.min.x
+        || bar.from.x.min(bar.to.x) > rect.max.x
+        || bar.from.y.max(bar.to.y) < rect.min.y
+        || bar.from.y.min(bar.to.y) > rect.max.y
+}
+
+/// Length of the segment inside the box (Liang and Barsky's clipping).
+pub(super) fn clipped_mm(a: Point, b: Point, rect: Rect) -> f64 {
+    let d = b - a;
+    let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
+    for (p, lo, hi) in [(d.x, rect.min.x - a.x, rect.max.x - a.x), (d.y, rect.min.y - a.y, rect.max.y - a.y)] {
+        // Exactly parallel to the side: outside for good, or no bound from it; any other slope divides safely.
+        if p == 0.0 {
+            if lo > 0.0 || hi < 0.0 {
+                return 0.0;
+            }
+        } else {
+            let (near, far) = if p > 0.0 { (lo / p, hi / p) } else { (hi / p, lo / p) };
+            t0 = t0.max(near);
+            t1 = t1.min(far);
+        }
+    }
+    (t1 - t0).max(0.0) * d.norm()
+}
+
+/// Distance from a box to a segment; 0 where they meet.
+fn distance(rect: Rect, bar: &Bar) -> f64 {
+    if clipped_mm(bar.from, bar.to, rect) > 0.0 {
+        return 0.0;
+    }
+    let corners = [rect.min, rect.max, Point::new(rect.min.x, rect.max.y), Point::new(rect.max.x, rect.min.y)];
+    let by_corner = corners.into_iter().map(|c| to_segment(c, bar.from, bar.to));
+    let by_end = [bar.from, bar.to].into_iter().map(|p| nearest(rect, p).distance(p));
+    by_corner.chain(by_end).fold(f64::INFINITY, f64::min)
+}
+
+fn to_segment(p: Point, a: Point, b: Point) -> f64 {
+    let d = b - a;
+    let n2 = d.norm2();
+    let t = if n2 > 0.0 { ((p - a).dot(d) / n2).clamp(0.0, 1.0) } else { 0.0 };
+    p.distance(a + d * t)
+}
+
+fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}

@@ -1,0 +1,181 @@
+//! Where labels stand: at their point or along their line, clear of everything else.
+//!
+//! Every label has a fixed list of places (`candidate`), each with a static cost (`cost`: what it covers, how far
+//! it strays, whether it stands nearer to a foreign line than to its own); `search` picks one each so that the sum
+//! with the overlaps of pairs is small. A label whose best place is still poor is offered places farther off, with a
+//! leader line. Fixed order, no randomness: the same requests give the same places.
+//!
+//! Costs are in millimetres of foreign line covered; the constants say what they are worth against each other.
+
+mod candidate;
+mod cost;
+mod obstacle;
+mod search;
+
+pub use obstacle::{Bar, Disc, Obstacles};
+
+use crate::geom::{Point, Vec2};
+
+use super::extent::Rect;
+use super::item::{Anchor, Colour, Item, Shape, Stroke};
+use super::label::Label;
+use super::text;
+
+/// What a label belongs to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A point with a symbol around it.
+    Point {
+        /// The point.
+        at: Point,
+        /// Radius of its symbol; the label keeps off it.
+        clear_mm: f64,
+    },
+    /// A line.
+    Segment {
+        /// One end.
+        from: Point,
+        /// The other end.
+        to: Point,
+        /// Half the width of the line.
+        clear_mm: f64,
+    },
+    /// A piece of a circle, such as an angle or the arrow of a rotation; outside is preferred.
+    Arc {
+        /// Centre.
+        centre: Point,
+        /// Radius.
+        radius_mm: f64,
+        /// Angle of its beginning.
+        from_rad: f64,
+        /// Angle of its end.
+        to_rad: f64,
+        /// Half the width of the line.
+        clear_mm: f64,
+    },
+}
+
+/// A label that wants a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LabelRequest {
+    /// What is written.
+    pub label: Label,
+    /// Size of the type.
+    pub size_mm: f64,
+    /// What it belongs to.
+    pub target: Target,
+    /// The owner named by the obstacles that the label's own thing makes; they are neither foreign nor as costly.
+    pub owner: Option<u32>,
+    /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
+    pub prefer: Option<Vec2>,
+}
+
+impl LabelRequest {
+    /// A label at a point.
+    pub fn at_point(label: Label, size_mm: f64, at: Point, clear_mm: f64) -> LabelRequest {
+        LabelRequest { label, size_mm, target: Target::Point { at, clear_mm }, owner: None, prefer: None }
+    }
+
+    /// A label along a line.
+    pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
+        LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None }
+    }
+
+    /// A label along a piece of a circle.
+    pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
+        let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
+        LabelRequest { label, size_mm, target, owner: None, prefer: None }
+    }
+
+    /// The same with an owner.
+    pub fn owned(self, owner: u32) -> LabelRequest {
+        LabelRequest { owner: Some(owner), ..self }
+    }
+
+    /// The same with a side to prefer.
+    pub fn towards(self, side: Vec2) -> LabelRequest {
+        LabelRequest { prefer: Some(side), ..self }
+    }
+}
+
+/// Where a label stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placement {
+    /// Start of its baseline.
+    pub at: Point,
+    /// Box of its ink.
+    pub bounds: Rect,
+    /// A leader line from the label to its thing, where it stands far off.
+    pub leader: Option<(Point, Point)>,
+    /// What the place costs; above [`CROWDED`] it covers something.
+    pub cost: f64,
+}
+
+/// From this cost on a label touches a foreign thing or another label: any first touch costs more, any nearness less.
+pub const CROWDED: f64 = cost::TOUCH;
+
+impl Placement {
+    /// The label as an item, and its leader line before it where it has one.
+    pub fn items(&self, request: &LabelRequest, class: &str, leader: Stroke) -> Vec<Item> {
+        let line = self.leader.map(|(from, to)| Item::new("leader", Shape::Line { from, to, stroke: leader }));
+        let label = Shape::Label {
+            at: self.at,
+            label: request.label.clone(),
+            size_mm: request.size_mm,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
+        line.into_iter().chain([Item::new(class, label)]).collect()
+    }
+}
+
+/// Finds a place for every label: one placement for each request, in their order.
+///
+/// `obstacles` is all that is drawn, the labels' own things included; `bounds` is the paper that they may use.
+/// An empty label takes no room and stands at its target.
+pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> Vec<Placement> {
+    let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
+    search::run(&labels, obstacles, bounds)
+        .into_iter()
+        .zip(&labels)
+        .map(|((candidate, cost), wanted)| Placement {
+            at: Point::new(candidate.rect.min.x, candidate.rect.min.y + wanted.descent_mm),
+            bounds: candidate.rect,
+            leader: candidate.leader,
+            cost,
+        })
+        .collect()
+}
+
+/// A request with its measures.
+struct Wanted {
+    half_width_mm: f64,
+    half_height_mm: f64,
+    descent_mm: f64,
+    target: Target,
+    owner: Option<u32>,
+    prefer: Option<Vec2>,
+}
+
+impl Wanted {
+    fn new(request: &LabelRequest) -> Wanted {
+        let set = text::set(&request.label);
+        let k = request.size_mm;
+        Wanted {
+            half_width_mm: set.width_em * k / 2.0,
+            half_height_mm: (set.ascent_em + set.descent_em) * k / 2.0,
+            descent_mm: set.descent_em * k,
+            target: request.target,
+            owner: request.owner,
+            prefer: request.prefer.and_then(Vec2::unit),
+        }
+    }
+
+    fn rect(&self, centre: Point) -> Rect {
+        let half = Vec2::new(self.half_width_mm, self.half_height_mm);
+        Rect { min: centre - half, max: centre + half }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,162 @@
+//! Picks one place for each label: coordinate descent, then joint moves of labels in conflict.
+
+use crate::figure::extent::Rect;
+
+use super::candidate::{self, Candidate};
+use super::cost;
+use super::obstacle::Obstacles;
+use super::{CROWDED, Wanted};
+
+/// Sweeps of the descent. Each lowers the total, so it ends by itself; on sheets of 200 labels after 6 at most.
+const SWEEPS_MAX: usize = 24;
+/// Rounds of joint moves, each followed by a descent.
+const ROUNDS_MAX: usize = 8;
+/// From this cost on a leader line is worth a try: dearer than any place with nothing but a foreign line near by.
+const POOR: f64 = 5.5;
+
+struct Choice {
+    places: Vec<Candidate>,
+    fixed: Vec<f64>,
+    picked: usize,
+    /// The labels with a place that could meet one of this label's places.
+    neighbours: Vec<usize>,
+}
+
+impl Choice {
+    fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
+        self.fixed.extend(places.iter().map(|c| cost::fixed(c, wanted, obstacles, paper)));
+        self.places.extend(places);
+    }
+
+    /// The box around all its places and leader lines.
+    fn reach(&self) -> Rect {
+        let with_leader = |c: &Candidate| c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)));
+        self.places.iter().map(with_leader).reduce(Rect::union).expect("every label has places")
+    }
+
+    fn place(&self) -> &Candidate {
+        &self.places[self.picked]
+    }
+}
+
+pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect) -> Vec<(Candidate, f64)> {
+    let mut choices: Vec<Choice> = wanted
+        .iter()
+        .map(|w| {
+            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, neighbours: Vec::new() };
+            choice.offer(candidate::near(w), w, obstacles, paper);
+            choice.picked = argmin(&choice.fixed);
+            choice
+        })
+        .collect();
+    settle(&mut choices);
+    let poor: Vec<usize> = (0..choices.len()).filter(|&i| total(&choices, i, choices[i].picked) > POOR).collect();
+    if !poor.is_empty() {
+        for i in poor {
+            choices[i].offer(candidate::far(&wanted[i]), &wanted[i], obstacles, paper);
+        }
+        settle(&mut choices);
+    }
+    (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, choices[i].picked))).collect()
+}
+
+/// The first of the smallest.
+fn argmin(costs: &[f64]) -> usize {
+    costs.iter().enumerate().fold(0, |best, (i, c)| if *c < costs[best] { i } else { best })
+}
+
+/// Cost of place `k` of label `i` beside the picked places of all others.
+fn total(choices: &[Choice], i: usize, k: usize) -> f64 {
+    choices[i].fixed[k] + beside(choices, i, k, i)
+}
+
+/// What place `k` of label `i` costs beside the picked places of its neighbours, `without` left out.
+fn beside(choices: &[Choice], i: usize, k: usize, without: usize) -> f64 {
+    let me = &choices[i];
+    me.neighbours.iter().filter(|&&j| j != without).map(|&j| cost::pair(&me.places[k], choices[j].place())).sum()
+}
+
+fn meet(choices: &mut [Choice]) {
+    let reach: Vec<Rect> = choices.iter().map(|c| c.reach().grown(cost::PAIR_AIR_MM)).collect();
+    for (i, choice) in choices.iter_mut().enumerate() {
+        choice.neighbours = (0..reach.len()).filter(|&j| j != i && reach[i].overlap_mm2(reach[j]) > 0.0).collect();
+    }
+}
+
+fn settle(choices: &mut [Choice]) {
+    meet(choices);
+    descend(choices);
+    for _ in 0..ROUNDS_MAX {
+        if !move_pairs(choices) {
+            return;
+        }
+        descend(choices);
+    }
+}
+
+fn descend(choices: &mut [Choice]) {
+    for _ in 0..SWEEPS_MAX {
+        let mut moved = false;
+        for i in 0..choices.len() {
+            let costs: Vec<f64> = (0..choices[i].places.len()).map(|k| total(choices, i, k)).collect();
+            let best = argmin(&costs);
+            if costs[best] < costs[choices[i].picked] {
+                choices[i].picked = best;
+                moved = true;
+            }
+        }
+        if !moved {
+            return;
+        }
+    }
+}
+
+/// Moves labels in conflict together with each neighbour that stands in their way.
+fn move_pairs(choices: &mut [Choice]) -> bool {
+    let mut moved = false;
+    for i in 0..choices.len() {
+        if total(choices, i, choices[i].picked) < CROWDED {
+            continue;
+        }
+        // Whoever stands where one of the label's own better places is, not only where it is now.
+        let bound = total(choices, i, choices[i].picked);
+        let all = choices[i].neighbours.iter().copied();
+        let rivals: Vec<usize> = all
+            .filter(|&j| {
+                let here = choices[j].place();
+                choices[i].places.iter().zip(&choices[i].fixed).any(|(p, &f)| f < bound && cost::pair(p, here) > 0.0)
+            })
+            .collect();
+        for j in rivals {
+            moved |= move_pair(choices, i, j);
+        }
+    }
+    moved
+}
+
+fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
+    let costs = |me: usize, other: usize| -> Vec<f64> {
+        choices[me].fixed.iter().enumerate().map(|(k, fixed)| fixed + beside(choices, me, k, other)).collect()
+    };
+    let (ci, cj) = (costs(i, j), costs(j, i));
+    let (mut best, mut at) = (f64::INFINITY, (choices[i].picked, choices[j].picked));
+    let now = ci[at.0] + cj[at.1] + cost::pair(choices[i].place(), choices[j].place());
+    for (a, place_a) in choices[i].places.iter().enumerate() {
+        for (b, place_b) in choices[j].places.iter().enumerate() {
+            let alone = ci[a] + cj[b];
+            if alone < best {
+                let both = alone + cost::pair(place_a, place_b);
+                if both < best {
+                    best = both;
+                    at = (a, b);
+                }
+            }
+        }
+    }
+    // Rounding must not keep two equal places changing for ever.
+    if best < now - 1e-9 {
+        (choices[i].picked, choices[j].picked) = at;
+        return true;
+    }
+    false
+}

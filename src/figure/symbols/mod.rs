@@ -1,0 +1,19 @@
+//! The symbols of the field, after ISO 3952 (GB/T 4460) as textbooks draw them: pure functions from places to items.
+//!
+//! Places are on the paper, in millimetres; angles are counter-clockwise from x. A symbol's items are in drawing order
+//! and each has a class: `pin`, `ground`, `link`, `slider`, `slot`, `plate`, `cylinder`, `rotation`, `angle`,
+//! `dimension`, `scale`. Draw links first, then supports and blocks, pins last. What labels keep off is read from the
+//! items themselves ([`super::place::Obstacles::of`]).
+
+mod joint;
+mod link;
+mod mark;
+mod slide;
+
+pub use joint::{dot, fixed_pivot, ground_line, pin};
+pub use link::{link, plate, weld};
+pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
+pub use slide::{Guide, block, cylinder, guide, slot, slot_arc};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,284 @@
+//! Setting a label: from atoms to one outline with its measures.
+//!
+//! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the
+//! label). The outline is in integers of 1/1000 em, y up, so that moving or scaling a label changes one attribute.
+
+use crate::diag::Diagnostic;
+
+use super::font::{Face, Segment, Slant};
+use super::label::{Label, Node, Role};
+
+/// `ScriptPercentScaleDown` = 70.
+const SCRIPT_SCALE: f64 = 0.70;
+/// `SubscriptShiftDown` = 210.
+const SUB_DOWN: f64 = 0.210;
+/// `SuperscriptShiftUp` = 360.
+const SUP_UP: f64 = 0.360;
+/// `SubSuperscriptGapMin` = 150: less, and `ω₃²` closes up in print.
+const SCRIPT_GAP: f64 = 0.150;
+/// `SuperscriptBottomMaxWithSubscript` = 380: the superscript rises no further to make the gap; then the subscript sinks.
+const SUP_BOTTOM_MAX: f64 = 0.380;
+/// `SpaceAfterScript` = 40.
+const AFTER_SCRIPT: f64 = 0.040;
+/// TeX's thick space, 5/18 em, at each side of a relation.
+const RELATION_SPACE: f64 = 0.278;
+/// TeX's medium space, 4/18 em, at each side of a binary operator.
+const BINARY_SPACE: f64 = 0.222;
+/// TeX's thin space, 3/18 em, after punctuation and function names.
+const THIN_SPACE: f64 = 0.167;
+/// Advance of a character that no font has, so that its place stays visible beside the diagnostic.
+const MISSING_ADVANCE: f64 = 0.5;
+
+/// A label set in type; all measures in em of the label's size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Typeset {
+    /// The outline in 1/1000 em, y up, origin at the start of the baseline. Filled by the non-zero rule.
+    pub outline: Vec<Segment<i32>>,
+    /// Advance width.
+    pub width_em: f64,
+    /// Height of the ink above the baseline (0 for an empty label).
+    pub ascent_em: f64,
+    /// Depth of the ink below the baseline, positive downwards; negative when all ink stands above it.
+    pub descent_em: f64,
+    /// Faults of the label: `label-syntax` and `missing-glyph`.
+    pub faults: Vec<Diagnostic>,
+}
+
+/// Sets a label.
+///
+/// A character that no embedded font has leaves a gap of half an em and a `missing-glyph` warning; it is never drawn
+/// as a box and never dropped in silence.
+///
+/// ```
+/// use hodograph::figure::{label::Label, text};
+/// // Digits of Times are half an em wide.
+/// assert_eq!(text::set(&Label::math("3")).width_em, 0.5);
+/// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");
+/// ```
+pub fn set(label: &Label) -> Typeset {
+    let mut setter = Setter { missing: Vec::new() };
+    let line = setter.row(label.row());
+    let mut faults = label.faults().to_vec();
+    for c in setter.missing {
+        let message = format!("label `{}`: no embedded font has the character {c} (U+{:04X})", label.source(), u32::from(c));
+        faults.push(Diagnostic::warning("missing-glyph", message).help("write it with other characters"));
+    }
+    let (bottom, top) = line.vertical_ink();
+    let outline = line.segments.iter().map(|s| s.map(|[x, y]| [milli(x), milli(y)])).collect();
+    Typeset { outline, width_em: line.advance, ascent_em: top, descent_em: -bottom, faults }
+}
+
+fn milli(em: f64) -> i32 {
+    (em * 1000.0).round() as i32
+}
+
+/// A piece of set type: contours relative to its own origin, in em.
+#[derive(Clone, Default)]
+struct Line {
+    segments: Vec<Segment<f64>>,
+    advance: f64,
+}
+
+impl Line {
+    fn append(&mut self, other: &Line, scale: f64, dx: f64, dy: f64) {
+        self.segments.extend(other.segments.iter().map(|s| s.map(|[x, y]| [dx + x * scale, dy + y * scale])));
+    }
+
+    /// Bounds of the control points: for the fonts at hand their curves touch them at the extremes.
+    fn ink(&self) -> Option<[f64; 4]> {
+        let mut b = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+        for s in &self.segments {
+            s.map(|[x, y]| {
+                b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
+                [x, y]
+            });
+        }
+        b[0].is_finite().then_some(b)
+    }
+
+    fn vertical_ink(&self) -> (f64, f64) {
+        self.ink().map_or((0.0, 0.0), |b| (b[1], b[3]))
+    }
+
+    /// How far the ink of a slanted letter leans out over its advance.
+    fn overhang(&self) -> f64 {
+        self.ink().map_or(0.0, |b| (b[2] - self.advance).max(0.0))
+    }
+}
+
+struct Setter {
+    missing: Vec<char>,
+}
+
+impl Setter {
+    fn row(&mut self, row: &[Node]) -> Line {
+        let mut line = Line::default();
+        for (i, node) in row.iter().enumerate() {
+            let side = match node.role {
+                Role::Relation => RELATION_SPACE,
+                Role::Binary => BINARY_SPACE,
+                Role::Ordinary | Role::Punctuation | Role::Function => 0.0,
+            };
+            let after = match node.role {
+                Role::Punctuation | Role::Function if i + 1 < row.len() => THIN_SPACE,
+                _ => side,
+            };
+            // A lone sign, as between the columns of an equation's table, keeps no space around it.
+            let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };
+            line.advance += side;
+            let atom = self.atom(node);
+            let at = line.advance;
+            line.append(&atom, 1.0, at, 0.0);
+            line.advance += atom.advance + after + node.space_em;
+        }
+        line
+    }
+
+    fn atom(&mut self, node: &Node) -> Line {
+        let mut line = self.characters(&node.text, node.slant);
+        if node.primes == 0 && node.sub.is_empty() && node.sup.is_empty() {
+            return line;
+        }
+        let base = line.advance;
+        let lean = line.overhang();
+        let mut upper = base + lean;
+        if node.primes > 0 {
+            // Full size, above the subscript: the glyph ′ of a text-size mathematical font already stands raised.
+            let primes = self.characters(&"′".repeat(node.primes), Slant::Symbol);
+            line.append(&primes, 1.0, upper, 0.0);
+            upper += primes.advance;
+        }
+        let sub = self.row(&node.sub);
+        let sup = self.row(&node.sup);
+        let (mut down, mut up) = (SUB_DOWN, SUP_UP);
+        if !node.sub.is_empty() && !node.sup.is_empty() {
+            let sup_bottom = sup.vertical_ink().0 * SCRIPT_SCALE;
+            let sub_top = sub.vertical_ink().1 * SCRIPT_SCALE;
+            let lacking = SCRIPT_GAP - ((up + sup_bottom) - (sub_top - down));
+            if lacking > 0.0 {
+                let rise = lacking.min((SUP_BOTTOM_MAX - (up + sup_bottom)).max(0.0));
+                up += rise;
+                down += lacking - rise;
+            }
+        }
+        let mut end = upper;
+        if !node.sup.is_empty() {
+            line.append(&sup, SCRIPT_SCALE, upper, up);
+            end = upper + sup.advance * SCRIPT_SCALE + AFTER_SCRIPT;
+        }
+        if !node.sub.is_empty() {
+            line.append(&sub, SCRIPT_SCALE, base, -down);
+            end = end.max(base + sub.advance * SCRIPT_SCALE + AFTER_SCRIPT);
+        }
+        line.advance = end;
+        line
+    }
+
+    /// Characters in a row, each from the first font that has it, shaped in runs of one font.
+    fn characters(&mut self, text: &str, slant: Slant) -> Line {
+        let mut line = Line::default();
+        let mut run = String::new();
+        let mut face = None;
+        for c in text.chars() {
+            let next = Face::of(c, slant);
+            if next != face {
+                Self::flush(&mut line, &mut run, face);
+                face = next;
+            }
+            if next.is_some() {
+                run.push(c);
+            } else {
+                self.missing.push(c);
+                line.advance += MISSING_ADVANCE;
+            }
+        }
+        Self::flush(&mut line, &mut run, face);
+        line
+    }
+
+    fn flush(line: &mut Line, run: &mut String, face: Option<Face>) {
+        if let (Some(face), false) = (face, run.is_empty()) {
+            let set = face.outline(run);
+            let at = line.advance;
+            line.append(&Line { segments: set.segments, advance: set.advance_em }, 1.0, at, 0.0);
+            line.advance += set.advance_em;
+        }
+        run.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) -> bool {
+        (a - b).abs() < 2e-3
+    }
+
+    #[test]
+    fn measures_of_plain_letters() {
+        // Tinos: advance of 0 is 1024/2048, of B italic 1251/2048.
+        let zero = set(&Label::math("0"));
+        assert!(close(zero.width_em, 0.5) && close(zero.ascent_em, 0.665) && zero.descent_em < 0.02, "{zero:?}");
+        let b = set(&Label::math("B"));
+        assert!(close(b.width_em, 0.611) && (0.64..0.68).contains(&b.ascent_em), "{} {}", b.width_em, b.ascent_em);
+        assert!(set(&Label::math("p")).descent_em > 0.19);
+    }
+
+    #[test]
+    fn scripts_are_smaller_lower_and_apart() {
+        let v = set(&Label::math("v"));
+        let vb = set(&Label::math("v_B"));
+        assert!(close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT), "{}", vb.width_em);
+        assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
+        // Both scripts stand one above the other, with the gap between them.
+        let both = Setter { missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
+        let mut ys: Vec<f64> = Vec::new();
+        for s in &both.segments {
+            s.map(|[x, y]| {
+                if x > 0.52 {
+                    ys.push(y);
+                }
+                [x, y]
+            });
+        }
+        ys.sort_by(f64::total_cmp);
+        let gap = ys.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        assert!(gap >= SCRIPT_GAP - 1e-9, "gap {gap}");
+    }
+
+    #[test]
+    fn primes_stand_above_the_subscript() {
+        let with = set(&Label::math("b'_2"));
+        let without = set(&Label::math("b_2"));
+        assert!(with.width_em < without.width_em + 0.1, "{} against {}", with.width_em, without.width_em);
+        assert!(set(&Label::math("n''")).width_em > set(&Label::math("n'")).width_em + 0.1);
+        assert!(close(set(&Label::math("b_2'")).width_em, with.width_em));
+    }
+
+    #[test]
+    fn missing_glyph_is_said_and_nothing_is_drawn() {
+        let label = set(&Label::text("a\u{1F600}b"));
+        assert_eq!(label.faults.len(), 1);
+        assert_eq!(label.faults[0].code, "missing-glyph");
+        assert!(label.faults[0].message.contains("U+1F600"));
+        assert!(close(label.width_em, set(&Label::text("a")).width_em + MISSING_ADVANCE + set(&Label::text("b")).width_em));
+        let gap = set(&Label::text("\u{1F600}"));
+        assert!(gap.outline.is_empty() && close(gap.width_em, MISSING_ADVANCE));
+    }
+
+    #[test]
+    fn every_sign_of_the_language_has_a_glyph() {
+        let all = r"\perp\parallel\to\checkmark\circled{1}\circled{20}\angle\times\pm\approx\neq\leq\geq\infty\degree\cdot\alpha\beta\gamma
+            \delta\epsilon\zeta\eta\theta\iota\kappa\lambda\mu\nu\xi\pi\rho\sigma\tau\upsilon\phi\chi\psi\omega\Gamma\Delta\Theta\Lambda\Pi
+            \Sigma\Phi\Psi\Omega\sim\leftarrow ①⑳?+-=<>()[]/.,;:!|* 机构位置图速度加速度多边形方向大小比例尺";
+        assert_eq!(set(&Label::math(all)).faults, []);
+    }
+
+    #[test]
+    fn relations_are_spaced_unless_alone() {
+        assert!(set(&Label::math("a=b")).width_em > set(&Label::math("ab")).width_em + 1.0);
+        assert!(set(&Label::math("=")).width_em < 0.8);
+        assert!(set(&Label::math("-2")).width_em < set(&Label::math("1-2")).width_em - 0.5 - 0.4);
+    }
+}

@@ -1,0 +1,135 @@
+//! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
+
+use super::{Mechanism, Node};
+use crate::scene::{Asked, LinkId, OnLink, PointId, Scene};
+
+/// How deep a thing is asked for. Each level needs the ones before it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Level {
+    /// Where it is.
+    #[default]
+    Position,
+    /// How fast.
+    Velocity,
+    /// With which acceleration.
+    Acceleration,
+}
+
+/// A thing asked for: the motion of a point (of a certain link) or the turning of a link.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Need {
+    /// The vector of a point; with a link, of the point of that link that lies there.
+    Point(PointId, Option<LinkId>),
+    /// The turning of a link.
+    Turning(LinkId),
+}
+
+/// What the questions call for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// For each group the level to which it is needed; `None`: not at all.
+    pub groups: Vec<Option<Level>>,
+    /// The deepest level asked for anywhere.
+    pub level: Level,
+    /// The single things asked for, with their level, in order of the questions, without repetition.
+    pub needs: Vec<(Need, Level)>,
+}
+
+impl Demand {
+    /// The demand of the scene's `find` list.
+    pub fn of(scene: &Scene, m: &Mechanism) -> Demand {
+        let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
+        for f in &scene.find {
+            for (need, level) in needs_of(&f.what) {
+                d.add(scene, m, need, level);
+            }
+        }
+        d
+    }
+
+    /// Adds one need and everything upstream of it.
+    pub fn add(&mut self, scene: &Scene, m: &Mechanism, need: Need, level: Level) {
+        match self.needs.iter_mut().find(|(n, _)| *n == need) {
+            Some((_, l)) => *l = (*l).max(level),
+            None => self.needs.push((need, level)),
+        }
+        self.level = self.level.max(level);
+        for n in nodes_of(scene, m, need) {
+            self.mark(m, group_of(m, n), level);
+        }
+    }
+
+    /// Marks a group and all it rests on.
+    fn mark(&mut self, m: &Mechanism, group: Option<usize>, level: Level) {
+        let mut stack: Vec<usize> = group.into_iter().collect();
+        while let Some(g) = stack.pop() {
+            if self.groups[g].is_some_and(|l| l >= level) {
+                continue;
+            }
+            self.groups[g] = Some(level);
+            stack.extend(&m.groups[g].upstream);
+        }
+    }
+
+    /// Calls for the positions of all groups as well, as a drawing of the whole mechanism does.
+    pub fn with_all_positions(mut self) -> Demand {
+        for g in &mut self.groups {
+            g.get_or_insert(Level::Position);
+        }
+        self
+    }
+
+    /// Whether a group is needed at a level.
+    pub fn wants(&self, group: usize, level: Level) -> bool {
+        self.groups[group].is_some_and(|l| l >= level)
+    }
+}
+
+fn group_of(m: &Mechanism, n: Node) -> Option<usize> {
+    match n {
+        Node::Link(l) => m.group_of_link[l.0],
+        Node::Pin(p) => m.group_of_pin[p.0],
+    }
+}
+
+/// The nodes that must be known for a need.
+pub(crate) fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
+    let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![Node::Link(l)]);
+    match need {
+        Need::Turning(l) => link_nodes(l),
+        Need::Point(p, link) => {
+            let mut nodes = match link {
+                Some(l) => link_nodes(l),
+                None => Vec::new(),
+            };
+            if m.pins.contains(&p) {
+                nodes.push(Node::Pin(p));
+            } else if link.is_none() {
+                nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
+            }
+            nodes
+        }
+    }
+}
+
+fn needs_of(what: &Asked) -> Vec<(Need, Level)> {
+    use Level::{Acceleration, Position, Velocity};
+    let at = |o: &OnLink| Need::Point(o.point, o.link);
+    match what {
+        Asked::Position(p) => vec![(Need::Point(*p, None), Position)],
+        Asked::LinkAngle(l) => vec![(Need::Turning(*l), Position)],
+        Asked::Distance(a, b) => vec![(Need::Point(*a, None), Position), (Need::Point(*b, None), Position)],
+        Asked::Velocity(p) => vec![(at(p), Velocity)],
+        Asked::Acceleration(p) => vec![(at(p), Acceleration)],
+        Asked::RelativeVelocity(a, b) | Asked::SlidingVelocity(a, b) => vec![(at(a), Velocity), (at(b), Velocity)],
+        Asked::RelativeAcceleration(a, b)
+        | Asked::NormalAcceleration(a, b)
+        | Asked::TangentialAcceleration(a, b)
+        | Asked::SlidingAcceleration(a, b)
+        | Asked::Coriolis(a, b) => vec![(at(a), Acceleration), (at(b), Acceleration)],
+        Asked::Omega(l) => vec![(Need::Turning(*l), Velocity)],
+        Asked::Alpha(l) => vec![(Need::Turning(*l), Acceleration)],
+        Asked::RelativeOmega(a, b) => vec![(Need::Turning(*a), Velocity), (Need::Turning(*b), Velocity)],
+        Asked::RelativeAlpha(a, b) => vec![(Need::Turning(*a), Acceleration), (Need::Turning(*b), Acceleration)],
+    }
+}

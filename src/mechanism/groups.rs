@@ -1,0 +1,470 @@
+//! Assur groups in solving order, and how each is entered.
+//!
+//! The groups are the strongly connected parts of "this node's equation needs that node" under any perfect assignment
+//! of equations to nodes; they do not depend on which one was found. Pins are nodes of their own, so that several links
+//! on one pin need no choice of pairs.
+//!
+//! # Source
+//! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.
+
+use super::mobility::Assignment;
+use super::{Constraint, Mechanism, Node, Passive, ends};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use std::cmp::Reverse;
+use std::collections::{BTreeSet, BinaryHeap, HashMap};
+
+/// How a known body holds an unknown point or link. Each leg but `Pinned` and `Carried` takes one freedom.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Leg {
+    /// A known pin sits on the core link (takes two freedoms).
+    Pinned {
+        /// The known pin.
+        pin: PointId,
+    },
+    /// The core link's angle follows from a known link: a slider that keeps its direction, or a turning driver.
+    Angle {
+        /// The known link.
+        of: LinkId,
+        /// The turning driver; `None` for a slider.
+        driver: Option<usize>,
+    },
+    /// A bar, pinned to a known pin at `far` and to the core at `near`.
+    Bar {
+        /// The bar.
+        link: LinkId,
+        /// Pin at the core.
+        near: PointId,
+        /// The known pin.
+        far: PointId,
+    },
+    /// A pin of the core runs in a guide carried by a known link.
+    OnGuide {
+        /// Pin of the core.
+        pin: PointId,
+        /// The guide.
+        guide: GuideId,
+    },
+    /// A known pin runs in a guide carried by the core link.
+    InSlot {
+        /// The known pin.
+        pin: PointId,
+        /// The guide.
+        guide: GuideId,
+    },
+    /// A cylinder from a known pin to a pin of the core.
+    Cylinder {
+        /// The driver.
+        driver: usize,
+        /// Pin of the core.
+        near: PointId,
+        /// The known pin.
+        far: PointId,
+    },
+    /// The core link glides along a known link (or carries the guide along which a known link glides).
+    Glide {
+        /// The guide.
+        guide: GuideId,
+        /// The known link.
+        other: LinkId,
+    },
+    /// The core pin runs in a guide of a known link at a given rate (takes two freedoms).
+    Driven {
+        /// The guide.
+        guide: GuideId,
+        /// The sliding driver.
+        driver: usize,
+        /// The core pin.
+        pin: PointId,
+    },
+    /// The core pin runs at a given rate in a guide carried by an unknown link, which is itself pinned to a known pin.
+    Ram {
+        /// The link that carries the guide.
+        link: LinkId,
+        /// The known pin of that link.
+        far: PointId,
+        /// The guide.
+        guide: GuideId,
+        /// The sliding driver.
+        driver: usize,
+        /// The core pin.
+        near: PointId,
+    },
+    /// The core link glides along a known link at a given rate (with its guide: two freedoms).
+    DrivenGlide {
+        /// The guide.
+        guide: GuideId,
+        /// The known link.
+        other: LinkId,
+        /// The sliding driver.
+        driver: usize,
+    },
+    /// A pin that sits on a known link (takes both freedoms of a pin).
+    Carried {
+        /// The known link.
+        link: LinkId,
+    },
+}
+
+/// What the group turns on: the point or link whose motion is found first.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Core {
+    /// A pin held by legs that take its two freedoms.
+    Pin {
+        /// The pin.
+        pin: PointId,
+        /// Its legs.
+        legs: Vec<Leg>,
+    },
+    /// A link held by legs that take its three freedoms.
+    Link {
+        /// The link.
+        link: LinkId,
+        /// Its legs.
+        legs: Vec<Leg>,
+    },
+    /// Neither: a group higher than class III.
+    Higher,
+}
+
+/// One Assur group (or a driven link, or a pin carried by a known link).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Its links, in the order of the scene.
+    pub links: Vec<LinkId>,
+    /// Its pins.
+    pub pins: Vec<PointId>,
+    /// How it is entered.
+    pub core: Core,
+    /// Groups it rests on (indices into [`Mechanism::groups`]).
+    pub upstream: Vec<usize>,
+    /// The constraints that belong to it.
+    pub constraints: Vec<usize>,
+}
+
+impl Group {
+    /// The Assur class in roman numerals, or `None` for driven links and carried pins, which are no groups.
+    ///
+    /// Dyads of every kind are class II, a link on three legs class III; anything else is called "IV or higher".
+    pub fn class(&self) -> Option<&'static str> {
+        match &self.core {
+            Core::Higher => Some("IV or higher"),
+            Core::Pin { legs, .. } => match legs[..] {
+                [Leg::Carried { .. } | Leg::Driven { .. }] => None,
+                _ => Some("II"),
+            },
+            Core::Link { legs, .. } => {
+                if legs.iter().any(|l| matches!(l, Leg::DrivenGlide { .. } | Leg::Angle { driver: Some(_), .. })) && legs.len() <= 2 {
+                    None
+                } else if legs.len() >= 3 && !legs.iter().any(|l| matches!(l, Leg::Pinned { .. } | Leg::Angle { .. })) {
+                    Some("III")
+                } else {
+                    Some("II")
+                }
+            }
+        }
+    }
+
+    /// The kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`), or `triad`, or what else it is.
+    pub fn kind(&self) -> String {
+        fn letter(l: &Leg) -> &'static str {
+            match l {
+                Leg::Bar { .. } | Leg::Cylinder { .. } | Leg::Ram { .. } | Leg::Pinned { .. } => "R",
+                _ => "P",
+            }
+        }
+        match &self.core {
+            Core::Higher => "higher group".into(),
+            Core::Pin { legs, .. } => match legs[..] {
+                [Leg::Carried { .. }] => "carried pin".into(),
+                [Leg::Driven { .. }] => "driven slider".into(),
+                _ => {
+                    let mut ends: Vec<_> = legs.iter().map(letter).collect();
+                    ends.sort_unstable_by(|a, b| b.cmp(a));
+                    match ends[..] {
+                        ["R", "R"] => "RRR".into(),
+                        ["R", "P"] => "RRP".into(),
+                        _ => "PRP".into(),
+                    }
+                }
+            },
+            Core::Link { legs, .. } => match self.class() {
+                None => "driven link".into(),
+                Some("III") => "triad".into(),
+                _ => {
+                    if legs.iter().any(|l| matches!(l, Leg::Angle { .. })) {
+                        if legs.iter().any(|l| matches!(l, Leg::Pinned { .. })) { "RP".into() } else { "RPP".into() }
+                    } else {
+                        "RPR".into()
+                    }
+                }
+            },
+        }
+    }
+}
+
+/// Splits the mechanism into groups in solving order.
+pub(crate) fn find(scene: &Scene, m: &mut Mechanism, assignment: &Assignment) {
+    let nodes: Vec<Node> = (0..scene.links.len())
+        .map(LinkId)
+        .filter(|l| *l != scene.ground && m.passive[l.0].is_none())
+        .map(Node::Link)
+        .chain(m.pins.iter().map(|p| Node::Pin(*p)))
+        .collect();
+    // Only looked up in, never iterated: the order of the scene decides every output.
+    let index: HashMap<Node, usize> = nodes.iter().enumerate().map(|(i, n)| (*n, i)).collect();
+    let mut graph = petgraph::graph::DiGraph::<usize, ()>::with_capacity(nodes.len(), assignment.equations.len());
+    let handles: Vec<_> = (0..nodes.len()).map(|i| graph.add_node(i)).collect();
+    for (_, at, other) in &assignment.equations {
+        if let (Some(&a), Some(&b)) = (index.get(at), index.get(other)) {
+            graph.update_edge(handles[a], handles[b], ());
+        }
+    }
+    let mut parts: Vec<Vec<usize>> =
+        petgraph::algo::tarjan_scc(&graph).into_iter().map(|c| c.into_iter().map(|h| graph[h]).collect::<Vec<_>>()).collect();
+    for p in &mut parts {
+        p.sort_unstable();
+    }
+    let mut part_of = vec![0; nodes.len()];
+    for (i, p) in parts.iter().enumerate() {
+        for &n in p {
+            part_of[n] = i;
+        }
+    }
+    let order = topological(&parts, &part_of, &graph);
+    let mut position = vec![0; parts.len()];
+    for (rank, &p) in order.iter().enumerate() {
+        position[p] = rank;
+    }
+    for (n, node) in nodes.iter().enumerate() {
+        let g = position[part_of[n]];
+        match node {
+            Node::Link(l) => m.group_of_link[l.0] = Some(g),
+            Node::Pin(p) => m.group_of_pin[p.0] = Some(g),
+        }
+    }
+    let mut constraints_of: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
+    for (c, at, _) in &assignment.equations {
+        constraints_of[position[part_of[index[at]]]].insert(*c);
+    }
+    for (rank, &p) in order.iter().enumerate() {
+        let mut links: Vec<LinkId> = Vec::new();
+        let mut pins: Vec<PointId> = Vec::new();
+        for &n in &parts[p] {
+            match nodes[n] {
+                Node::Link(l) => links.push(l),
+                Node::Pin(q) => pins.push(q),
+            }
+        }
+        let mut upstream: Vec<usize> = parts[p]
+            .iter()
+            .flat_map(|&n| graph.neighbors(handles[n]).map(|h| position[part_of[graph[h]]]))
+            .filter(|&g| g != rank)
+            .collect();
+        upstream.sort_unstable();
+        upstream.dedup();
+        let constraints: Vec<usize> = constraints_of[rank].iter().copied().collect();
+        let core = find_core(scene, m, &links, &pins, &constraints);
+        m.groups.push(Group { links, pins, core, upstream, constraints });
+    }
+}
+
+/// Order in which every part comes after those it needs; among the ready ones, the first in the scene first.
+fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph::DiGraph<usize, ()>) -> Vec<usize> {
+    let mut needs: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
+    let mut feeds: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); parts.len()];
+    for e in graph.raw_edges() {
+        let (a, b) = (part_of[graph[e.source()]], part_of[graph[e.target()]]);
+        if a != b {
+            needs[a].insert(b);
+            feeds[b].insert(a);
+        }
+    }
+    let mut ready: BinaryHeap<Reverse<(usize, usize)>> =
+        (0..parts.len()).filter(|&p| needs[p].is_empty()).map(|p| Reverse((parts[p][0], p))).collect();
+    let mut order = Vec::with_capacity(parts.len());
+    while let Some(Reverse((_, p))) = ready.pop() {
+        order.push(p);
+        for &f in &feeds[p] {
+            needs[f].remove(&p);
+            if needs[f].is_empty() {
+                ready.push(Reverse((parts[f][0], f)));
+            }
+        }
+    }
+    order
+}
+
+fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], constraints: &[usize]) -> Core {
+    let cs: Vec<Constraint> = constraints.iter().map(|&i| m.constraints[i]).collect();
+    if let [pin] = pins[..]
+        && let Some(legs) = legs_of_pin(scene, links, pin, &cs)
+    {
+        return Core::Pin { pin, legs };
+    }
+    for &link in links {
+        if let Some(legs) = legs_of_link(scene, links, pins, link, &cs) {
+            return Core::Link { link, legs };
+        }
+    }
+    Core::Higher
+}
+
+/// The legs of a pin, if every link of the group is a bar from a known pin to it.
+fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint]) -> Option<Vec<Leg>> {
+    let mut legs = Vec::new();
+    let mut used = 0;
+    let slide_of = |g: GuideId| cs.iter().find_map(|c| if let Constraint::Slide(d, h) = c { (*h == g).then_some(*d) } else { None });
+    for &l in links {
+        let mine: Vec<&Constraint> = cs
+            .iter()
+            .filter(|c| {
+                let (a, b) = ends(scene, **c);
+                a == Node::Link(l) || b == Node::Link(l)
+            })
+            .collect();
+        let far = mine.iter().find_map(|c| match c {
+            Constraint::Pinned(p, k) if *k == l && *p != pin => Some(*p),
+            _ => None,
+        })?;
+        let near = mine.iter().any(|c| matches!(c, Constraint::Pinned(p, k) if *k == l && *p == pin));
+        if near && mine.len() == 2 {
+            legs.push(Leg::Bar { link: l, near: pin, far });
+            used += 2;
+        } else if let Some(guide) = mine.iter().find_map(|c| if let Constraint::Slot(p, g) = c { (*p == pin).then_some(*g) } else { None })
+            && let Some(driver) = slide_of(guide)
+            && mine.len() == 3
+        {
+            legs.push(Leg::Ram { link: l, far, guide, driver, near: pin });
+            used += 3;
+        } else {
+            return None;
+        }
+    }
+    for c in cs {
+        match *c {
+            Constraint::Pinned(p, l) if p == pin && !links.contains(&l) => {
+                legs.push(Leg::Carried { link: l });
+                used += 1;
+            }
+            Constraint::Slot(p, guide) if p == pin && !links.contains(&scene.guides[guide.0].on) => {
+                if let Some(driver) = slide_of(guide) {
+                    legs.push(Leg::Driven { guide, driver, pin });
+                    used += 2;
+                } else {
+                    legs.push(Leg::OnGuide { pin, guide });
+                    used += 1;
+                }
+            }
+            Constraint::Cylinder(driver) => {
+                let (Node::Pin(a), Node::Pin(b)) = ends(scene, *c) else { return None };
+                legs.push(Leg::Cylinder { driver, near: pin, far: if a == pin { b } else { a } });
+                used += 1;
+            }
+            _ => {}
+        }
+    }
+    let freedoms: usize = legs.iter().map(|l| if matches!(l, Leg::Carried { .. } | Leg::Driven { .. }) { 2 } else { 1 }).sum();
+    (used == cs.len() && freedoms == 2).then_some(legs)
+}
+
+/// The legs of a link, if every other link of the group is a bar from a known pin to one of the core's pins.
+fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Constraint]) -> Option<Vec<Leg>> {
+    let mut legs = Vec::new();
+    let mut used = 0;
+    let slide_of = |g: GuideId| cs.iter().find_map(|c| if let Constraint::Slide(d, h) = c { (*h == g).then_some(*d) } else { None });
+    // Every pin of the group must sit on the core.
+    for &p in pins {
+        if !cs.iter().any(|c| matches!(c, Constraint::Pinned(q, l) if *q == p && *l == core)) {
+            return None;
+        }
+        used += 1;
+    }
+    for &l in links.iter().filter(|l| **l != core) {
+        let on: Vec<PointId> = cs
+            .iter()
+            .filter_map(|c| match c {
+                Constraint::Pinned(p, k) if *k == l => Some(*p),
+                _ => None,
+            })
+            .collect();
+        let (near, far) = match on[..] {
+            [a, b] if pins.contains(&a) && !pins.contains(&b) => (a, b),
+            [a, b] if pins.contains(&b) && !pins.contains(&a) => (b, a),
+            _ => return None,
+        };
+        legs.push(Leg::Bar { link: l, near, far });
+        used += 2;
+    }
+    for c in cs {
+        match *c {
+            Constraint::Pinned(pin, l) if l == core && !pins.contains(&pin) => {
+                legs.push(Leg::Pinned { pin });
+                used += 1;
+            }
+            Constraint::Slot(pin, guide) => {
+                let on = scene.guides[guide.0].on;
+                if slide_of(guide).is_some() {
+                    return None;
+                }
+                if pins.contains(&pin) && !links.contains(&on) {
+                    legs.push(Leg::OnGuide { pin, guide });
+                } else if on == core && !pins.contains(&pin) {
+                    legs.push(Leg::InSlot { pin, guide });
+                } else {
+                    return None;
+                }
+                used += 1;
+            }
+            Constraint::Lock(_) | Constraint::Turn(_) => {
+                let (Node::Link(a), Node::Link(b)) = ends(scene, *c) else { return None };
+                let of = if a == core { b } else { a };
+                if links.contains(&of) {
+                    return None;
+                }
+                legs.push(Leg::Angle { of, driver: if let Constraint::Turn(d) = c { Some(*d) } else { None } });
+                used += 1;
+            }
+            Constraint::Glide(guide) => {
+                let (Node::Link(a), Node::Link(b)) = ends(scene, *c) else { return None };
+                let other = if a == core { b } else { a };
+                if links.contains(&other) {
+                    return None;
+                }
+                if let Some(driver) = slide_of(guide) {
+                    legs.push(Leg::DrivenGlide { guide, other, driver });
+                    used += 2;
+                } else {
+                    legs.push(Leg::Glide { guide, other });
+                    used += 1;
+                }
+            }
+            Constraint::Cylinder(driver) => {
+                let (Node::Pin(a), Node::Pin(b)) = ends(scene, *c) else { return None };
+                let (near, far) = match (pins.contains(&a), pins.contains(&b)) {
+                    (true, false) => (a, b),
+                    (false, true) => (b, a),
+                    _ => return None,
+                };
+                legs.push(Leg::Cylinder { driver, near, far });
+                used += 1;
+            }
+            _ => {}
+        }
+    }
+    // Legs in the order of the scene, whatever their kind, so that the plan does not depend on how they were found.
+    let freedoms: usize = legs.iter().map(|l| if matches!(l, Leg::Pinned { .. } | Leg::DrivenGlide { .. }) { 2 } else { 1 }).sum();
+    (used == cs.len() && freedoms == 3).then_some(legs)
+}
+
+impl Mechanism {
+    /// Whether a driver's numbered links or a block follow link `l`; used to find the carrier of a passive link's motion.
+    pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<Node>> {
+        Some(match self.passive[l.0]? {
+            Passive::Block(g) => vec![Node::Link(scene.guides[g.0].on), Node::Pin(scene.guides[g.0].pin?)],
+            Passive::Cylinder(d) => match scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => vec![Node::Pin(a), Node::Pin(b)],
+                _ => return None,
+            },
+        })
+    }
+}

@@ -1,0 +1,273 @@
+//! Do the pairs and drivers fix every link? Each equation is assigned to one of its two nodes, so that a link gets three
+//! and a pin two (a bipartite b-matching by augmenting paths). What stays free or finds no place is the diagnosis.
+
+use super::{Constraint, Node, Passive, ends, weight};
+use crate::diag::{Diagnostic, Faults};
+use crate::scene::{DriverKind, PointId, Scene};
+
+/// Mobility F = 3n − 2P_L − P_H with its counts.
+///
+/// # Source
+/// Chebychev–Grübler–Kutzbach criterion for planar mechanisms (e.g. Norton, *Design of Machinery*, §2.5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mobility {
+    /// Moving links.
+    pub moving: usize,
+    /// Lower pairs; a pin that joins k links counts k − 1.
+    pub lower: usize,
+    /// Pairs that take one freedom (bare pins in slots).
+    pub higher: usize,
+    /// Degrees of freedom.
+    pub freedom: i64,
+}
+
+/// For each equation (constraint index, its two ends): the end to which it is assigned.
+pub(crate) struct Assignment {
+    /// (constraint, assigned node, other node), one entry per scalar equation.
+    pub equations: Vec<(usize, Node, Node)>,
+}
+
+struct Nodes {
+    links: usize,
+}
+
+impl Nodes {
+    fn index(&self, n: Node) -> usize {
+        match n {
+            Node::Link(l) => l.0,
+            Node::Pin(p) => self.links + p.0,
+        }
+    }
+}
+
+/// Assigns every equation to a node.
+///
+/// # Errors
+/// Names the links that stay free, or the pairs that say too much.
+pub(crate) fn assign(
+    scene: &Scene,
+    passive: &[Option<Passive>],
+    pins: &[PointId],
+    constraints: &[Constraint],
+) -> Result<Assignment, Faults> {
+    let nodes = Nodes { links: scene.links.len() };
+    let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
+    for (l, p) in passive.iter().enumerate() {
+        if l != scene.ground.0 && p.is_none() {
+            capacity[l] = 3;
+        }
+    }
+    for p in pins {
+        capacity[nodes.links + p.0] = 2;
+    }
+    // One entry per scalar equation.
+    let units: Vec<(usize, Node, Node)> = constraints
+        .iter()
+        .enumerate()
+        .flat_map(|(i, &c)| {
+            let (a, b) = ends(scene, c);
+            std::iter::repeat_n((i, a, b), weight(c))
+        })
+        .collect();
+    let mut owner: Vec<Option<usize>> = vec![None; units.len()];
+    let mut held: Vec<Vec<usize>> = vec![Vec::new(); capacity.len()];
+    let mut homeless = Vec::new();
+    for u in 0..units.len() {
+        if !augment(u, &units, &nodes, &capacity, &mut owner, &mut held) {
+            homeless.push(u);
+        }
+    }
+    let mut faults = Faults::default();
+    let free: Vec<Node> = (0..capacity.len())
+        .filter(|&n| held[n].len() < capacity[n])
+        .map(|n| if n < nodes.links { Node::Link(crate::scene::LinkId(n)) } else { Node::Pin(PointId(n - nodes.links)) })
+        .collect();
+    if !free.is_empty() {
+        faults.push(too_free(scene, &capacity, &held, &free));
+    }
+    if !homeless.is_empty() {
+        faults.push(too_tight(scene, constraints, &units, &homeless));
+    }
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    let equations = units
+        .iter()
+        .zip(&owner)
+        .map(|(&(c, a, b), o)| {
+            let o = o.expect("every equation has a home when none is homeless");
+            if nodes.index(a) == o { (c, a, b) } else { (c, b, a) }
+        })
+        .collect();
+    Ok(Assignment { equations })
+}
+
+/// Finds a home for equation `u`, moving others along a shortest alternating path.
+fn augment(
+    u: usize,
+    units: &[(usize, Node, Node)],
+    nodes: &Nodes,
+    capacity: &[usize],
+    owner: &mut [Option<usize>],
+    held: &mut [Vec<usize>],
+) -> bool {
+    // came[n] = the equation that would move to node n.
+    let mut came: Vec<Option<usize>> = vec![None; capacity.len()];
+    let mut queue = std::collections::VecDeque::new();
+    for end in [units[u].1, units[u].2] {
+        let n = nodes.index(end);
+        if capacity[n] > 0 && came[n].is_none() {
+            came[n] = Some(u);
+            queue.push_back(n);
+        }
+    }
+    while let Some(n) = queue.pop_front() {
+        if held[n].len() < capacity[n] {
+            let mut at = n;
+            loop {
+                let e = came[at].expect("every node on the path was reached by an equation");
+                let from = owner[e];
+                if let Some(f) = from {
+                    held[f].retain(|x| *x != e);
+                }
+                owner[e] = Some(at);
+                held[at].push(e);
+                match from {
+                    Some(f) if e != u => at = f,
+                    _ => return true,
+                }
+            }
+        }
+        for &e in &held[n] {
+            for end in [units[e].1, units[e].2] {
+                let m = nodes.index(end);
+                if capacity[m] > 0 && came[m].is_none() {
+                    came[m] = Some(e);
+                    queue.push_back(m);
+                }
+            }
+        }
+    }
+    false
+}
+
+fn describe(scene: &Scene, n: Node) -> String {
+    match n {
+        Node::Link(l) => format!("link {}", scene.link_name(l)),
+        Node::Pin(p) => format!("pin {}", scene.point_name(p)),
+    }
+}
+
+fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node]) -> Diagnostic {
+    let missing: usize = capacity.iter().zip(held).map(|(c, h)| c - h.len()).sum();
+    let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
+    let drivers = scene.drivers.len();
+    let span = match free[0] {
+        Node::Link(l) => scene.links[l.0].span,
+        Node::Pin(p) => scene.points[p.0].span,
+    };
+    Diagnostic::error(
+        "too-few-constraints",
+        format!(
+            "the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            if drivers == 1 { "" } else { "s" },
+            if missing == 1 { "" } else { "s" },
+            names.join(", ")
+        ),
+    )
+    .at(span)
+    .help(format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }))
+}
+
+fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {
+    let mut names: Vec<String> = Vec::new();
+    let mut span = None;
+    for &u in homeless {
+        let (text, at) = constraint_words(scene, constraints[units[u].0]);
+        if !names.contains(&text) {
+            names.push(text);
+        }
+        span = span.or(Some(at));
+    }
+    let d = Diagnostic::error(
+        "too-many-constraints",
+        format!("{} more condition{} than freedoms: {}", homeless.len(), if homeless.len() == 1 { "" } else { "s" }, names.join(", ")),
+    )
+    .help("leave out a driver, or a link or joint that only repeats what others fix");
+    match span {
+        Some(s) => d.at(s),
+        None => d,
+    }
+}
+
+fn constraint_words(scene: &Scene, c: Constraint) -> (String, crate::diag::Span) {
+    match c {
+        Constraint::Pinned(p, l) => (format!("pin {} on link {}", scene.point_name(p), scene.link_name(l)), scene.links[l.0].span),
+        Constraint::Slot(p, g) => {
+            (format!("pin {} in the guide on link {}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)), scene.guides[g.0].span)
+        }
+        Constraint::Lock(g) | Constraint::Glide(g) => {
+            let guide = &scene.guides[g.0];
+            let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();
+            (format!("slider {slider} on link {}", scene.link_name(guide.on)), guide.span)
+        }
+        Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => {
+            let text = match &scene.drivers[d].kind {
+                DriverKind::Turn { link, .. } => format!("the driver of link {}", scene.link_name(*link)),
+                DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
+                    (Some(p), _) => format!("the sliding driver at {}", scene.point_name(p)),
+                    (None, s) => format!("the sliding driver of link {}", s.map(|s| scene.link_name(s)).unwrap_or_default()),
+                },
+                DriverKind::Cylinder { a, b, .. } => format!("the cylinder {}{}", scene.point_name(*a), scene.point_name(*b)),
+            };
+            (text, scene.drivers[d].span)
+        }
+    }
+}
+
+/// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
+/// and sliding pair, so that its driver too has its freedom.
+pub(crate) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
+    let mut moving = scene.links.len() - 1;
+    let mut lower = 0;
+    let mut on_pin = vec![0usize; scene.points.len()];
+    for l in &scene.links {
+        for p in &l.points {
+            on_pin[p.0] += 1;
+        }
+    }
+    let mut higher = 0;
+    for d in &scene.drivers {
+        if let DriverKind::Cylinder { a, b, links, .. } = &d.kind {
+            // Unnumbered barrels and rods are links all the same.
+            moving += 2 - links.len().min(2);
+            lower += 1;
+            on_pin[a.0] += 1;
+            on_pin[b.0] += 1;
+            for l in links {
+                for p in &scene.links[l.0].points {
+                    on_pin[p.0] -= 1;
+                }
+            }
+        }
+    }
+    for g in &scene.guides {
+        if g.slider.is_some() {
+            lower += 1;
+        } else {
+            higher += 1;
+            if let Some(p) = g.pin
+                && on_pin[p.0] == 0
+            {
+                // A bare pin in two slots is itself a body; its turning does not count.
+                on_pin[p.0] = 1;
+                moving += 1;
+                higher += 1;
+            }
+        }
+    }
+    lower += on_pin.iter().map(|n| n.saturating_sub(1)).sum::<usize>();
+    debug_assert!(constraints.len() >= scene.drivers.len());
+    let freedom = 3 * moving as i64 - 2 * lower as i64 - higher as i64;
+    Mobility { moving, lower, higher, freedom }
+}

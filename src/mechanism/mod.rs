@@ -1,0 +1,277 @@
+//! Links, pairs and drivers as a graph: mobility, Assur groups in solving order, and the demand of the questions.
+//!
+//! Decided here, from topology alone (no length is looked at): which constraints there are, whether they and the drivers
+//! fix every link, in which order the links can be found ([`Group`]), and which groups the scene's questions call for
+//! ([`Demand`]). Not decided here: where anything is.
+
+mod demand;
+mod groups;
+mod mobility;
+
+pub(crate) use demand::nodes_of;
+pub use demand::{Demand, Level, Need};
+pub use groups::{Core, Group, Leg};
+pub use mobility::Mobility;
+
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+
+/// A thing whose place is to be found: a link (three freedoms) or a pin (two).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Node {
+    /// A link.
+    Link(LinkId),
+    /// A pin: a point where links meet, that runs in a guide, or at which a cylinder ends.
+    Pin(PointId),
+}
+
+/// One pair or driver, as a constraint between two nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constraint {
+    /// The pin sits on the link: two equations.
+    Pinned(PointId, LinkId),
+    /// The pin runs in the guide: one equation, between the pin and the carrying link.
+    Slot(PointId, GuideId),
+    /// The slider keeps its direction against the link that carries its guide: one equation.
+    Lock(GuideId),
+    /// The slider keeps its distance from the guide (a yoke without a pin of its own): one equation.
+    Glide(GuideId),
+    /// A turning driver: one equation between the driven link and the one against which it turns.
+    Turn(usize),
+    /// A sliding driver along a guide.
+    Slide(usize, GuideId),
+    /// A cylinder: the distance of two pins.
+    Cylinder(usize),
+}
+
+/// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
+/// the rod of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passive {
+    /// A block: turns with the link that carries its guide.
+    Block(GuideId),
+    /// Barrel or rod: turns with the line of the cylinder (index of the driver).
+    Cylinder(usize),
+}
+
+/// The mechanism: the scene's topology, worked out.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// All constraints, in the order of the scene.
+    pub constraints: Vec<Constraint>,
+    /// Which points are pins, in the order of the scene.
+    pub pins: Vec<PointId>,
+    /// For each link: how it follows, if it is passive.
+    pub passive: Vec<Option<Passive>>,
+    /// Mobility and pair counts.
+    pub mobility: Mobility,
+    /// Groups in solving order; ground is known before the first.
+    pub groups: Vec<Group>,
+    /// The group of each link (ground, passive and isolated links have none).
+    pub group_of_link: Vec<Option<usize>>,
+    /// The group of each pin.
+    pub group_of_pin: Vec<Option<usize>>,
+    /// For each link, whether it is ground or keeps its direction for topological reasons (locked to ground by sliding pairs).
+    pub never_turns: Vec<bool>,
+}
+
+impl Mechanism {
+    /// Works out the topology of a scene.
+    ///
+    /// # Errors
+    /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
+    pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
+        let passive = find_passive(scene);
+        let pins = find_pins(scene, &passive);
+        let constraints = find_constraints(scene, &passive, &pins);
+        let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
+        let mobility = mobility::count(scene, &constraints);
+        let never_turns = find_never_turning(scene);
+        let mut mechanism = Mechanism {
+            constraints,
+            pins,
+            passive,
+            mobility,
+            groups: Vec::new(),
+            group_of_link: vec![None; scene.links.len()],
+            group_of_pin: vec![None; scene.points.len()],
+            never_turns,
+        };
+        groups::find(scene, &mut mechanism, &assignment);
+        let mut notes = Vec::new();
+        for g in &mechanism.groups {
+            if matches!(g.core, Core::Higher) {
+                let names: Vec<_> = g.links.iter().map(|l| scene.link_name(*l)).collect();
+                notes.push(Diagnostic::note(
+                    "higher-group",
+                    format!(
+                        "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
+                        names.join(", ")
+                    ),
+                ));
+            }
+        }
+        Ok(Warned { value: mechanism, notes })
+    }
+
+    /// The two nodes that a constraint joins.
+    pub fn ends(&self, scene: &Scene, c: Constraint) -> (Node, Node) {
+        ends(scene, c)
+    }
+
+    /// Whether a link is fixed, or follows others without constraining them.
+    pub fn is_passive(&self, l: LinkId) -> bool {
+        self.passive[l.0].is_some()
+    }
+
+    /// The link whose turning a link shares for topological reasons: the carrier of its guide for a block, itself otherwise.
+    pub fn turns_as(&self, scene: &Scene, l: LinkId) -> LinkId {
+        match self.passive[l.0] {
+            Some(Passive::Block(g)) => self.turns_as(scene, scene.guides[g.0].on),
+            _ => l,
+        }
+    }
+
+    /// The guides in which a pin runs.
+    pub fn guides_of<'a>(&self, scene: &'a Scene, p: PointId) -> impl Iterator<Item = GuideId> + 'a {
+        scene.guides.iter().enumerate().filter(move |(_, g)| g.pin == Some(p)).map(|(i, _)| GuideId(i))
+    }
+}
+
+pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {
+    match c {
+        Constraint::Pinned(p, l) => (Node::Pin(p), Node::Link(l)),
+        Constraint::Slot(p, g) => (Node::Pin(p), Node::Link(scene.guides[g.0].on)),
+        Constraint::Lock(g) | Constraint::Glide(g) => {
+            let guide = &scene.guides[g.0];
+            let slider = guide.slider.expect("lock and glide are made for sliders only");
+            (Node::Link(slider), Node::Link(guide.on))
+        }
+        Constraint::Turn(d) => match scene.drivers[d].kind {
+            DriverKind::Turn { link, against, .. } => (Node::Link(link), Node::Link(against)),
+            _ => unreachable!("a turn constraint is made from a turning driver"),
+        },
+        Constraint::Slide(_, g) => {
+            let guide = &scene.guides[g.0];
+            let runner = match (guide.pin, guide.slider) {
+                (Some(p), _) => Node::Pin(p),
+                (None, Some(s)) => Node::Link(s),
+                (None, None) => unreachable!("a guide has a pin or a slider"),
+            };
+            (runner, Node::Link(guide.on))
+        }
+        Constraint::Cylinder(d) => match scene.drivers[d].kind {
+            DriverKind::Cylinder { a, b, .. } => (Node::Pin(a), Node::Pin(b)),
+            _ => unreachable!("a cylinder constraint is made from a cylinder"),
+        },
+    }
+}
+
+/// How many equations a constraint stands for.
+pub(crate) fn weight(c: Constraint) -> usize {
+    match c {
+        Constraint::Pinned(..) => 2,
+        _ => 1,
+    }
+}
+
+fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
+    let mut passive = vec![None; scene.links.len()];
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        if let DriverKind::Cylinder { links, .. } = &driver.kind {
+            for l in links {
+                passive[l.0] = Some(Passive::Cylinder(d));
+            }
+        }
+    }
+    for (i, link) in scene.links.iter().enumerate() {
+        let id = LinkId(i);
+        if id == scene.ground || passive[i].is_some() || link.points.len() != 1 {
+            continue;
+        }
+        let as_slider: Vec<usize> = (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
+        let carries = scene.guides.iter().any(|g| g.on == id);
+        let turned = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == id || against == id));
+        if let [g] = as_slider[..]
+            && scene.guides[g].pin == Some(link.points[0])
+            && !carries
+            && !turned
+        {
+            passive[i] = Some(Passive::Block(GuideId(g)));
+        }
+    }
+    passive
+}
+
+fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {
+    let mut is_pin = vec![false; scene.points.len()];
+    for (p, pin) in is_pin.iter_mut().enumerate() {
+        let on = scene.carriers(PointId(p)).filter(|l| passive[l.0].is_none()).count();
+        *pin = on >= 2;
+    }
+    for g in &scene.guides {
+        if let Some(p) = g.pin {
+            is_pin[p.0] = true;
+        }
+    }
+    for d in &scene.drivers {
+        if let DriverKind::Cylinder { a, b, .. } = d.kind {
+            is_pin[a.0] = true;
+            is_pin[b.0] = true;
+        }
+    }
+    (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
+}
+
+fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]) -> Vec<Constraint> {
+    let mut out = Vec::new();
+    for &p in pins {
+        for l in scene.carriers(p).filter(|l| passive[l.0].is_none()) {
+            out.push(Constraint::Pinned(p, l));
+        }
+    }
+    for (i, g) in scene.guides.iter().enumerate() {
+        let id = GuideId(i);
+        if let Some(p) = g.pin {
+            out.push(Constraint::Slot(p, id));
+        }
+        if let Some(s) = g.slider
+            && passive[s.0] != Some(Passive::Block(id))
+        {
+            out.push(Constraint::Lock(id));
+            if g.pin.is_none() {
+                out.push(Constraint::Glide(id));
+            }
+        }
+    }
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        out.push(match driver.kind {
+            DriverKind::Turn { .. } => Constraint::Turn(d),
+            DriverKind::Slide { guide, .. } => Constraint::Slide(d, guide),
+            DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
+        });
+    }
+    out
+}
+
+/// Ground, and every link joined to a never-turning link by a slider that keeps its direction.
+fn find_never_turning(scene: &Scene) -> Vec<bool> {
+    let mut still = vec![false; scene.links.len()];
+    still[scene.ground.0] = true;
+    loop {
+        let before = still.iter().filter(|s| **s).count();
+        for g in &scene.guides {
+            // Only a straight guide keeps its slider's direction in the plane.
+            if let Some(s) = g.slider
+                && matches!(g.path, crate::scene::GuidePath::Line { .. })
+                && (still[s.0] || still[g.on.0])
+            {
+                still[s.0] = true;
+                still[g.on.0] = true;
+            }
+        }
+        if still.iter().filter(|s| **s).count() == before {
+            return still;
+        }
+    }
+}

@@ -1,0 +1,525 @@
+//! Walks the groups and writes their equations.
+
+use super::{Body, Chain, Effect, GroupSteps, Method, Plan, Rate, Reason, Spot, Step, Vertex, VertexId, canonical};
+use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need, Passive};
+use crate::scene::{LinkId, PointId, Scene};
+
+/// The plan of a scene's demand.
+///
+/// Needs no positions: the same topology with other lengths gives the same plan.
+pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
+    let mut b = Builder {
+        scene,
+        m,
+        demand,
+        vertices: Vec::new(),
+        velocity: Vec::new(),
+        acceleration: Vec::new(),
+        known: [Vec::new(), Vec::new()],
+        sources: [Vec::new(), Vec::new()],
+        pending: Vec::new(),
+        undrawable: Vec::new(),
+    };
+    for level in [Level::Velocity, Level::Acceleration] {
+        if demand.level >= level {
+            b.walk(level);
+        }
+    }
+    let effects = b.effects();
+    Plan {
+        vertices: b.vertices,
+        velocity: b.velocity,
+        acceleration: b.acceleration,
+        level: demand.level,
+        effects,
+        undrawable: b.undrawable,
+    }
+}
+
+pub(super) struct Builder<'a> {
+    pub scene: &'a Scene,
+    pub m: &'a Mechanism,
+    demand: &'a Demand,
+    vertices: Vec<Vertex>,
+    velocity: Vec<GroupSteps>,
+    acceleration: Vec<GroupSteps>,
+    /// Known vertices at each level.
+    known: [Vec<VertexId>; 2],
+    /// How each body's turning can be found at each level, once its group is done.
+    sources: [Vec<(Body, Rate)>; 2],
+    /// Steps of the group being written.
+    pending: Vec<Step>,
+    undrawable: Vec<usize>,
+}
+
+fn slot(level: Level) -> usize {
+    match level {
+        Level::Acceleration => 1,
+        _ => 0,
+    }
+}
+
+impl Builder<'_> {
+    fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
+        if let Some(i) = self.vertices.iter().position(|v| v.spot == spot && v.on == on) {
+            return VertexId(i);
+        }
+        let ground = self.scene.ground;
+        let (number, fixed) = match (spot, on) {
+            (_, Some(l)) => (Some(l), l == ground),
+            (Spot::Point(p), None) => {
+                let fixed = self.scene.links[ground.0].points.contains(&p);
+                (if fixed { None } else { self.number_of_pin(p) }, fixed)
+            }
+            (Spot::Special { .. }, None) => (None, false),
+        };
+        self.vertices.push(Vertex { spot, on, number, fixed });
+        VertexId(self.vertices.len() - 1)
+    }
+
+    /// A pin gets a number when a moving link has a point of its own at the same place.
+    fn number_of_pin(&self, p: PointId) -> Option<LinkId> {
+        let guides: Vec<_> = self.scene.guides.iter().filter(|g| g.pin == Some(p) && g.on != self.scene.ground).collect();
+        if guides.is_empty() {
+            return None;
+        }
+        guides.iter().find_map(|g| g.slider).or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
+    }
+
+    /// The vertex of a pin, or of a point that belongs to one link.
+    pub(super) fn pin(&mut self, p: PointId) -> VertexId {
+        self.intern(Spot::Point(p), None)
+    }
+
+    /// The point of link `l` that lies at `p`.
+    pub(super) fn coincident(&mut self, p: PointId, l: LinkId) -> VertexId {
+        self.intern(Spot::Point(p), canonical(self.scene, p, Some(l)))
+    }
+
+    /// The point of link `l` at the place of another vertex.
+    pub(super) fn on_link(&mut self, v: VertexId, l: LinkId) -> VertexId {
+        match self.vertices[v.0].spot {
+            Spot::Point(p) => self.coincident(p, l),
+            special @ Spot::Special { .. } => self.intern(special, Some(l)),
+        }
+    }
+
+    fn is_known(&self, level: Level, v: VertexId) -> bool {
+        self.vertices[v.0].fixed || self.known[slot(level)].contains(&v)
+    }
+
+    fn learn(&mut self, level: Level, v: VertexId) {
+        if !self.is_known(level, v) {
+            self.known[slot(level)].push(v);
+        }
+    }
+
+    /// The known points of a link at a level: its own points first, then coincident ones.
+    fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
+        let carried = self.scene.links[l.0]
+            .points
+            .iter()
+            .filter_map(|p| self.vertices.iter().position(|v| v.spot == Spot::Point(*p) && v.on.is_none()));
+        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| i);
+        carried.chain(coincident).map(VertexId).filter(|v| self.is_known(level, *v)).collect()
+    }
+
+    /// Whether α of a body vanishes for topological reasons.
+    pub(super) fn alpha_is_zero(&self, body: Body) -> bool {
+        let Body::Link(l) = body else { return false };
+        if self.m.never_turns[l.0] {
+            return true;
+        }
+        match self.sources[1].iter().chain(&self.sources[0]).find(|(b, _)| *b == body) {
+            Some((_, Rate::Given { driver, against })) => {
+                self.scene.drivers[*driver].acceleration.is_none() && self.alpha_is_zero(Body::Link(*against))
+            }
+            Some((_, Rate::Same(other))) => self.alpha_is_zero(Body::Link(*other)),
+            _ => false,
+        }
+    }
+
+    /// Asks for ω of a body, for the terms of the acceleration level.
+    pub(super) fn need_rate(&mut self, body: Body) {
+        self.need_rate_at(Level::Velocity, body);
+    }
+
+    /// Asks for the turning of a body at a level: the step is written behind the group that gave it.
+    pub(super) fn need_rate_at(&mut self, level: Level, body: Body) {
+        let source = if let Body::Link(l) = body
+            && self.m.never_turns[l.0]
+        {
+            Some(Rate::Zero)
+        } else {
+            self.sources[slot(level)].iter().find(|(b, _)| *b == body).map(|(_, r)| *r)
+        };
+        let Some(rate) = source else { return };
+        match rate {
+            Rate::Given { against, .. } if against != self.scene.ground => self.need_rate_at(level, Body::Link(against)),
+            Rate::Same(other) => self.need_rate_at(level, Body::Link(other)),
+            _ => {}
+        }
+        let group = match body {
+            Body::Link(l) => self.m.group_of_link[l.0],
+            Body::Cylinder(d) => match self.scene.drivers[d].kind {
+                crate::scene::DriverKind::Cylinder { a, b, .. } => self.m.group_of_pin[a.0].max(self.m.group_of_pin[b.0]),
+                _ => None,
+            },
+        };
+        let list = match level {
+            Level::Acceleration => &mut self.acceleration,
+            _ => &mut self.velocity,
+        };
+        // The group under way has its entry already; rates without a group (ground) belong to the first.
+        let entry = match group {
+            Some(g) => list.iter_mut().find(|s| s.group == g),
+            None => list.first_mut(),
+        };
+        if let Some(entry) = entry
+            && !entry.rates.iter().any(|(b, _)| *b == body)
+        {
+            entry.rates.push((body, rate));
+        }
+    }
+
+    fn source(&mut self, level: Level, body: Body, rate: Rate) {
+        let list = &mut self.sources[slot(level)];
+        if !list.iter().any(|(b, _)| *b == body) {
+            list.push((body, rate));
+        }
+    }
+
+    /// Makes a vertex of a known link known: by image, by translation, or by its turning.
+    pub(super) fn ensure(&mut self, level: Level, v: VertexId) {
+        if self.is_known(level, v) {
+            return;
+        }
+        let vertex = self.vertices[v.0];
+        let link = match (vertex.on, vertex.spot) {
+            (Some(l), _) => l,
+            (None, Spot::Point(p)) => {
+                let known_most = |l: &LinkId| self.known_on(level, *l).len();
+                match self.scene.carriers(p).filter(|l| !self.m.is_passive(*l)).max_by_key(|l| (known_most(l), std::cmp::Reverse(l.0))) {
+                    Some(l) => l,
+                    None => return,
+                }
+            }
+            (None, Spot::Special { .. }) => return,
+        };
+        for p in self.scene.links[link.0].points.clone() {
+            // Fixed pivots are known without ever having been asked for.
+            if self.scene.links[self.scene.ground.0].points.contains(&p) {
+                self.pin(p);
+            }
+        }
+        let known = self.known_on(level, link);
+        let spots_differ = |a: VertexId, b: VertexId| self.vertices[a.0].spot != self.vertices[b.0].spot;
+        let step = match known[..] {
+            [] => return,
+            [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => Step::Same { link, target: v, from: a },
+            [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
+            [a] => {
+                self.need_rate_at(level, Body::Link(link));
+                let (terms, _) = self.turning(level, Body::Link(link), v, a, true);
+                Step::Equation { target: v, chains: vec![Chain { start: a, known: terms, unknown: vec![] }], method: Method::Driven }
+            }
+        };
+        self.pending.push(step);
+        self.learn(level, v);
+    }
+
+    fn walk(&mut self, level: Level) {
+        for g in 0..self.m.groups.len() {
+            if !self.demand.wants(g, level) {
+                continue;
+            }
+            let group = &self.m.groups[g];
+            if matches!(group.core, Core::Higher) || group.upstream.iter().any(|u| self.undrawable.contains(u)) {
+                if !self.undrawable.contains(&g) {
+                    self.undrawable.push(g);
+                }
+                continue;
+            }
+            let list = match level {
+                Level::Acceleration => &mut self.acceleration,
+                _ => &mut self.velocity,
+            };
+            list.push(GroupSteps { group: g, alternatives: Vec::new(), rates: Vec::new() });
+            let alternatives = self.group(level, g);
+            let list = match level {
+                Level::Acceleration => &mut self.acceleration,
+                _ => &mut self.velocity,
+            };
+            list.last_mut().expect("just pushed").alternatives = alternatives;
+            self.answer_needs(level, g);
+        }
+    }
+
+    /// Points and turning rates of this group that are asked for.
+    fn answer_needs(&mut self, level: Level, g: usize) {
+        let needs: Vec<Need> = self.demand.needs.iter().filter(|(_, l)| *l >= level).map(|(n, _)| *n).collect();
+        for need in needs {
+            let nodes = crate::mechanism::nodes_of(self.scene, self.m, need);
+            let groups: Vec<usize> = nodes
+                .iter()
+                .filter_map(|n| match n {
+                    crate::mechanism::Node::Link(l) => self.m.group_of_link[l.0],
+                    crate::mechanism::Node::Pin(p) => self.m.group_of_pin[p.0],
+                })
+                .collect();
+            if groups.iter().max() != Some(&g) {
+                continue;
+            }
+            match need {
+                Need::Point(p, on) => {
+                    let v = self.intern(Spot::Point(p), canonical(self.scene, p, on));
+                    self.ensure(level, v);
+                }
+                Need::Turning(l) => {
+                    let body = match self.m.passive[l.0] {
+                        Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+                        _ => Body::Link(self.m.turns_as(self.scene, l)),
+                    };
+                    self.need_rate_at(level, body);
+                }
+            }
+        }
+        let steps = std::mem::take(&mut self.pending);
+        let list = match level {
+            Level::Acceleration => &mut self.acceleration,
+            _ => &mut self.velocity,
+        };
+        for alternative in &mut list.last_mut().expect("called for a group under way").alternatives {
+            alternative.extend(steps.iter().cloned());
+        }
+    }
+
+    /// The alternatives of one group; leaves its results known.
+    fn group(&mut self, level: Level, g: usize) -> Vec<Vec<Step>> {
+        match self.m.groups[g].core.clone() {
+            Core::Pin { pin, legs } => {
+                self.group_of_pin(level, pin, &legs);
+                vec![std::mem::take(&mut self.pending)]
+            }
+            Core::Link { link, legs } => self.group_of_link(level, g, link, &legs),
+            Core::Higher => Vec::new(),
+        }
+    }
+
+    fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {
+        let target = self.pin(pin);
+        match legs {
+            [Leg::Carried { .. }] => self.ensure(level, target),
+            [leg @ Leg::Driven { .. }] => {
+                let chain = self.chain(level, None, leg, None);
+                self.equation(level, target, vec![chain], Method::Driven);
+            }
+            _ => {
+                let chains: Vec<Chain> = legs.iter().map(|l| self.chain(level, None, l, None)).collect();
+                let moving_guide = legs.iter().any(|l| match l {
+                    Leg::OnGuide { guide, .. } => self.scene.guides[guide.0].on != self.scene.ground,
+                    Leg::Ram { .. } => true,
+                    _ => false,
+                });
+                self.equation(level, target, chains, if moving_guide { Method::Coincident } else { Method::SameLink });
+            }
+        }
+        for leg in legs {
+            self.sources_of_leg(level, leg);
+        }
+    }
+
+    fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
+        // The chain that starts in the pole comes first: its terms stand on the left of the equals sign.
+        let mut chains = chains;
+        if chains.len() == 2 && !self.vertices[chains[0].start.0].fixed && self.vertices[chains[1].start.0].fixed {
+            chains.swap(0, 1);
+        }
+        if !self.is_known(level, target) {
+            self.pending.push(Step::Equation { target, chains, method });
+            self.learn(level, target);
+        }
+    }
+
+    /// What a leg's own body turns with, once both its ends are known.
+    fn sources_of_leg(&mut self, level: Level, leg: &Leg) {
+        match *leg {
+            Leg::Bar { link, near, far } => {
+                let (of, to) = (self.pin(near), self.pin(far));
+                self.source(level, Body::Link(link), Rate::Measured { of, to });
+            }
+            Leg::Cylinder { driver, near, far } => {
+                let (of, to) = (self.pin(near), self.pin(far));
+                self.source(level, Body::Cylinder(driver), Rate::Measured { of, to });
+            }
+            Leg::Ram { link, far, guide, driver, near } => {
+                let (of, to, runner) = (self.coincident(near, link), self.pin(far), self.pin(near));
+                // The carried point under the runner, from the runner: the sliding is given. Its Coriolis term at the
+                // acceleration level needs the link's ω, which is measured at the velocity level from this very point.
+                self.source(level, Body::Link(link), Rate::Measured { of, to });
+                let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
+                self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
+            }
+            _ => {}
+        }
+    }
+
+    fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
+        let body = Body::Link(link);
+        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
+        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
+        if let Some((of, driver)) = angle {
+            let rate = match driver {
+                _ if self.m.never_turns[link.0] => Rate::Zero,
+                Some(driver) => Rate::Given { driver, against: of },
+                None => Rate::Same(of),
+            };
+            self.source(level, body, rate);
+        }
+        let rest: Vec<Leg> = legs.iter().copied().filter(|l| !matches!(l, Leg::Angle { .. } | Leg::Pinned { .. })).collect();
+        match (pinned, angle, &rest[..]) {
+            // A crank, or a lever locked to a known link: its points follow when they are needed.
+            (Some(_), Some(_), _) => {}
+            (Some(pin), None, [leg]) => {
+                let pivot = self.pin(pin);
+                let target = self.near(Some(link), leg).expect("a slot gives a coincident point");
+                let (known, unknown) = self.turning(level, body, target, pivot, false);
+                let chain = self.chain(level, Some(link), leg, None);
+                self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                self.source(level, body, Rate::Measured { of: target, to: pivot });
+            }
+            (None, Some(_), [leg @ Leg::DrivenGlide { .. }]) => {
+                let at = self.any_point(link);
+                let chain = self.chain(level, Some(link), leg, Some(at));
+                self.equation(level, at, vec![chain], Method::Driven);
+            }
+            (None, Some(_), [a, b]) => {
+                // A leg with a point of its own leads; a gliding leg serves any point.
+                let (a, b) = if matches!(a, Leg::Glide { .. }) { (b, a) } else { (a, b) };
+                let target = match self.near(Some(link), a) {
+                    Some(v) => v,
+                    None => self.any_point(link),
+                };
+                let first = self.chain(level, Some(link), a, Some(target));
+                let mut second = self.chain(level, Some(link), b, Some(target));
+                if let Some(near) = self.near(Some(link), b) {
+                    self.shift(level, &mut second, link, target, near);
+                }
+                self.equation(level, target, vec![first, second], Method::Coincident);
+                let near_b = self.near(Some(link), b);
+                for leg in [a, b] {
+                    self.sources_of_leg(level, leg);
+                }
+                if let Some(v) = near_b {
+                    self.ensure(level, v);
+                }
+            }
+            (None, None, [_, _, _]) => return self.triad(level, g, link, &rest),
+            _ => {}
+        }
+        vec![std::mem::take(&mut self.pending)]
+    }
+
+    /// Some point of a link that has none of its own in this group.
+    fn any_point(&mut self, link: LinkId) -> VertexId {
+        let own = self.scene.links[link.0].points.first().copied();
+        let runner = self.scene.guides.iter().filter(|g| g.on == link).find_map(|g| g.pin);
+        match own.or(runner) {
+            Some(p) => self.coincident(p, link),
+            None => self.coincident(PointId(0), link),
+        }
+    }
+
+    /// A link on three legs: by the special point of each pair of legs in turn.
+    fn triad(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
+        let body = Body::Link(link);
+        let nears: Vec<VertexId> =
+            legs.iter().map(|l| self.near(Some(link), l).expect("a leg of a triad has a point on the core")).collect();
+        let mut alternatives = Vec::new();
+        let before = self.known[slot(level)].clone();
+        // What the chains need of known links is written once, ahead of every alternative.
+        for leg in legs {
+            let _ = self.chain(level, Some(link), leg, None);
+        }
+        let shared = std::mem::take(&mut self.pending);
+        let base = self.known[slot(level)].clone();
+        for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            self.known[slot(level)].clone_from(&base);
+            self.pending.clone_from(&shared);
+            let s = self.intern(Spot::Special { group: g, legs: (i, j) }, None);
+            let mut chains = Vec::new();
+            for n in [i, j] {
+                let mut chain = self.chain(level, Some(link), &legs[n], None);
+                self.extend_to_special(level, &mut chain, link, s, nears[n]);
+                chains.push(chain);
+            }
+            self.equation(level, s, chains, Method::Special);
+            let (known, unknown) = self.turning(level, body, nears[k], s, false);
+            let third = self.chain(level, Some(link), &legs[k], None);
+            self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
+            for n in [i, j] {
+                if !self.is_known(level, nears[n]) {
+                    self.pending.push(Step::Image { link, target: nears[n], from: (s, nears[k]) });
+                    self.learn(level, nears[n]);
+                }
+            }
+            alternatives.push(std::mem::take(&mut self.pending));
+        }
+        // Special points are for this group only.
+        self.known[slot(level)] = before;
+        for v in base {
+            self.learn(level, v);
+        }
+        for &v in &nears {
+            self.learn(level, v);
+        }
+        for leg in legs {
+            self.sources_of_leg(level, leg);
+        }
+        self.source(level, body, Rate::Measured { of: nears[1], to: nears[0] });
+        alternatives
+    }
+
+    fn effects(&self) -> Vec<(Effect, bool, Reason)> {
+        let mut out = Vec::new();
+        let d = self.demand;
+        for (effect, level) in [(Effect::Velocities, Level::Velocity), (Effect::Accelerations, Level::Acceleration)] {
+            let on = d.level >= level;
+            out.push((effect, on, if on { Reason::Asked } else { Reason::NotAsked }));
+        }
+        if d.level >= Level::Acceleration {
+            for (i, driver) in self.scene.drivers.iter().enumerate() {
+                let on = driver.acceleration.is_some();
+                out.push((Effect::DriverAcceleration(i), on, if on { Reason::Accelerated } else { Reason::ConstantRate }));
+            }
+            for (i, g) in self.scene.guides.iter().enumerate() {
+                let id = crate::scene::GuideId(i);
+                let used = self.acceleration.iter().any(|s| s.alternatives.iter().flatten().any(|step| uses_guide(step, id)));
+                let (on, reason) = if self.m.never_turns[g.on.0] {
+                    (false, Reason::GuideDoesNotTurn)
+                } else if used {
+                    (true, Reason::GuideTurns)
+                } else {
+                    (false, Reason::GuideNotReached)
+                };
+                out.push((Effect::Coriolis(id), on, reason));
+            }
+        }
+        for (g, level) in d.groups.iter().enumerate() {
+            if level.is_none() && self.m.groups[g].class().is_some() {
+                out.push((Effect::Group(g), false, Reason::NotAsked));
+            }
+        }
+        out
+    }
+}
+
+fn uses_guide(step: &Step, guide: crate::scene::GuideId) -> bool {
+    match step {
+        Step::Equation { chains, .. } => chains
+            .iter()
+            .flat_map(|c| c.known.iter().chain(&c.unknown))
+            .any(|t| matches!(t.by, super::By::Guide { guide: g, .. } if g == guide)),
+        _ => false,
+    }
+}

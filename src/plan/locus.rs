@@ -1,0 +1,153 @@
+//! From a leg to a chain of terms: the table of legs and loci, for velocities and accelerations.
+//!
+//! # Source
+//! Relative-motion method (基点法, 重合点法) as in any text on mechanisms; the acceleration terms are those of the rigid body
+//! and of motion against a turning guide: a_B2 = a_B1 + 2ω₁ × v_B2B1 + aʳ_B2B1.
+
+use super::build::Builder;
+use super::{Body, By, Chain, Term, TermKind, VertexId};
+use crate::mechanism::{Leg, Level};
+use crate::scene::{GuideId, GuidePath, LinkId};
+
+impl Builder<'_> {
+    /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.
+    pub(super) fn turning(&mut self, level: Level, body: Body, of: VertexId, to: VertexId, rate_known: bool) -> (Vec<Term>, Vec<Term>) {
+        let by = By::Turning(body);
+        let term = |kind, known| Term { kind, of, to, by, known };
+        match level {
+            Level::Velocity if rate_known => (vec![term(TermKind::Relative, true)], vec![]),
+            Level::Velocity => (vec![], vec![term(TermKind::Relative, false)]),
+            _ => {
+                self.need_rate(body);
+                let mut known = vec![term(TermKind::Normal, true)];
+                if !rate_known {
+                    return (known, vec![term(TermKind::Tangential, false)]);
+                }
+                if !self.alpha_is_zero(body) {
+                    known.push(term(TermKind::Tangential, true));
+                }
+                (known, vec![])
+            }
+        }
+    }
+
+    /// Terms of sliding along a guide. `of`/`to` are the coincident points; `carrier` is the link that carries the guide.
+    pub(super) fn sliding(
+        &mut self,
+        level: Level,
+        guide: GuideId,
+        of: VertexId,
+        to: VertexId,
+        driver: Option<usize>,
+    ) -> (Vec<Term>, Vec<Term>) {
+        let by = By::Guide { guide, driver };
+        let term = |kind, known| Term { kind, of, to, by, known };
+        let mut known = Vec::new();
+        if level == Level::Acceleration {
+            let carrier = self.scene.guides[guide.0].on;
+            if !self.m.never_turns[carrier.0] {
+                self.need_rate(Body::Link(carrier));
+                known.push(term(TermKind::Coriolis, true));
+            }
+            if matches!(self.scene.guides[guide.0].path, GuidePath::Arc { .. }) {
+                known.push(term(TermKind::SlideNormal, true));
+            }
+        }
+        match driver {
+            None => (known, vec![term(TermKind::Slide, false)]),
+            Some(d) => {
+                if level == Level::Velocity || self.scene.drivers[d].acceleration.is_some() {
+                    known.push(term(TermKind::Slide, true));
+                }
+                (known, vec![])
+            }
+        }
+    }
+
+    /// The point of the core for whose vector a leg gives a locus without further ado; none for a gliding link, where any will do.
+    pub(super) fn near(&mut self, core: Option<LinkId>, leg: &Leg) -> Option<VertexId> {
+        match *leg {
+            Leg::Bar { near, .. } | Leg::Cylinder { near, .. } | Leg::Ram { near, .. } => Some(self.pin(near)),
+            Leg::OnGuide { pin, .. } | Leg::Driven { pin, .. } => Some(self.pin(pin)),
+            Leg::InSlot { pin, .. } => core.map(|l| self.coincident(pin, l)),
+            Leg::Pinned { pin } => Some(self.pin(pin)),
+            Leg::Angle { .. } | Leg::Glide { .. } | Leg::DrivenGlide { .. } | Leg::Carried { .. } => None,
+        }
+    }
+
+    /// The chain that a leg gives for its near point (for a gliding link: for `at`).
+    pub(super) fn chain(&mut self, level: Level, core: Option<LinkId>, leg: &Leg, at: Option<VertexId>) -> Chain {
+        match *leg {
+            Leg::Bar { link, near, far } => {
+                let (near, far) = (self.pin(near), self.pin(far));
+                let (known, unknown) = self.turning(level, Body::Link(link), near, far, false);
+                Chain { start: far, known, unknown }
+            }
+            Leg::Cylinder { driver, near, far } => {
+                let (near, far) = (self.pin(near), self.pin(far));
+                let body = Body::Cylinder(driver);
+                let (mut known, unknown) = self.turning(level, body, near, far, false);
+                let by = By::Cylinder(driver);
+                if level == Level::Acceleration {
+                    known.push(Term { kind: TermKind::Coriolis, of: near, to: far, by, known: true });
+                }
+                if level == Level::Velocity || self.scene.drivers[driver].acceleration.is_some() {
+                    known.push(Term { kind: TermKind::Extension, of: near, to: far, by, known: true });
+                }
+                Chain { start: far, known, unknown }
+            }
+            Leg::OnGuide { pin, guide } => self.on_guide(level, pin, guide, None),
+            Leg::Driven { pin, guide, driver } => self.on_guide(level, pin, guide, Some(driver)),
+            Leg::InSlot { pin, guide } => {
+                let link = core.expect("a slot belongs to the core link");
+                let (of, to) = (self.coincident(pin, link), self.pin(pin));
+                let (known, unknown) = self.sliding(level, guide, of, to, None);
+                Chain { start: to, known, unknown }
+            }
+            Leg::Ram { link, far, guide, driver, near } => {
+                let (carried, runner, far) = (self.coincident(near, link), self.pin(near), self.pin(far));
+                let (mut known, unknown) = self.turning(level, Body::Link(link), carried, far, false);
+                let (slide, _) = self.sliding(level, guide, runner, carried, Some(driver));
+                known.extend(slide);
+                Chain { start: far, known, unknown }
+            }
+            Leg::Glide { guide, other } => self.glide(level, guide, other, None, at.expect("a gliding link needs a point")),
+            Leg::DrivenGlide { guide, other, driver } => {
+                self.glide(level, guide, other, Some(driver), at.expect("a gliding link needs a point"))
+            }
+            Leg::Pinned { .. } | Leg::Angle { .. } | Leg::Carried { .. } => unreachable!("these legs give more than a locus"),
+        }
+    }
+
+    fn on_guide(&mut self, level: Level, pin: crate::scene::PointId, guide: GuideId, driver: Option<usize>) -> Chain {
+        let of = self.pin(pin);
+        let to = self.coincident(pin, self.scene.guides[guide.0].on);
+        self.ensure(level, to);
+        let (known, unknown) = self.sliding(level, guide, of, to, driver);
+        Chain { start: to, known, unknown }
+    }
+
+    fn glide(&mut self, level: Level, guide: GuideId, other: LinkId, driver: Option<usize>, at: VertexId) -> Chain {
+        let to = self.on_link(at, other);
+        self.ensure(level, to);
+        let (known, unknown) = self.sliding(level, guide, at, to, driver);
+        Chain { start: to, known, unknown }
+    }
+
+    /// Extends a chain for `near` to the special point `s` of the same link: the unknown parts lie in one line.
+    pub(super) fn extend_to_special(&mut self, level: Level, chain: &mut Chain, link: LinkId, s: VertexId, near: VertexId) {
+        let (known, unknown) = self.turning(level, Body::Link(link), s, near, false);
+        chain.known.extend(known);
+        chain.unknown.extend(unknown);
+    }
+
+    /// Carries a chain over to another point of a link whose turning is known.
+    pub(super) fn shift(&mut self, level: Level, chain: &mut Chain, link: LinkId, to_point: VertexId, near: VertexId) {
+        if to_point == near || self.m.never_turns[link.0] {
+            return;
+        }
+        self.need_rate_at(level, Body::Link(link));
+        let (known, _) = self.turning(level, Body::Link(link), to_point, near, true);
+        chain.known.extend(known);
+    }
+}

@@ -1,0 +1,285 @@
+//! The vector equations in solving order: what a person would write before taking up the ruler.
+//!
+//! A [`Plan`] is made from topology and the demand alone and **holds no numbers**: changing a length does not change it.
+//! Where the drawing must choose by the numbers (which two constraint lines of a triad cross most squarely), the plan
+//! holds all alternatives and the drawing board picks one.
+//!
+//! Each group is entered by its legs ([`crate::mechanism::Leg`]); [`locus`] turns a leg into a chain of terms with one
+//! unknown magnitude, two chains for one point make an equation, and further points follow by images.
+
+mod build;
+mod locus;
+pub mod text;
+
+pub use build::plan;
+
+use crate::mechanism::Level;
+use crate::scene::{GuideId, LinkId, PointId, Scene};
+
+/// Index into [`Plan::vertices`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct VertexId(pub usize);
+
+/// Where a vertex sits on the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Spot {
+    /// A point of the scene.
+    Point(PointId),
+    /// The special (Assur) point of a triad: the crossing of the constraint lines of two legs of the group's core.
+    Special {
+        /// The group.
+        group: usize,
+        /// The two legs, by their order in the core.
+        legs: (usize, usize),
+    },
+}
+
+/// A point of a certain link whose vector is drawn from the pole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Vertex {
+    /// Where it sits.
+    pub spot: Spot,
+    /// The link it belongs to where that is not the pin itself: the coincident point of a link that carries a guide.
+    pub on: Option<LinkId>,
+    /// The number that tells coincident points apart in figures, if any does.
+    pub number: Option<LinkId>,
+    /// Fixed points have their image in the pole.
+    pub fixed: bool,
+}
+
+/// A body that turns: a link, or the line of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Body {
+    /// A link.
+    Link(LinkId),
+    /// The cylinder of a driver (index), whether its parts are numbered or not.
+    Cylinder(usize),
+}
+
+/// What makes a term.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TermKind {
+    /// v_BA = ω × r, square to AB.
+    Relative,
+    /// aⁿ_BA = ω² l, from B to A.
+    Normal,
+    /// aᵗ_BA = α × r, square to AB.
+    Tangential,
+    /// Sliding along a guide: v_r or aʳ (on an arc its tangential part), along the tangent.
+    Slide,
+    /// v_r²/ρ on an arc: toward the centre for a pin against the carrying link, away from it the other way round.
+    SlideNormal,
+    /// 2 ω × v_r with the ω of the body that carries the guide (or of the cylinder).
+    Coriolis,
+    /// The given rate of a cylinder, along its line.
+    Extension,
+}
+
+/// By what the two points of a term are connected.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum By {
+    /// A body that turns.
+    Turning(Body),
+    /// A guide, with the link that carries it; `driver` where the sliding is given.
+    Guide {
+        /// The guide.
+        guide: GuideId,
+        /// The driver that gives its sliding, if one does.
+        driver: Option<usize>,
+    },
+    /// A cylinder (driver index).
+    Cylinder(usize),
+}
+
+/// One vector of an equation: of `of` relative to `to`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// What makes it.
+    pub kind: TermKind,
+    /// The point whose motion it is.
+    pub of: VertexId,
+    /// The point from which it is seen.
+    pub to: VertexId,
+    /// The connection.
+    pub by: By,
+    /// Whether its magnitude is known (its direction always is).
+    pub known: bool,
+}
+
+/// A locus for a point's vector: a known start, known terms, then unknown ones in one common direction.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Chain {
+    /// A vertex known before; fixed vertices start in the pole.
+    pub start: VertexId,
+    /// Known terms, in drawing order.
+    pub known: Vec<Term>,
+    /// Terms of unknown magnitude, all along one line; none where the chain leads all the way.
+    pub unknown: Vec<Term>,
+}
+
+/// Why an equation is written as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// A driven point: everything is known.
+    Driven,
+    /// Two points of one link, two loci.
+    SameLink,
+    /// Coincident points of two links.
+    Coincident,
+    /// The special point of a triad.
+    Special,
+}
+
+/// One step of a plan.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// A vector equation; with two chains a crossing, with one a point reached by known terms.
+    Equation {
+        /// The point found.
+        target: VertexId,
+        /// Its one or two chains.
+        chains: Vec<Chain>,
+        /// Why so.
+        method: Method,
+    },
+    /// A point found by its image: the triangle with two known points of its link.
+    Image {
+        /// The link.
+        link: LinkId,
+        /// The point found.
+        target: VertexId,
+        /// The two known ones.
+        from: (VertexId, VertexId),
+    },
+    /// A point of a link that does not turn: the same vector as a known point of it.
+    Same {
+        /// The link.
+        link: LinkId,
+        /// The point found.
+        target: VertexId,
+        /// The known one.
+        from: VertexId,
+    },
+}
+
+/// How the turning (ω, α) of a body is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rate {
+    /// From the relative vector of two of its points, carried back to the link.
+    Measured {
+        /// One point.
+        of: VertexId,
+        /// The other.
+        to: VertexId,
+    },
+    /// Given by a driver, against another link.
+    Given {
+        /// The driver.
+        driver: usize,
+        /// The link against which it turns.
+        against: LinkId,
+    },
+    /// The same as that of another link.
+    Same(LinkId),
+    /// It does not turn.
+    Zero,
+}
+
+/// The steps for one group at one level.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GroupSteps {
+    /// The group.
+    pub group: usize,
+    /// The alternatives, equal in result: one for most groups; for a triad one for each pair of legs.
+    pub alternatives: Vec<Vec<Step>>,
+    /// Turning rates that are asked for or needed later, found after the steps.
+    pub rates: Vec<(Body, Rate)>,
+}
+
+/// An effect that was considered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Effect {
+    /// Velocities at all.
+    Velocities,
+    /// Accelerations at all.
+    Accelerations,
+    /// The tangential acceleration of a turning driver, or the acceleration of a sliding one.
+    DriverAcceleration(usize),
+    /// The Coriolis acceleration at a guide.
+    Coriolis(GuideId),
+    /// A whole group.
+    Group(usize),
+}
+
+/// Why an effect is in or out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// A question calls for it.
+    Asked,
+    /// No question calls for it.
+    NotAsked,
+    /// The driver has an acceleration.
+    Accelerated,
+    /// The driver's rate is constant.
+    ConstantRate,
+    /// The guide turns.
+    GuideTurns,
+    /// The guide does not turn.
+    GuideDoesNotTurn,
+    /// The group's guide belongs to what no question calls for.
+    GuideNotReached,
+}
+
+/// The equations of a scene, in solving order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// All points whose vectors occur.
+    pub vertices: Vec<Vertex>,
+    /// Velocity steps, group after group.
+    pub velocity: Vec<GroupSteps>,
+    /// Acceleration steps.
+    pub acceleration: Vec<GroupSteps>,
+    /// How far the questions go.
+    pub level: Level,
+    /// Effects considered: what, in or out, why.
+    pub effects: Vec<(Effect, bool, Reason)>,
+    /// Groups higher than class III, and those that rest on them: not drawn.
+    pub undrawable: Vec<usize>,
+}
+
+impl Plan {
+    /// The vertex.
+    pub fn vertex(&self, v: VertexId) -> &Vertex {
+        &self.vertices[v.0]
+    }
+
+    /// The steps of a level.
+    pub fn steps(&self, level: Level) -> &[GroupSteps] {
+        match level {
+            Level::Position => &[],
+            Level::Velocity => &self.velocity,
+            Level::Acceleration => &self.acceleration,
+        }
+    }
+
+    /// The vertex of a point (of a link), if the plan has it.
+    pub fn find_vertex(&self, scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
+        let on = canonical(scene, p, on);
+        self.vertices.iter().position(|v| v.spot == Spot::Point(p) && v.on == on).map(VertexId)
+    }
+
+    /// Number of vector equations (with two chains) written at a level, in the first alternatives.
+    pub fn equations(&self, level: Level) -> usize {
+        self.steps(level)
+            .iter()
+            .filter_map(|g| g.alternatives.first())
+            .flatten()
+            .filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2))
+            .count()
+    }
+}
+
+/// A point of a link that carries the point is the pin itself; only a point that merely coincides is told apart.
+pub(crate) fn canonical(scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<LinkId> {
+    on.filter(|l| !scene.links[l.0].points.contains(&p))
+}

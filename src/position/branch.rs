@@ -1,0 +1,90 @@
+//! Which of the closures of a group is meant: by the sides the scene names, by its sketch, else by a stated default.
+
+use super::Pose;
+use super::shape::given_at;
+use crate::diag::Diagnostic;
+use crate::geom::Point;
+use crate::scene::{LinkId, PointId, Scene};
+
+/// One closure of a group: where its pins and links (and the points on them) would be.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Trial {
+    /// All points placed by this closure: pins first, then the points of the links.
+    pub points: Vec<(PointId, Point)>,
+    /// The links' poses.
+    pub poses: Vec<(LinkId, Pose)>,
+}
+
+impl Trial {
+    fn at(&self, p: PointId) -> Option<Point> {
+        self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
+    }
+}
+
+/// Picks one of several closures. `placed` are the points known before the group. The note tells when nothing in the
+/// scene decided.
+pub(super) fn choose(
+    scene: &Scene,
+    placed: &[Option<Point>],
+    trials: &[Trial],
+    link_names: &str,
+) -> Result<(usize, Option<Diagnostic>), Diagnostic> {
+    let mut left: Vec<usize> = (0..trials.len()).collect();
+    if left.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
+        return Ok((0, None));
+    }
+    let mut decided = false;
+    for side in &scene.sides {
+        let mine = |t: &Trial, p: PointId| t.at(p).or(placed[p.0]);
+        let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
+        let known = |t: &Trial| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
+        if !concerns || known(&trials[0]).is_none() {
+            continue;
+        }
+        let kept: Vec<usize> = left
+            .iter()
+            .copied()
+            .filter(|&i| known(&trials[i]).is_some_and(|(p, a, b)| (b - a).cross(p - a) * if side.left { 1.0 } else { -1.0 } > 0.0))
+            .collect();
+        if kept.is_empty() {
+            return Err(Diagnostic::error(
+                "side-impossible",
+                format!(
+                    "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
+                    trials.len(),
+                    link_names,
+                    scene.point_name(side.point),
+                    if side.left { "left" } else { "right" },
+                    scene.point_name(side.from),
+                    scene.point_name(side.to)
+                ),
+            )
+            .at(side.span));
+        }
+        decided |= kept.len() < left.len();
+        left = kept;
+    }
+    let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p));
+    if left.len() > 1 {
+        // The sum of squared distances to all sketched points of the group.
+        let cost = |i: usize| trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s - *at).norm2())).sum::<f64>();
+        if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
+            let best = left.iter().copied().min_by(|a, b| cost(*a).total_cmp(&cost(*b))).expect("at least two are left");
+            return Ok((best, None));
+        }
+    }
+    let note = (!decided && left.len() > 1).then(|| {
+        let what = trials[left[0]]
+            .points
+            .iter()
+            .find(|(p, at)| trials[left[1]].at(*p).is_some_and(|o| o != *at))
+            .map(|(p, _)| scene.point_name(*p))
+            .unwrap_or_default();
+        Diagnostic::note(
+            "assembly-by-default",
+            format!("link{link_names} can be assembled in {} ways and the scene does not say which: the first was taken", left.len()),
+        )
+        .help(format!("say it with \"side\" or a rough place of {what} in \"sketch\""))
+    });
+    Ok((left[0], note))
+}

@@ -1,0 +1,261 @@
+//! Newton's method on the constraint equations of a set of links, from a rough pose: for groups that no closed form
+//! solves, and to move a placed mechanism by a small step.
+//!
+//! Unknown are the poses of the chosen links (x, y, angle each) and the places of pins that sit on none of them. The residuals are written for all kinds of
+//! constraint; their derivatives are taken by differences, which costs a few evaluations more and shares nothing with the
+//! analytic check.
+
+use super::{Configuration, Path, Pose, Shapes};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Constraint, Mechanism, Node};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use nalgebra::{DMatrix, DVector};
+
+/// The values that the drivers hold, in the order of the scene: radians from the pose in which the link frames were laid,
+/// metres along the guide, metres of length.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DriverValues(pub Vec<f64>);
+
+/// The system of equations of some links and pins.
+pub struct System<'a> {
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    shapes: &'a Shapes,
+    links: Vec<LinkId>,
+    pins: Vec<PointId>,
+    constraints: Vec<Constraint>,
+    /// Poses and points outside the system, which stay.
+    poses: Vec<Option<Pose>>,
+    points: Vec<Option<Point>>,
+    /// Angle between the frames of the two links of each lock, as (cos, sin).
+    locks: Vec<(GuideId, Vec2)>,
+    /// Offset of each gliding link from its guide.
+    glides: Vec<(GuideId, f64)>,
+    scale: f64,
+}
+
+impl<'a> System<'a> {
+    /// The equations of the given groups. Lock angles and glide offsets are those of `start`.
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, shapes: &'a Shapes, start: &Configuration, groups: &[usize]) -> System<'a> {
+        let mut links = Vec::new();
+        let mut pins = Vec::new();
+        let mut constraints = Vec::new();
+        for &g in groups {
+            links.extend(&mechanism.groups[g].links);
+            pins.extend(&mechanism.groups[g].pins);
+            constraints.extend(mechanism.groups[g].constraints.iter().map(|&c| mechanism.constraints[c]));
+        }
+        let mut system = System {
+            scene,
+            mechanism,
+            shapes,
+            links,
+            pins,
+            constraints,
+            poses: start.poses.clone(),
+            points: start.points.clone(),
+            locks: Vec::new(),
+            glides: Vec::new(),
+            scale: start.extent().max(f64::MIN_POSITIVE),
+        };
+        for c in system.constraints.clone() {
+            let (Node::Link(a), Node::Link(b)) = mechanism.ends(scene, c) else { continue };
+            let (Some(pa), Some(pb)) = (system.pose(a), system.pose(b)) else { continue };
+            match c {
+                Constraint::Lock(g) => system.locks.push((g, pa.axis.divide_by(pb.axis))),
+                Constraint::Glide(g) => {
+                    let offset = system.glide_offset(g, &pa, &pb);
+                    system.glides.push((g, offset));
+                }
+                _ => {}
+            }
+        }
+        system
+    }
+
+    fn pose(&self, l: LinkId) -> Option<Pose> {
+        if l == self.scene.ground { Some(Pose::GROUND) } else { self.poses[l.0] }
+    }
+
+    fn glide_offset(&self, g: GuideId, slider: &Pose, on: &Pose) -> f64 {
+        match self.shapes.guides[g.0] {
+            Some(Path::Line { through, direction }) => direction.cross(on.to_local(slider.origin) - through),
+            _ => 0.0,
+        }
+    }
+
+    fn unpack(&self, x: &DVector<f64>) -> (Vec<Option<Pose>>, Vec<Option<Point>>) {
+        let mut poses = self.poses.clone();
+        let mut points = self.points.clone();
+        for (i, l) in self.links.iter().enumerate() {
+            poses[l.0] =
+                Some(Pose { origin: Point::new(x[3 * i] * self.scale, x[3 * i + 1] * self.scale), axis: Vec2::from_angle(x[3 * i + 2]) });
+        }
+        for (i, p) in self.pins.iter().enumerate() {
+            let k = 3 * self.links.len() + 2 * i;
+            points[p.0] = Some(Point::new(x[k] * self.scale, x[k + 1] * self.scale));
+        }
+        (poses, points)
+    }
+
+    fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
+        let mut x = Vec::new();
+        for l in &self.links {
+            let p = start.poses[l.0]?;
+            x.extend([p.origin.x / self.scale, p.origin.y / self.scale, p.axis.angle()]);
+        }
+        for p in &self.pins {
+            let at = start.points[p.0]?;
+            x.extend([at.x / self.scale, at.y / self.scale]);
+        }
+        Some(DVector::from_vec(x))
+    }
+
+    /// Residuals, each a length or an angle divided by the mechanism's size or one radian.
+    fn residuals(&self, x: &DVector<f64>, drivers: &DriverValues) -> DVector<f64> {
+        let (poses, points) = self.unpack(x);
+        let pose = |l: LinkId| if l == self.scene.ground { Pose::GROUND } else { poses[l.0].expect("a link of the system has a pose") };
+        let point = |p: PointId| points[p.0].expect("a pin of the system has a place");
+        let mut r = Vec::with_capacity(x.len());
+        let s = 1.0 / self.scale;
+        for &c in &self.constraints {
+            match c {
+                Constraint::Pinned(p, l) => {
+                    let local = self.shapes.local(l, p).expect("a link's points have local places");
+                    let d = point(p) - pose(l).to_world(local);
+                    r.extend([d.x * s, d.y * s]);
+                }
+                Constraint::Slot(p, g) => {
+                    let on = pose(self.scene.guides[g.0].on);
+                    r.push(match self.shapes.guides[g.0].expect("a guide of the system is laid").to_world(&on) {
+                        Path::Line { through, direction } => direction.cross(point(p) - through) * s,
+                        Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
+                    });
+                }
+                Constraint::Lock(g) => {
+                    let guide = &self.scene.guides[g.0];
+                    let rest = self.locks.iter().find(|(h, _)| *h == g).map_or(Vec2::new(1.0, 0.0), |l| l.1);
+                    let turn = pose(guide.slider.expect("a lock has a slider")).axis.divide_by(pose(guide.on).axis.rotate_by(rest));
+                    r.push(turn.angle());
+                }
+                Constraint::Glide(g) => {
+                    let guide = &self.scene.guides[g.0];
+                    let rest = self.glides.iter().find(|(h, _)| *h == g).map_or(0.0, |l| l.1);
+                    r.push((self.glide_offset(g, &pose(guide.slider.expect("a glide has a slider")), &pose(guide.on)) - rest) * s);
+                }
+                Constraint::Turn(d) => {
+                    let (Node::Link(a), Node::Link(b)) = self.mechanism.ends(self.scene, c) else {
+                        unreachable!("a turning driver joins two links")
+                    };
+                    r.push(pose(a).axis.divide_by(pose(b).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
+                }
+                Constraint::Slide(d, g) => {
+                    let guide = &self.scene.guides[g.0];
+                    let on = pose(guide.on);
+                    let runner = match guide.pin {
+                        Some(p) => point(p),
+                        None => pose(guide.slider.expect("a guide has a pin or a slider")).origin,
+                    };
+                    let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
+                    r.push((along(path, on.to_local(runner)) - drivers.0[d]) * s);
+                }
+                Constraint::Cylinder(d) => {
+                    if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
+                        r.push((point(a).distance(point(b)) - drivers.0[d]) * s);
+                    }
+                }
+            }
+        }
+        DVector::from_vec(r)
+    }
+
+    /// Solves from the poses of `start` for the given driver values; `None` where Newton's method does not converge.
+    ///
+    /// Converged means that the last correction was as small as rounding makes it, or stopped shrinking below 1e-9.
+    pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<(Vec<Option<Pose>>, Vec<Option<Point>>)> {
+        let mut x = self.pack(start)?;
+        let mut last = f64::INFINITY;
+        for _ in 0..60 {
+            let r = self.residuals(&x, drivers);
+            if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
+                return None;
+            }
+            let jacobian = self.jacobian(&x, drivers);
+            let step = jacobian.lu().solve(&(-r))?;
+            let size = step.amax();
+            if !size.is_finite() {
+                return None;
+            }
+            // A rough sketch may be far off: a step of more than half a radian (or half the mechanism) is shortened.
+            let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
+            x += step * damp;
+            if size < 1e-15 || (size < 1e-9 && size >= last) {
+                return Some(self.unpack(&x));
+            }
+            last = size;
+        }
+        (last < 1e-9).then(|| self.unpack(&x))
+    }
+
+    /// Central differences with a step of 2^-17: the residuals are quadratic at worst near the solution, so that the
+    /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end.
+    fn jacobian(&self, x: &DVector<f64>, drivers: &DriverValues) -> DMatrix<f64> {
+        const STEP: f64 = 1.0 / 131_072.0;
+        let n = x.len();
+        let mut j = DMatrix::zeros(n, n);
+        let mut y = x.clone();
+        for k in 0..n {
+            y[k] = x[k] + STEP;
+            let hi = self.residuals(&y, drivers);
+            y[k] = x[k] - STEP;
+            let lo = self.residuals(&y, drivers);
+            y[k] = x[k];
+            j.set_column(k, &((hi - lo) * (0.5 / STEP)));
+        }
+        j
+    }
+}
+
+/// Coordinate of a place along a path: metres from the start, of arc on a curved guide.
+pub(super) fn along(path: Path, at: Point) -> f64 {
+    match path {
+        Path::Line { through, direction } => direction.dot(at - through),
+        Path::Arc { centre, radius } => (at - centre).angle() * radius,
+    }
+}
+
+/// The values that the drivers have in a configuration.
+pub fn driver_values(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> DriverValues {
+    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
+    let value = |d: usize| -> Option<f64> {
+        match &scene.drivers[d].kind {
+            DriverKind::Turn { link, against, .. } => Some(pose(*link)?.axis.divide_by(pose(*against)?.axis).angle()),
+            DriverKind::Slide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                let runner = match g.pin {
+                    Some(p) => at.points[p.0]?,
+                    None => pose(g.slider?)?.origin,
+                };
+                Some(along(at.shapes.guides[guide.0]?, pose(g.on)?.to_local(runner)))
+            }
+            DriverKind::Cylinder { a, b, .. } => Some(at.points[a.0]?.distance(at.points[b.0]?)),
+        }
+    };
+    debug_assert!(mechanism.groups.len() <= scene.links.len() + scene.points.len());
+    DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())
+}
+
+/// The configuration at other driver values, followed from `start` (for small steps).
+///
+/// All groups that `start` places are moved at once; `None` where the iteration does not converge.
+pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, drivers: &DriverValues) -> Option<Configuration> {
+    let groups: Vec<usize> = (0..mechanism.groups.len())
+        .filter(|&g| {
+            let group = &mechanism.groups[g];
+            group.links.iter().all(|l| start.poses[l.0].is_some()) && group.pins.iter().all(|p| start.points[p.0].is_some())
+        })
+        .collect();
+    let system = System::new(scene, mechanism, &start.shapes, start, &groups);
+    let (poses, points) = system.solve(start, drivers)?;
+    Some(super::assemble::complete(scene, mechanism, start.shapes.clone(), poses, points))
+}

@@ -1,0 +1,104 @@
+//! All assemblies of a link on three legs: its angle is swept once round, two legs give its place (two closures at most),
+//! and where the third leg's residual changes sign an assembly is enclosed and refined.
+//!
+//! At most six assemblies exist for three bars. Two that lie closer together than the sweep's step can be missed; near
+//! such a fold the sketch decides between the two only by chance anyway.
+
+use super::kernel::{Locus, meet};
+use crate::geom::{Point, Vec2};
+
+/// A leg of the link: where a point of the link must lie, as a function of the link's angle.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum TriadLeg {
+    /// Local point `near` at `radius` from `far`.
+    Circle { near: Point, far: Point, radius: f64 },
+    /// Local point `near` on a line of the plane.
+    Line { near: Point, through: Point, direction: Vec2 },
+    /// A line of the link passes a point of the plane.
+    Slot { through: Point, direction: Vec2, pin: Point },
+}
+
+impl TriadLeg {
+    /// The locus of the link's origin when its axis is `axis`.
+    pub fn locus(&self, axis: Vec2) -> Locus {
+        match *self {
+            TriadLeg::Circle { near, far, radius } => Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius },
+            TriadLeg::Line { near, through, direction } => Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction },
+            TriadLeg::Slot { through, direction, pin } => {
+                Locus::Line { through: pin - through.to_vec2().rotate_by(axis), direction: direction.rotate_by(axis) }
+            }
+        }
+    }
+
+    /// Signed distance by which the leg is missed.
+    fn miss(&self, origin: Point, axis: Vec2) -> f64 {
+        match self.locus(axis) {
+            Locus::Circle { centre, radius } => origin.distance(centre) - radius,
+            Locus::Line { through, direction } => direction.cross(origin - through),
+        }
+    }
+}
+
+/// Steps of the sweep: a quarter of a degree. 2 000 samples miss an assembly in 7 % of random triads when only values at
+/// the samples are looked at; with both closures followed and sign changes refined, half as fine is found to do as well.
+const STEPS: usize = 1440;
+
+/// All assemblies (origin, axis) that the sweep encloses.
+pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
+    let eval = |angle: f64, branch: usize| -> Option<(f64, Point, Vec2)> {
+        let axis = Vec2::from_angle(angle);
+        let at = meet(legs[0].locus(axis), legs[1].locus(axis)).ok()?;
+        let origin = *at.get(branch)?;
+        origin.is_finite().then(|| (legs[2].miss(origin, axis), origin, axis))
+    };
+    let angle_at = |i: usize| i as f64 * (std::f64::consts::TAU / STEPS as f64);
+    let mut found: Vec<(Point, Vec2)> = Vec::new();
+    for branch in 0..2 {
+        let mut last = eval(angle_at(0), branch);
+        for i in 1..=STEPS {
+            let now = eval(angle_at(i), branch);
+            if let (Some(a), Some(b)) = (last, now)
+                && a.0.signum() != b.0.signum()
+                && let Some(hit) = refine(&eval, branch, (angle_at(i - 1), a.0), (angle_at(i), b.0))
+            {
+                let scale = legs.iter().map(size).fold(0.0, f64::max);
+                let same = |o: &(Point, Vec2)| (o.0 - hit.1).norm() < 1e-9 * scale && (o.1 - hit.2).norm() < 1e-9;
+                // A jump of the residual through infinity (a pole) also changes sign, but does not vanish.
+                if hit.0.abs() < 1e-9 * scale && !found.iter().any(same) {
+                    found.push((hit.1, hit.2));
+                }
+            }
+            last = now;
+        }
+    }
+    found
+}
+
+fn size(leg: &TriadLeg) -> f64 {
+    match *leg {
+        TriadLeg::Circle { near, radius, .. } => radius + near.to_vec2().norm(),
+        TriadLeg::Line { near, .. } => near.to_vec2().norm(),
+        TriadLeg::Slot { through, .. } => through.to_vec2().norm(),
+    }
+}
+
+type Sample = (f64, Point, Vec2);
+
+/// Bisection with secant steps (Illinois) between two angles of unlike sign.
+fn refine(eval: &impl Fn(f64, usize) -> Option<Sample>, branch: usize, mut a: (f64, f64), mut b: (f64, f64)) -> Option<Sample> {
+    let mut best: Option<Sample> = None;
+    for step in 0..200 {
+        let secant = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
+        let inside = secant > a.0.min(b.0) && secant < a.0.max(b.0);
+        let t = if inside && step % 3 != 2 { secant } else { 0.5 * (a.0 + b.0) };
+        let s = eval(t, branch)?;
+        if best.is_none_or(|b| s.0.abs() <= b.0.abs()) {
+            best = Some(s);
+        }
+        if s.0 == 0.0 || (b.0 - a.0).abs() <= f64::EPSILON * t.abs() {
+            break;
+        }
+        if s.0.signum() == a.1.signum() { a = (t, s.0) } else { b = (t, s.0) }
+    }
+    best
+}

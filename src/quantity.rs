@@ -1,0 +1,63 @@
+//! Numbers with units for people: one writer for diagnostics, text answers and figures.
+
+/// A length for a diagnostic: millimetres with four significant digits, or metres from 10 m on.
+pub fn metres(value_m: f64) -> String {
+    if value_m.abs() >= 10.0 { format!("{} m", significant(value_m, 4)) } else { format!("{} mm", significant(value_m * 1e3, 4)) }
+}
+
+/// A number with `digits` significant digits, without an exponent between 1e-4 and 1e6.
+///
+/// Zero is `0`. Trailing zeros are kept: they are digits.
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = digits.max(1);
+    let text = format!("{:.*e}", digits - 1, value);
+    let (mantissa, exponent) = text.split_once('e').expect("the e format has an exponent");
+    let e: i32 = exponent.parse().expect("the exponent is an integer");
+    if !(-4..6).contains(&e) {
+        return format!("{mantissa}e{e}");
+    }
+    let decimals = (digits as i32 - 1 - e).max(0) as usize;
+    // Rounded once, by the e format: the decimal point is only moved.
+    let negative = mantissa.starts_with('-');
+    let ciphers: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let plain = if e < 0 {
+        format!("0.{}{}", "0".repeat((-e - 1) as usize), ciphers)
+    } else {
+        let whole = e as usize + 1;
+        let padded = format!("{ciphers:0<whole$}");
+        if decimals == 0 { padded[..whole].to_string() } else { format!("{}.{}", &padded[..whole], &padded[whole..]) }
+    };
+    if negative { format!("-{plain}") } else { plain }
+}
+
+/// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.
+pub fn shortest(value: f64) -> String {
+    let rounded: f64 = format!("{value:.12e}").parse().expect("a formatted float parses");
+    let rounded = rounded + 0.0;
+    if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits() {
+        assert_eq!(significant(12.3456, 4), "12.35");
+        assert_eq!(significant(-0.00123456, 3), "-0.00123");
+        assert_eq!(significant(99.996, 4), "100.0");
+        assert_eq!(significant(123456.0, 4), "123500");
+        assert_eq!(significant(1.5e9, 4), "1.500e9");
+        assert_eq!(significant(0.0, 4), "0");
+    }
+
+    #[test]
+    fn shortest_numbers() {
+        assert_eq!(shortest(0.1 + 0.2), "0.3");
+        assert_eq!(shortest(-0.0), "0");
+        assert_eq!(shortest(2e-6), "2e-6");
+    }
+}

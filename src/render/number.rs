@@ -1,0 +1,31 @@
+//! The one writer of numbers for files: millimetres to 0.001, in the shortest form.
+
+/// A number of millimetres as the file carries it: rounded to 0.001 mm, without `-0`, `30.000000000000004` or `.5`.
+///
+/// 0.001 mm is a two-hundredth of the thinnest line: rounding is never seen, and the text is the same on platforms
+/// whose last bits differ. The number must be finite; [`super::svg::write`] refuses others before they come here.
+pub fn mm(value: f64) -> String {
+    // `+ 0.0` turns −0 into 0; Rust's shortest form does the rest, as k / 1000 is the double nearest to it.
+    ((value * 1000.0).round() / 1000.0 + 0.0).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::mm;
+
+    #[test]
+    fn shortest_form() {
+        for (value, text) in [
+            (0.1 + 0.2, "0.3"),
+            (-0.0, "0"),
+            (-0.0004, "0"),
+            (30.000000000000004, "30"),
+            (-12.3456, "-12.346"),
+            (0.0005, "0.001"),
+            (1e-9, "0"),
+            (209.9999, "210"),
+        ] {
+            assert_eq!(mm(value), text, "{value}");
+        }
+    }
+}

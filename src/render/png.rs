@@ -1,0 +1,94 @@
+//! SVG to PNG, on white paper, with the same bytes every time.
+
+use resvg::{tiny_skia, usvg};
+
+use crate::diag::Diagnostic;
+
+/// Millimetres of an inch.
+const INCH_MM: f64 = 25.4;
+/// CSS pixels of an inch: the unit in which usvg measures a document.
+const CSS_DPI: f64 = 96.0;
+/// No side may be longer than this: an A4 sheet at 1200 dpi has 14 031 pixels. At 4 bytes each, 16 384² is 1 GiB.
+const SIDE_MAX: f64 = 16384.0;
+
+/// Draws an SVG document (from [`super::svg::write`]) at `dpi` pixels per inch.
+///
+/// 8-bit grey when every pixel is grey, 8-bit RGB otherwise; the resolution is recorded in the file, so that a
+/// printed page has its millimetres.
+///
+/// # Errors
+///
+/// `png-size` when `dpi` makes no picture or one with a side above 16 384 pixels, `png-svg` when the document cannot be read.
+pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
+    let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
+        .map_err(|e| Diagnostic::error("png-svg", format!("the SVG document cannot be read: {e}")))?;
+    let scale = dpi / CSS_DPI;
+    let (w, h) = ((f64::from(tree.size().width()) * scale).round(), (f64::from(tree.size().height()) * scale).round());
+    let size_fault = || {
+        Diagnostic::error("png-size", format!("at {dpi} dpi the picture would be {w} by {h} pixels; each side may be 1 to {SIDE_MAX}"))
+            .help("choose another resolution")
+    };
+    if !(w >= 1.0 && h >= 1.0 && w <= SIDE_MAX && h <= SIDE_MAX) {
+        return Err(size_fault());
+    }
+    let mut pixmap = tiny_skia::Pixmap::new(w as u32, h as u32).ok_or_else(size_fault)?;
+    pixmap.fill(tiny_skia::Color::WHITE);
+    let transform = tiny_skia::Transform::from_scale(w as f32 / tree.size().width(), h as f32 / tree.size().height());
+    resvg::render(&tree, transform, &mut pixmap.as_mut());
+    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", format!("the picture cannot be encoded: {e}")))
+}
+
+fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {
+    // Nothing is transparent: the paper is white and covers all, so the premultiplied components are the colours.
+    let grey = pixmap.data().chunks_exact(4).all(|p| p[0] == p[1] && p[1] == p[2]);
+    let channels = if grey { 1 } else { 3 };
+    let samples: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| &p[..channels]).copied().collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixmap.width(), pixmap.height());
+    encoder.set_color(if grey { png::ColorType::Grayscale } else { png::ColorType::Rgb });
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::Balanced);
+    let per_metre = (dpi / INCH_MM * 1000.0).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions { xppu: per_metre, yppu: per_metre, unit: png::Unit::Meter }));
+    encoder.write_header()?.write_image_data(&samples)?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DISC: &str = r##"<svg xmlns="http://www.w3.org/2000/svg" width="25.4mm" height="50.8mm" viewBox="0 0 25.4 50.8">
+        <circle cx="12.7" cy="10" r="5" fill="#COLOUR"/></svg>"##;
+
+    fn decode(bytes: &[u8]) -> (png::OutputInfo, Vec<u8>) {
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().unwrap();
+        let mut samples = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut samples).unwrap();
+        (info, samples)
+    }
+
+    #[test]
+    fn grey_when_grey_and_colour_when_not() {
+        let (info, samples) = decode(&render(&DISC.replace("COLOUR", "000000"), 100.0).unwrap());
+        assert_eq!((info.width, info.height, info.color_type), (100, 200, png::ColorType::Grayscale));
+        // The disc is in the upper part of the sheet, the rest is white paper.
+        assert_eq!((samples[39 * 100 + 50], samples[160 * 100 + 50]), (0, 255));
+        let (info, _) = decode(&render(&DISC.replace("COLOUR", "c00000"), 100.0).unwrap());
+        assert_eq!(info.color_type, png::ColorType::Rgb);
+    }
+
+    #[test]
+    fn same_bytes_twice() {
+        let svg = DISC.replace("COLOUR", "333333");
+        assert_eq!(render(&svg, 150.0).unwrap(), render(&svg, 150.0).unwrap());
+    }
+
+    #[test]
+    fn faults_name_the_numbers() {
+        assert_eq!(render("<svg", 100.0).unwrap_err().code, "png-svg");
+        for dpi in [0.0, -3.0, f64::NAN, 1e9] {
+            assert_eq!(render(&DISC.replace("COLOUR", "000000"), dpi).unwrap_err().code, "png-size", "{dpi}");
+        }
+    }
+}

@@ -1,0 +1,268 @@
+//! A whole sheet from symbols, labels and placement to ink: the look of a textbook's page, in English and Chinese.
+//!
+//! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
+
+use hodograph::figure::extent::translate;
+use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
+use hodograph::figure::label::Label;
+use hodograph::figure::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
+use hodograph::figure::style::Style;
+use hodograph::figure::symbols as sym;
+use hodograph::figure::{arrow::Head, extent::Rect};
+use hodograph::geom::{Point, Vec2, cross_lines};
+use hodograph::render::{png, svg};
+
+const STYLE: Style = Style::TEXTBOOK;
+const PAPER: Rect = Rect { min: Point::ORIGIN, max: Point { x: 210.0, y: 104.0 } };
+
+struct Words {
+    lang: &'static str,
+    configuration: &'static str,
+    polygon: &'static str,
+    direction: &'static str,
+    magnitude: &'static str,
+}
+
+const ENGLISH: Words = Words {
+    lang: "en",
+    configuration: "(a) Configuration diagram",
+    polygon: "(b) Velocity polygon",
+    direction: "Direction",
+    magnitude: "Magnitude",
+};
+const CHINESE: Words =
+    Words { lang: "zh", configuration: "(a) 机构位置图", polygon: "(b) 速度多边形", direction: "方向", magnitude: "大小" };
+
+/// Items, what labels keep off, and the labels that want a place.
+#[derive(Default)]
+struct Board {
+    items: Vec<Item>,
+    obstacles: Obstacles,
+    requests: Vec<LabelRequest>,
+    owners: u32,
+}
+
+impl Board {
+    fn draw(&mut self, items: Vec<Item>) -> u32 {
+        self.owners += 1;
+        self.obstacles.add(&items, Some(self.owners));
+        self.items.extend(items);
+        self.owners
+    }
+
+    fn vector(&mut self, from: Point, to: Point, label: &str) {
+        let shape = Shape::Arrow { from, to, stroke: STYLE.vector, head: Head::VECTOR };
+        let owner = self.draw(vec![Item::new("velocity edge", shape)]);
+        self.along(from, to, label, owner);
+    }
+
+    fn along(&mut self, from: Point, to: Point, label: &str, owner: u32) {
+        self.requests.push(LabelRequest::along(Label::math(label), STYLE.label_mm, from, to, STYLE.vector.width_mm / 2.0).owned(owner));
+    }
+
+    fn arc(&mut self, centre: Point, radius_mm: f64, angles: [f64; 2], label: &str, owner: u32) {
+        let request = LabelRequest::along_arc(Label::math(label), STYLE.label_mm, centre, radius_mm, angles, STYLE.vector.width_mm / 2.0);
+        self.requests.push(request.owned(owner));
+    }
+
+    fn point(&mut self, at: Point, clear_mm: f64, label: &str, side: Option<Vec2>) {
+        let request = LabelRequest::at_point(Label::math(label), STYLE.label_mm, at, clear_mm);
+        self.requests.push(LabelRequest { prefer: side, ..request });
+    }
+
+    fn text(&mut self, at: Point, label: Label, size_mm: f64, anchor: Anchor) {
+        self.draw(vec![Item::new("text", Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })]);
+    }
+
+    fn finish(mut self, words: &Words) -> (Figure, Vec<Placement>) {
+        let placements = place(&self.requests, &self.obstacles, PAPER);
+        for (p, r) in placements.iter().zip(&self.requests) {
+            self.items.extend(p.items(r, "label", STYLE.thin));
+        }
+        let figure = Figure {
+            width_mm: PAPER.max.x,
+            height_mm: PAPER.max.y,
+            title: words.configuration.into(),
+            desc: words.polygon.into(),
+            lang: words.lang.into(),
+            items: self.items,
+        };
+        (figure, placements)
+    }
+}
+
+fn fourbar(words: &Words) -> (Figure, Vec<Placement>) {
+    let mut board = Board::default();
+    let (a, d, b, c) = (Point::new(17.0, 29.0), Point::new(98.0, 29.0), Point::new(34.0, 53.3), Point::new(104.7, 84.0));
+    let pin = STYLE.pin_radius_mm + STYLE.outline.width_mm / 2.0;
+    let omega = 0.72;
+    let vb = (b - a).perp() * omega;
+    let vc_along = cross_lines(Point::ORIGIN + vb, (c - b).perp(), Point::ORIGIN, (c - d).perp()).at.to_vec2();
+
+    for (p, q, name) in [(a, b, "1"), (b, c, "2"), (d, c, "3")] {
+        let owner = board.draw(sym::link(&STYLE, &[p, q]));
+        board.requests.push(LabelRequest::along(Label::math(name), STYLE.label_mm, p, q, STYLE.link.width_mm / 2.0).owned(owner));
+    }
+    board.vector(b, b + vb, "v_B");
+    board.vector(c, c + vc_along * 0.8, "v_C");
+    let crank = (b - a).angle();
+    let owner = board.draw(sym::angle(&STYLE, a, 12.0, 0.0, crank));
+    board.arc(a, 12.0, [0.0, crank], r"\varphi_1", owner);
+    let owner = board.draw(sym::rotation(&STYLE, a, 7.6, 1.4, 3.0));
+    board.arc(a, 7.6, [1.4, 3.0], r"\omega_1", owner);
+    for p in [a, d] {
+        board.draw(sym::fixed_pivot(&STYLE, p, Vec2::new(0.0, -1.0)));
+    }
+    for p in [b, c] {
+        board.draw(sym::pin(&STYLE, p));
+    }
+    for (p, name) in [(a, "A"), (b, "B"), (c, "C"), (d, "D")] {
+        board.point(p, pin, name, None);
+    }
+    board.text(Point::new(57.5, 20.0), Label::math("4"), STYLE.label_mm, Anchor::Middle);
+
+    let pole = Point::new(178.0, 59.0);
+    let (tip_b, tip_c) = (pole + vb * 2.3, pole + vc_along * 2.3);
+    board.vector(pole, tip_b, "v_B");
+    board.vector(pole, tip_c, "v_C");
+    board.vector(tip_b, tip_c, "v_{CB}");
+    board.draw(sym::dot(&STYLE, pole));
+    let middle = pole + ((tip_b - pole) + (tip_c - pole)) * (1.0 / 3.0);
+    for (p, name) in [(pole, "p"), (tip_b, "b"), (tip_c, "c")] {
+        board.point(p, 0.6, name, Some(p - middle));
+    }
+    board.draw(sym::scale_bar(&STYLE, Point::new(131.0, 49.0), 20.0, Label::math("0"), Label::math("0.1 m/s")));
+
+    let columns = [146.0, 156.5, 167.0, 177.5, 188.0];
+    for (x, sign) in columns.iter().zip(["v_C", "=", "v_B", "+", "v_{CB}"]) {
+        board.text(Point::new(*x, 37.5), Label::math(sign), STYLE.label_mm, Anchor::Middle);
+    }
+    for (y, word, cells) in
+        [(30.0, words.direction, [r"\perp CD", r"\perp AB", r"\perp BC"]), (22.5, words.magnitude, ["?", r"\omega_1 l_{AB}", "?"])]
+    {
+        board.text(Point::new(134.0, y), Label::text(word), STYLE.caption_mm, Anchor::End);
+        for (x, cell) in [columns[0], columns[2], columns[4]].into_iter().zip(cells) {
+            board.text(Point::new(x, y), Label::math(cell), STYLE.caption_mm, Anchor::Middle);
+        }
+    }
+    for (x, words, scale) in [(58.0, words.configuration, r"\mu_l = 0.002 m/mm"), (161.0, words.polygon, r"\mu_v = 0.01 (m/s)/mm")] {
+        board.text(Point::new(x, 11.0), Label::text(words), STYLE.caption_mm, Anchor::Middle);
+        board.text(Point::new(x, 5.0), Label::math(scale), STYLE.small_mm, Anchor::Middle);
+    }
+    board.finish(words)
+}
+
+/// Every symbol once, each turned, on one sheet.
+fn symbols() -> Figure {
+    let mut items = Vec::new();
+    let at = |x: f64, y: f64| Point::new(x, y);
+    for (k, side) in [Vec2::new(0.0, -1.0), Vec2::new(1.0, 0.0), Vec2::new(-1.0, 1.0)].into_iter().enumerate() {
+        items.extend(sym::fixed_pivot(&STYLE, at(15.0 + 22.0 * k as f64, 88.0), side));
+    }
+    items.extend(sym::guide(&STYLE, at(85.0, 88.0), 0.0, 26.0, sym::Guide::OneSided));
+    items.extend(sym::block(&STYLE, at(85.0, 88.0), 0.0, false));
+    items.extend(sym::pin(&STYLE, at(85.0, 88.0)));
+    items.extend(sym::guide(&STYLE, at(125.0, 88.0), 0.5, 26.0, sym::Guide::TwoSided));
+    items.extend(sym::block(&STYLE, at(125.0, 88.0), 0.5, false));
+    items.extend(sym::pin(&STYLE, at(125.0, 88.0)));
+    let lever = [at(155.0, 72.0), at(175.0, 100.0)];
+    items.extend(sym::link(&STYLE, &lever));
+    let (middle, tilt) = (at(165.0, 86.0), (lever[1] - lever[0]).angle());
+    items.extend(sym::block(&STYLE, middle, tilt, true));
+    items.extend(sym::link(&STYLE, &[at(190.0, 80.0), middle]));
+    items.extend(sym::pin(&STYLE, middle));
+    items.extend(sym::fixed_pivot(&STYLE, at(190.0, 80.0), Vec2::new(0.0, -1.0)));
+
+    items.extend(sym::slot(&STYLE, at(12.0, 52.0), at(34.0, 64.0)));
+    items.extend(sym::pin(&STYLE, at(23.0, 58.0)));
+    items.extend(sym::slot_arc(&STYLE, at(62.0, 46.0), 16.0, 2.4, 0.6));
+    items.extend(sym::pin(&STYLE, at(62.0, 62.0)));
+    let tri = [at(92.0, 48.0), at(122.0, 52.0), at(104.0, 68.0)];
+    items.extend(sym::plate(&STYLE, &tri));
+    for p in tri {
+        items.extend(sym::pin(&STYLE, p));
+    }
+    let bell = [at(135.0, 50.0), at(150.0, 66.0), at(170.0, 60.0)];
+    items.extend(sym::link(&STYLE, &bell));
+    items.extend(sym::weld(&STYLE, bell[1], bell[0], bell[2]));
+    for p in [bell[0], bell[2]] {
+        items.extend(sym::pin(&STYLE, p));
+    }
+    let (base, tip) = (at(14.0, 20.0), at(52.0, 36.0));
+    items.extend(sym::cylinder(&STYLE, base, tip, 22.0));
+    items.extend(sym::pin(&STYLE, base));
+    items.extend(sym::pin(&STYLE, tip));
+    items.extend(sym::dimension(&STYLE, at(70.0, 24.0), at(110.0, 24.0), -8.0));
+    items.extend(sym::link(&STYLE, &[at(70.0, 24.0), at(110.0, 24.0)]));
+    items.extend(sym::pin(&STYLE, at(70.0, 24.0)));
+    items.extend(sym::pin(&STYLE, at(110.0, 24.0)));
+    items.extend(sym::rotation(&STYLE, at(135.0, 24.0), 8.0, 2.6, 0.4));
+    items.extend(sym::angle(&STYLE, at(155.0, 18.0), 12.0, 0.0, 0.9));
+    for (k, length) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().enumerate() {
+        let from = at(180.0, 12.0 + 5.0 * k as f64);
+        let shape = Shape::Arrow { from, to: from + Vec2::new(length, 0.0), stroke: STYLE.vector, head: STYLE.head };
+        items.push(Item::new("velocity", shape));
+    }
+    let formulas = [
+        r"a^n_{CB}",
+        r"\omega_1^2 l_{AB}",
+        "b'_2",
+        "n''",
+        r"v_{B3B2}^r",
+        r"2\omega_3 v_{B3B2}",
+        r"B \to A",
+        r"\parallel BC",
+        r"\circled{3}",
+        r"\checkmark",
+    ];
+    let mut row: Vec<Item> = Vec::new();
+    for (k, source) in formulas.into_iter().enumerate() {
+        let shape = Shape::Label {
+            at: at(10.0 + 20.0 * k as f64, 0.0),
+            label: Label::math(source),
+            size_mm: STYLE.label_mm,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
+        row.push(Item::new("label", shape));
+    }
+    translate(&mut row, Vec2::new(0.0, 4.0));
+    items.extend(row);
+    Figure { width_mm: 210.0, height_mm: 104.0, title: "Symbols".into(), desc: "Every symbol once".into(), lang: "en".into(), items }
+}
+
+fn ink(figure: &Figure, name: &str) -> (String, Vec<u8>) {
+    let svg = svg::write(figure).expect("every item is sound");
+    assert_eq!(svg.notes, [], "{name}");
+    let png = png::render(&svg.value, 200.0).expect("the document is sound");
+    // To look at the sheets: HODOGRAPH_SHEETS=some/folder cargo test --test sheet
+    if let Some(folder) = std::env::var_os("HODOGRAPH_SHEETS") {
+        let path = std::path::Path::new(&folder).join(name);
+        std::fs::write(path.with_extension("svg"), &svg.value).expect("the folder can be written to");
+        std::fs::write(path.with_extension("png"), &png).expect("the folder can be written to");
+    }
+    (svg.value, png)
+}
+
+#[test]
+fn fourbar_sheet_in_two_languages() {
+    for words in [ENGLISH, CHINESE] {
+        let (figure, placements) = fourbar(&words);
+        for (i, p) in placements.iter().enumerate() {
+            assert!(p.cost < CROWDED && p.leader.is_none(), "label {i} is crowded: {p:?}");
+            assert!(placements[..i].iter().all(|q| p.bounds.overlap_mm2(q.bounds) <= 0.0), "label {i} overlaps");
+        }
+        let name = format!("fourbar-{}", words.lang);
+        let (svg, png) = ink(&figure, &name);
+        assert_eq!(ink(&fourbar(&words).0, &name), (svg.clone(), png), "same figure, same bytes");
+        let labels = figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).count();
+        assert_eq!(svg.matches("data-text=").count(), labels, "every label is in the document");
+        assert!(svg.len() < 60_000, "{} bytes", svg.len());
+    }
+}
+
+#[test]
+fn symbol_sheet() {
+    let (svg, _) = ink(&symbols(), "symbols");
+    assert!(svg.contains(r#"class="ground hatch""#));
+}
