@@ -10,13 +10,16 @@ const WIDTH: usize = 100;
 /// Longer lines are not shown: a scene written in one line of a megabyte would be printed whole for every fault in it.
 const MAX_LINE: usize = 400;
 
-/// All diagnostics, one after the other, without colours. `source` is the text that their spans count in.
+/// More diagnostics are only counted: nobody reads on, and each of them copies the source for its printer.
+const MAX_SHOWN: usize = 100;
+
+/// All diagnostics (beyond the hundredth only their number), one after the other, without colours. `source` is the text that their spans count in.
 ///
 /// A diagnostic whose line is too long to show is printed in one line, `name:line:column: error: ...`.
 pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_links(false).with_width(WIDTH);
     let mut out = String::new();
-    for d in &faults.list {
+    for d in faults.list.iter().take(MAX_SHOWN) {
         let span = d.span.map(|s| clamp(s, source));
         let shown = match span {
             Some(s) => line_length(s, source) <= MAX_LINE,
@@ -29,6 +32,9 @@ pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
         } else {
             out.push_str(&plain(d, span, source_name, source));
         }
+    }
+    if let Some(more) = faults.list.len().checked_sub(MAX_SHOWN).filter(|n| *n > 0) {
+        out.push_str(&format!("... and {more} more\n"));
     }
     out
 }
@@ -109,6 +115,13 @@ mod tests {
         let source = format!("{{{}100}}", " ".repeat(5000));
         let text = render(&faults(Span::new(5001, 5004)), "scene.json", &source);
         assert_eq!(text, "scene.json:1:5002: error[no-unit]: a length is wanted here, `100` has no unit (write \"100 mm\")\n");
+    }
+
+    #[test]
+    fn thousands_are_counted() {
+        let many = Faults { list: vec![Diagnostic::warning("given-twice", "`v_E` is asked twice"); 1234] };
+        let text = render(&many, "scene.json", "{}");
+        assert!(text.ends_with("\n... and 1134 more\n"), "{text}");
     }
 
     #[test]

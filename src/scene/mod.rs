@@ -1,9 +1,10 @@
 //! The file a person writes: raw mirror, validation, units, expressions, embedded templates.
 //!
-//! Bytes → JSON tree with places (`json`) → [`RawScene`](raw) (`decode`) → [`Scene`] (`resolve`). A later stage finds
+//! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 mod decode;
+pub mod eval;
 pub mod expr;
 mod fields;
 mod json;

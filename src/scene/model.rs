@@ -120,7 +120,8 @@ pub enum Place {
 pub struct Link {
     /// Number or name as written.
     pub name: String,
-    /// Its points, without repetition. A numbered slider has its pin here too.
+    /// Its points, without repetition. A numbered slider has its pin here too. Empty for a slider without a pin, for a ground
+    /// that only carries guides, and for barrel and rod that only a cylinder names.
     pub points: Vec<PointId>,
     /// Where it is declared.
     pub span: Span,
@@ -130,7 +131,7 @@ pub struct Link {
 /// its direction against `on` as well (a prismatic pair, two constraints). At least one of the two is given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Guide {
-    /// The point that runs in the guide; with `slider` a point of that link.
+    /// The point that runs in the guide; with `slider` a point of that link. A bare pin that runs in two guides may be on no link.
     pub pin: Option<PointId>,
     /// The numbered slider.
     pub slider: Option<LinkId>,
@@ -166,7 +167,7 @@ pub enum GuidePath {
 /// What a straight guide passes through (before its offset).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Through {
-    /// The running pin itself, where it is at the instant.
+    /// The running pin itself, where it is at the instant; where a slider has no pin, the line's place does not matter.
     Pin,
     /// A point of the carrying link.
     Point(PointId),
@@ -302,7 +303,7 @@ pub enum Asked {
     NormalAcceleration(OnLink, OnLink),
     /// `at_CB`: part square to it.
     TangentialAcceleration(OnLink, OnLink),
-    /// `vr_B3B2`: sliding velocity.
+    /// `vr_B3B2`: sliding velocity. Both are at one point; one may be the pin itself (`vr_BB3`).
     SlidingVelocity(OnLink, OnLink),
     /// `ar_B3B2`: sliding acceleration.
     SlidingAcceleration(OnLink, OnLink),

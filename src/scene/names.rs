@@ -1,5 +1,7 @@
 //! Names run together, as in print: `AB`, `O2B`, `B3B2`, `omega_3/2`, taken apart by the names that the scene declares.
 
+use std::collections::HashMap;
+
 use super::fields::suggest;
 use super::json::Word;
 use super::model::{Link, LinkId, OnLink, Point, PointId};
@@ -8,10 +10,16 @@ use crate::diag::Diagnostic;
 /// Longest name of a point or link. Figures print the names; nothing longer than this finds a place beside a joint.
 const MAX_NAME: usize = 16;
 
+/// Longest run of names that is taken apart: two points, each with a link, and a comma. The ways to cut a text grow with the
+/// square of its length.
+const MAX_RUN: usize = 4 * MAX_NAME + 1;
+
 /// The declared names.
 pub(super) struct Names<'a> {
     pub points: &'a [Point],
     pub links: &'a [Link],
+    by_point: HashMap<&'a str, PointId>,
+    by_link: HashMap<&'a str, LinkId>,
 }
 
 /// What is wrong with a new name, if anything. `what` is "point" or "link"; a point begins with a letter.
@@ -27,18 +35,33 @@ pub(super) fn check(name: &Word, what: &str) -> Option<Diagnostic> {
     Some(d.help(format!("{begin} {MAX_NAME} letters, digits, ' or _")))
 }
 
+fn within_run(text: &str, word: &Word) -> Result<(), Diagnostic> {
+    if text.chars().count() <= MAX_RUN {
+        return Ok(());
+    }
+    let message = format!("a name of more than {MAX_RUN} letters cannot be made of the names of points and links");
+    Err(Diagnostic::error("name", message).at(word.span))
+}
+
 /// The two halves of `O2,B` or `O2-B`, if it is written so.
 fn halves(text: &str) -> Option<(&str, &str)> {
     text.split_once([',', '-']).map(|(a, b)| (a.trim(), b.trim()))
 }
 
-impl Names<'_> {
+impl<'a> Names<'a> {
+    /// The names of these points and links.
+    pub fn new(points: &'a [Point], links: &'a [Link]) -> Self {
+        let by_point = points.iter().enumerate().map(|(i, p)| (p.name.as_str(), PointId(i))).collect();
+        let by_link = links.iter().enumerate().map(|(i, l)| (l.name.as_str(), LinkId(i))).collect();
+        Names { points, links, by_point, by_link }
+    }
+
     fn find_point(&self, name: &str) -> Option<PointId> {
-        self.points.iter().position(|p| p.name == name).map(PointId)
+        self.by_point.get(name).copied()
     }
 
     fn find_link(&self, name: &str) -> Option<LinkId> {
-        self.links.iter().position(|l| l.name == name).map(LinkId)
+        self.by_link.get(name).copied()
     }
 
     /// The point of a name.
@@ -71,6 +94,7 @@ impl Names<'_> {
 
     /// Two different points named by `text`, which is a part of `word`.
     pub fn pair_in(&self, text: &str, word: &Word) -> Result<(PointId, PointId), Diagnostic> {
+        within_run(text, word)?;
         let (a, b) = if let Some((a, b)) = halves(text) {
             let find = |t: &str| self.find_point(t).ok_or_else(|| self.no_point(t, word));
             (find(a)?, find(b)?)
@@ -115,6 +139,7 @@ impl Names<'_> {
     ///
     /// A name that is declared as a whole goes first: with a point `O2`, `O2` is that point and not the point of link 2 at O.
     pub fn on_links(&self, text: &str, word: &Word) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
+        within_run(text, word)?;
         let mut readings: Vec<(usize, (OnLink, Option<OnLink>))> = Vec::new();
         let weight = |p: &OnLink| usize::from(p.link.is_some());
         if let Some((a, b)) = halves(text) {

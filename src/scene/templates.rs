@@ -59,8 +59,8 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
 ///
 /// ```
 /// use hodograph::scene::templates::instantiate;
-/// let text = instantiate("crank-rocker", &[("l_AB", "80"), ("omega", "-2 rad/s")]).unwrap();
-/// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega": "-2 rad/s""#));
+/// let text = instantiate("crank-rocker", &[("l_AB", "80"), ("omega_1", "-2 rad/s")]).unwrap();
+/// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
 /// ```
 pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
     let text = get(name)?;
@@ -166,8 +166,11 @@ mod tests {
     fn values_are_replaced_in_place() {
         let text = get("crank-rocker").unwrap();
         assert_eq!(instantiate("crank-rocker", &[]).unwrap(), text);
-        let new = instantiate("crank-rocker", &[("l_BC", "2.5*l_AB"), ("phi", "-30"), ("l_AB", "0.08 m")]).unwrap();
-        let expected = text.replace("\"250 mm\"", "\"2.5*l_AB\"").replace("\"60 deg\"", "\"-30 deg\"").replace("\"100 mm\"", "\"0.08 m\"");
+        let new = instantiate("crank-rocker", &[("l_BC", "2.5*l_AB"), ("phi_1", "-30"), ("l_AB", "0.08 m")]).unwrap();
+        let expected = text
+            .replace("\"l_BC\": \"250 mm\"", "\"l_BC\": \"2.5*l_AB\"")
+            .replace("\"phi_1\": \"60 deg\"", "\"phi_1\": \"-30 deg\"")
+            .replace("\"l_AB\": \"100 mm\"", "\"l_AB\": \"0.08 m\"");
         assert_eq!(new, expected);
         let scene = super::super::read(&new).unwrap().value;
         assert_eq!(scene.parameters[1].1.value, 0.2);
@@ -175,14 +178,15 @@ mod tests {
 
     #[test]
     fn faults_of_values_come_together() {
-        let faults = instantiate("crank-rocker", &[("l_ab", "80"), ("phi", "30 degs"), ("l_AB", "l_BC"), ("omega", "1"), ("omega", "2")])
-            .unwrap_err();
+        let faults =
+            instantiate("crank-rocker", &[("l_ab", "80"), ("phi_1", "30 degs"), ("l_AB", "l_BC"), ("omega_1", "1"), ("omega_1", "2")])
+                .unwrap_err();
         assert_eq!(
             faults.to_string(),
             "template `crank-rocker` has no parameter `l_ab` (did you mean `l_AB`?)\n\
-             parameter `phi`: `degs` is not a unit (did you mean `deg`?)\n\
+             parameter `phi_1`: `degs` is not a unit (did you mean `deg`?)\n\
              parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, ... (\"parameters\" of the scene name values))\n\
-             parameter `omega` is set twice, the second time to `2 rad/s`"
+             parameter `omega_1` is set twice, the second time to `2 rad/s`"
         );
         assert_eq!(get("crank-rokcer").unwrap_err().to_string(), "there is no template `crank-rokcer` (did you mean `crank-rocker`?)");
     }

@@ -261,7 +261,7 @@ fn what_is_said_about_bad_scenes() {
         ("paper size", with("paper", r#"{"size": ["200 m", "100 mm"]}"#)),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
-        ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3}"#)),
+        ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),
         ("unused", with("parameters", r#"{"a": "1 mm"}"#)),
         ("units", with("units", r#"{"length": "deg", "speed": "m/s", "omega": "rmp"}"#)),
         ("sketch", with("sketch", r#"{"C": [3, 2]}"#)),
@@ -399,6 +399,17 @@ mod any_input {
             survives(source.as_bytes());
         }
     }
+}
+
+#[test]
+fn a_loose_pin_in_two_slots_and_a_height_called_h() {
+    let scene = good(
+        r#"{"parameters": {"h": "200 mm"}, "links": {"1": ["O", "F"], "2": ["O", "E"], "3": ["O"]}, "ground": "3", "lengths": {"OF": "h", "OE": "2*h"},
+        "guides": [{"pin": "M", "on": "1", "line": "OF", "angle": "90 deg", "through": "F"}, {"pin": "M", "on": "2", "line": "OE"}],
+        "driver": [{"link": "1", "angle": "0 deg", "omega": "6 rad/s"}, {"link": "2", "angle": "40 deg", "omega": "1 rev/s"}], "find": ["v_M", "vr_MM1"]}"#,
+    );
+    let on = |link: Option<usize>| OnLink { point: PointId(3), link: link.map(LinkId) };
+    assert_eq!(scene.find[1].what, Asked::SlidingVelocity(on(None), on(Some(0))));
 }
 
 /// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.

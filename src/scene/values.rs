@@ -3,7 +3,8 @@
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
-use super::expr::{self, Expr, NoValue, Value};
+use super::eval::{NoValue, Value, evaluate};
+use super::expr::{self, Expr};
 use super::fields::suggest;
 use super::json::Word;
 use super::model::{Angle, Given};
@@ -50,6 +51,9 @@ impl<'a> Values<'a> {
                 let d =
                     Diagnostic::error("name", format!("`{}` is a unit or a function and cannot name a parameter", name.text)).at(name.span);
                 faults.push(d.help(format!("call it `{}0`", name.text)));
+                // Where it is used, it is meant: that is the same fault.
+                values.names.push(&name.text);
+                values.known.insert(&name.text, None);
             } else {
                 values.names.push(&name.text);
                 values.known.insert(&name.text, value);
@@ -178,7 +182,7 @@ impl<'a> Values<'a> {
             self.used.borrow_mut().insert(name.to_owned());
             self.known.get(name).copied().flatten()
         };
-        match expr::evaluate(&expr, &lookup) {
+        match evaluate(&expr, &lookup) {
             Ok(value) => Ok((expr, value)),
             Err(NoValue::Reported) => Err(None),
             Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),

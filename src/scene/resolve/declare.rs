@@ -67,7 +67,10 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     }
     let listed = r.links.len();
     for guide in &raw.guides {
-        let Some(slider) = &guide.slider else { continue };
+        let Some(slider) = &guide.slider else {
+            loose_pin(raw, guide, &mut r, faults);
+            continue;
+        };
         let id = r.by_link.get(&slider.text).copied();
         match (id, &guide.pin) {
             // Two guides may share an unlisted slider: a block pinned at one point, or a cross-shaped slider without a pin.
@@ -101,6 +104,15 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
     }
     empty_links(raw, &r, ground, faults);
     Declared { points: r.points, links: r.links, ground }
+}
+
+/// A bare pin need not be on a link: in two slots it has its place all the same.
+fn loose_pin(raw: &RawScene, guide: &RawGuide, r: &mut Register, faults: &mut Faults) {
+    let Some(pin) = &guide.pin else { return };
+    let slots = raw.guides.iter().filter(|g| g.pin.as_ref().is_some_and(|p| p.text == pin.text)).count();
+    if slots > 1 {
+        r.point(pin, faults);
+    }
 }
 
 fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Option<LinkId> {

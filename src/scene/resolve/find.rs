@@ -80,7 +80,8 @@ fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> R
         return Err(fault(format!("`{}` is of a point relative to itself: zero", word.text)));
     }
     let sliding = matches!(symbol, "vr" | "ar" | "ak");
-    if sliding && (of.point != to.point || of.link.is_none() || to.link.is_none()) {
+    // One of the two may be the pin itself: vr_BB3 is the sliding of pin B on link 3.
+    if sliding && of.point != to.point {
         let d = fault(format!("`{}`: sliding is between two links at one place", word.text));
         return Err(d.help(format!("name the place twice, each time with its link: {symbol}_{p}3{p}2", p = c.point_name(of.point))));
     }

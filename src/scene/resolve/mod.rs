@@ -98,7 +98,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     let declared = declare::declare(raw, faults);
     let scene = {
         let declare::Declared { points, links, ground } = &declared;
-        let context = Context { raw, values: &values, names: Names { points, links }, ground: ground.unwrap_or(LinkId(0)) };
+        let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)) };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
         let lengths = lengths::lengths(&context, faults);
         let places = places::places(&context, *ground, &lengths, faults);

@@ -1,0 +1,360 @@
+//! The value of an expression in `f64`, with its dimension; degrees stay degrees as long as they can.
+
+use super::expr::{Expr, ExprKind, Function, Op};
+use super::model::Angle;
+use super::units::{Dim, Unit, radians};
+use crate::diag::Diagnostic;
+use crate::trig;
+
+/// Larger or (unless zero) smaller values are refused. Squares and products of three values of this size still are
+/// finite in `f64`; a mechanism of a nanometre or a light year is far inside.
+const HUGE: f64 = 1e90;
+
+/// A number with its dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Value {
+    /// In SI units (metres, seconds, radians), or in degrees to the first power where `degrees` says so.
+    pub number: f64,
+    /// Its dimension.
+    pub dim: Dim,
+    /// Whether one angle in the dimension is counted in degrees: `60 deg` stays 60, `300 rpm` is 1800 per second.
+    pub degrees: bool,
+}
+
+impl Value {
+    const fn number(number: f64) -> Value {
+        Value { number, dim: Dim::NUMBER, degrees: false }
+    }
+
+    /// The SI value (radians).
+    pub fn si(self) -> f64 {
+        if self.degrees { radians(self.number) } else { self.number }
+    }
+
+    /// The same in SI units throughout.
+    fn plain(self) -> Value {
+        Value { number: self.si(), degrees: false, ..self }
+    }
+
+    /// As an angle; meaningful where `dim` is that of an angle.
+    pub fn angle(self) -> Angle {
+        if self.degrees { Angle::Deg(self.number) } else { Angle::Rad(self.number) }
+    }
+}
+
+impl From<Angle> for Value {
+    fn from(angle: Angle) -> Value {
+        match angle {
+            Angle::Deg(number) => Value { number, dim: Dim::ANGLE, degrees: true },
+            Angle::Rad(number) => Value { number, dim: Dim::ANGLE, degrees: false },
+        }
+    }
+}
+
+/// Why an expression has no value.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoValue {
+    /// A fault, its span counted from the beginning of the expression.
+    Fault(Diagnostic),
+    /// It uses a parameter whose own fault has been reported already.
+    Reported,
+}
+
+/// Evaluates an expression; `lookup` gives the value of a parameter, `None` where its own fault has been reported.
+///
+/// # Errors
+/// Dimensions that do not fit, functions outside their domain, values that are not finite or beyond all measure.
+pub fn evaluate(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value>) -> Result<Value, NoValue> {
+    let of = |e: &Expr| evaluate(e, lookup);
+    let fault = |message: String| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
+    let value = match &expr.kind {
+        ExprKind::Number(text) => Value::number(literal(text).map_err(fault)?),
+        ExprKind::Pi => Value::number(std::f64::consts::PI),
+        ExprKind::Unit(unit) => in_unit(Value::number(1.0), unit),
+        ExprKind::Parameter(name) => lookup(name).ok_or(NoValue::Reported)?,
+        ExprKind::Neg(a) => {
+            let a = of(a)?;
+            Value { number: -a.number, ..a }
+        }
+        // A number with its unit is rounded once: 250 mm is 250/1000, not 250 * 0.001.
+        ExprKind::Binary(Op::Mul, a, b) if matches!(b.kind, ExprKind::Unit(_)) => match &b.kind {
+            ExprKind::Unit(unit) => in_unit(of(a)?, unit),
+            _ => multiply(of(a)?, of(b)?, 1),
+        },
+        ExprKind::Binary(op, a, b) => {
+            let (a, b) = (of(a)?, of(b)?);
+            match op {
+                Op::Add => add(a, b, 1.0).map_err(fault)?,
+                Op::Sub => add(a, b, -1.0).map_err(fault)?,
+                Op::Mul => multiply(a, b, 1),
+                Op::Div if b.number == 0.0 => return Err(fault("division by zero".to_owned())),
+                Op::Div => multiply(a, b, -1),
+                Op::Pow => power(a, b).map_err(fault)?,
+            }
+        }
+        ExprKind::Call(f, a) => call(*f, of(a)?).map_err(fault)?,
+    };
+    let size = value.number.abs();
+    // Twenty: no quantity of kinematics comes near, and the exponents' own arithmetic stays small.
+    if [value.dim.length, value.dim.time, value.dim.angle].iter().any(|k| k.abs() > 20) {
+        return Err(fault("the powers of the units are beyond all measure".to_owned()));
+    }
+    if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
+        return Err(fault(format!("the value {:e} is beyond all measure (1e-90 to 1e90)", value.number)));
+    }
+    Ok(value)
+}
+
+fn literal(text: &str) -> Result<f64, String> {
+    let number: f64 = text.parse().map_err(|e| format!("`{text}` is not a number: {e}"))?;
+    let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
+    if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
+        return Err(format!("`{text}` is too small for a number"));
+    }
+    Ok(number)
+}
+
+fn in_unit(a: Value, unit: &Unit) -> Value {
+    // Only one factor can be kept in degrees.
+    let a = if unit.degrees { a.plain() } else { a };
+    Value { number: a.number * unit.numerator / unit.denominator, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
+}
+
+fn multiply(a: Value, b: Value, k: i32) -> Value {
+    let dim = a.dim.times(b.dim, k);
+    let (a, b, degrees) = match (a.degrees, b.degrees) {
+        // The degrees of a ratio cancel exactly.
+        (true, true) if k < 0 => (a.number, b.number, false),
+        (true, true) => (a.si(), b.number, true),
+        (false, true) if k < 0 => (a.number, b.si(), false),
+        _ => (a.number, b.number, a.degrees || b.degrees),
+    };
+    Value { number: if k < 0 { a / b } else { a * b }, dim, degrees }
+}
+
+fn add(a: Value, b: Value, sign: f64) -> Result<Value, String> {
+    if a.dim != b.dim && !(a.dim.serves(b.dim) && b.dim.serves(a.dim)) {
+        let verb = if sign > 0.0 { "be added to" } else { "be subtracted from" };
+        let (first, second) = if sign > 0.0 { (a.dim, b.dim) } else { (b.dim, a.dim) };
+        return Err(format!("{} cannot {verb} {}", first.describe(), second.describe()));
+    }
+    // A length in metres and an arc in metres times radians: the radians are pure numbers there.
+    let dim = if a.dim.angle == 0 { a.dim } else { b.dim };
+    let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
+    Ok(Value { number: a.number + sign * b.number, dim, degrees: a.degrees })
+}
+
+fn power(a: Value, b: Value) -> Result<Value, String> {
+    if b.dim != Dim::NUMBER {
+        return Err(format!("an exponent is a pure number, this is {}", b.dim.describe()));
+    }
+    let whole = libm::rint(b.number);
+    if a.dim == Dim::NUMBER {
+        if a.number < 0.0 && whole != b.number {
+            return Err("a negative number has no broken power".to_owned());
+        }
+        return Ok(Value::number(libm::pow(a.number, b.number)));
+    }
+    if whole != b.number || whole.abs() > 6.0 {
+        return Err("the exponent of a quantity with a unit is a whole number from -6 to 6".to_owned());
+    }
+    let k = whole as i32;
+    if k == 1 {
+        return Ok(a);
+    }
+    let a = a.plain();
+    Ok(Value { number: libm::pow(a.number, whole), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
+}
+
+fn call(f: Function, a: Value) -> Result<Value, String> {
+    let wants = |dim: Dim, name: &str| match a.dim == dim {
+        true => Ok(()),
+        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number == 0.0 => Ok(()),
+        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER => {
+            Err(format!("{name} wants an angle, this is a pure number: write `deg` or `rad` after it"))
+        }
+        false => Err(format!("{name} wants {}, this is {}", dim.describe(), a.dim.describe())),
+    };
+    let inverse = |name: &str, g: fn(f64) -> Angle| {
+        wants(Dim::NUMBER, name)?;
+        let angle = g(a.number);
+        match Value::from(angle).number.is_nan() {
+            true => Err(format!("{name} has no value at {}", a.number)),
+            false => Ok(Value::from(angle)),
+        }
+    };
+    Ok(match f {
+        Function::Abs => Value { number: a.number.abs(), ..a },
+        Function::Sqrt => {
+            if a.number < 0.0 {
+                return Err(format!("sqrt of the negative value {}", a.number));
+            }
+            let d = a.dim;
+            if [d.length, d.time, d.angle].iter().any(|k| k % 2 != 0) {
+                return Err(format!("sqrt of {}: its unit is no square", d.describe()));
+            }
+            Value { number: a.si().sqrt(), dim: Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2 }, degrees: false }
+        }
+        Function::Sin => {
+            wants(Dim::ANGLE, "sin")?;
+            Value::number(trig::sin_cos(a.angle()).0)
+        }
+        Function::Cos => {
+            wants(Dim::ANGLE, "cos")?;
+            Value::number(trig::sin_cos(a.angle()).1)
+        }
+        Function::Tan => {
+            wants(Dim::ANGLE, "tan")?;
+            let (s, c) = trig::sin_cos(a.angle());
+            if c == 0.0 {
+                return Err("tan of a right angle".to_owned());
+            }
+            Value::number(s / c)
+        }
+        Function::Asin => inverse("asin", trig::asin)?,
+        Function::Acos => inverse("acos", trig::acos)?,
+        Function::Atan => inverse("atan", trig::atan)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::expr::parse;
+    use super::*;
+    use crate::diag::Span;
+
+    /// The value of an expression with r = 100 mm, phi = 30°, k = 2.
+    fn value(text: &str) -> Result<Value, String> {
+        let length = value_of("100 mm").expect("a length");
+        let lookup = |name: &str| match name {
+            "r" => Some(length),
+            "phi" => Some(Value::from(Angle::Deg(30.0))),
+            "k" => Some(Value::number(2.0)),
+            _ => None,
+        };
+        let expr = parse(text, &["r", "phi", "k", "broken"]).map_err(|d| d.to_string())?;
+        evaluate(&expr, &lookup).map_err(|e| match e {
+            NoValue::Fault(d) => d.to_string(),
+            NoValue::Reported => "reported".to_owned(),
+        })
+    }
+
+    fn value_of(text: &str) -> Option<Value> {
+        evaluate(&parse(text, &[]).ok()?, &|_| None).ok()
+    }
+
+    #[test]
+    fn values() {
+        let rpm = radians(6.0);
+        for (text, number, what) in [
+            ("250 mm", 0.25, "a length"),
+            ("0.1mm", 0.0001, "a length"),
+            ("3 ft", 0.9144, "a length"),
+            ("1 in", 0.0254, "a length"),
+            ("10 rad/s", 10.0, "an angular velocity"),
+            ("60 rev/min", radians(360.0), "an angular velocity"),
+            ("300 rpm", 300.0 * rpm, "an angular velocity"),
+            ("2 rad/s^2", 2.0, "an angular acceleration"),
+            ("9.81 m/s^2", 9.81, "an acceleration"),
+            ("0.05 (m/s)/mm", 50.0, "a quantity in 1/s"),
+            ("1 (m/s^2)/mm", 1000.0, "a quantity in 1/s^2"),
+            ("0.002 m/mm", 2.0, "a pure number"),
+            ("2 (m/s)^2", 2.0, "a quantity in m^2/s^2"),
+            ("k*r + 5 mm", 0.2 + 0.005, "a length"),
+            ("r/3 + 5 mm", 0.1 / 3.0 + 0.005, "a length"),
+            ("sqrt(4)*r", 0.2, "a length"),
+            ("sqrt(r^2)", 0.1, "a length"),
+            ("r*sin(phi)", 0.05, "a length"),
+            ("r*cos(2*phi)", 0.05, "a length"),
+            ("(k + 1) mm", 0.003, "a length"),
+            ("-k^2", -4.0, "a pure number"),
+            ("--k - -1", 3.0, "a pure number"),
+            ("2^-1", 0.5, "a pure number"),
+            ("3 + 1e-6", 3.000001, "a pure number"),
+            (".5", 0.5, "a pure number"),
+            ("1e-3", 0.001, "a pure number"),
+            ("abs(-r)", 0.1, "a length"),
+            ("90 deg/phi", 3.0, "a pure number"),
+            ("10 rad/s*r", 1.0, "a velocity"),
+            ("pi rad/2", std::f64::consts::FRAC_PI_2, "an angle"),
+            ("atan(1) + 15 deg", radians(60.0), "an angle"),
+            ("tan(45 deg)", 1.0, "a pure number"),
+            ("60 s + 1 min", 120.0, "a time"),
+        ] {
+            let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+            let dim = if v.dim.length != 0 { Dim { angle: 0, ..v.dim } } else { v.dim };
+            assert_eq!((v.si(), dim.describe().as_str()), (number, what), "{text}");
+        }
+    }
+
+    #[test]
+    fn degrees_stay_degrees() {
+        for (text, angle) in [
+            ("60 deg", Angle::Deg(60.0)),
+            ("60°", Angle::Deg(60.0)),
+            ("2*phi", Angle::Deg(60.0)),
+            ("phi*k - 10 deg", Angle::Deg(50.0)),
+            ("-phi/3", Angle::Deg(-10.0)),
+            ("0.5 rev", Angle::Deg(180.0)),
+            ("asin(0.5)", Angle::Deg(30.0)),
+            ("90 deg - acos(1/2)", Angle::Deg(30.0)),
+            ("1 rad", Angle::Rad(1.0)),
+        ] {
+            let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
+            assert_eq!((v.dim, v.angle()), (Dim::ANGLE, angle), "{text}");
+        }
+    }
+
+    #[test]
+    fn number_literals_keep_their_text() {
+        let Expr { kind: ExprKind::Binary(Op::Mul, number, unit), span } = parse(" 0.10000000000000000001 mm", &[]).unwrap() else {
+            panic!("no product")
+        };
+        assert_eq!(number.kind, ExprKind::Number("0.10000000000000000001".to_owned()));
+        assert!(matches!(unit.kind, ExprKind::Unit(u) if u.name == "mm"));
+        assert_eq!(span, Span::new(1, 26));
+    }
+
+    #[test]
+    fn what_has_no_value() {
+        for (text, said) in [
+            ("", "`` ends too early"),
+            ("2*", "`2*` ends too early"),
+            ("2 $ 3", "`2 $ 3` cannot be read from `$ 3` on"),
+            ("2 r", "`r` is not a unit (for a product write `*r`)"),
+            ("2 pi", "`pi` is not a unit (for a product write `*pi`)"),
+            ("5 milimeters", "`milimeters` is not a unit"),
+            ("R", "`R` is neither a parameter nor a unit (did you mean `r`?)"),
+            ("sine(phi)", "`sine` is not a function (did you mean `sin`?)"),
+            ("r(2)", "`r` is not a function (for a product write `r*(...)`)"),
+            ("sin", "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)"),
+            ("1/0", "division by zero"),
+            ("r + phi", "a length cannot be added to an angle"),
+            ("r - 1", "a pure number cannot be subtracted from a length"),
+            ("sin(30)", "sin wants an angle, this is a pure number: write `deg` or `rad` after it"),
+            ("sin(r)", "sin wants an angle, this is a length"),
+            ("asin(2)", "asin has no value at 2"),
+            ("asin(phi)", "asin wants a pure number, this is an angle"),
+            ("tan(90 deg)", "tan of a right angle"),
+            ("sqrt(-1)", "sqrt of the negative value -1"),
+            ("sqrt(r)", "sqrt of a length: its unit is no square"),
+            ("2^r", "an exponent is a pure number, this is a length"),
+            ("r^0.5", "the exponent of a quantity with a unit is a whole number from -6 to 6"),
+            ("(-8)^(1/3)", "a negative number has no broken power"),
+            ("10^99", "the value 1e99 is beyond all measure (1e-90 to 1e90)"),
+            ("1e999", "the value inf is beyond all measure (1e-90 to 1e90)"),
+            ("1e-999", "`1e-999` is too small for a number"),
+            ("2^2^2", "`2^2^2` cannot be read from `^2` on"),
+            ("broken + 1", "reported"),
+        ] {
+            let e = value(text).expect_err(text);
+            assert!(e.starts_with(said), "{text}: {e}");
+        }
+        assert!(value(&"(".repeat(25)).unwrap_err().starts_with("parentheses are nested more than 24 deep"));
+        assert!(value(&"1+".repeat(201)).unwrap_err().starts_with("an expression has at most 400 bytes, this has 402"));
+        // The deepest trees that the limits let through.
+        assert_eq!(value(&format!("{}1", "1+".repeat(199))).unwrap().number, 200.0);
+        assert_eq!(value(&format!("{}1", "-".repeat(399))).unwrap().number, -1.0);
+        assert_eq!(value(&format!("{}1{}", "(".repeat(24), ")".repeat(24))).unwrap().number, 1.0);
+    }
+}
