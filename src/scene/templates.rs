@@ -9,6 +9,31 @@ use crate::diag::{Diagnostic, Faults, Span};
 const FILES: &[(&str, &str)] = &[
     // name, text
     ("crank-rocker", include_str!("../../templates/crank-rocker.json")),
+    ("drag-link", include_str!("../../templates/drag-link.json")),
+    ("crossed-four-bar", include_str!("../../templates/crossed-four-bar.json")),
+    ("parallelogram", include_str!("../../templates/parallelogram.json")),
+    ("slider-crank", include_str!("../../templates/slider-crank.json")),
+    ("offset-slider-crank", include_str!("../../templates/offset-slider-crank.json")),
+    ("oblique-guide", include_str!("../../templates/oblique-guide.json")),
+    ("slotted-lever", include_str!("../../templates/slotted-lever.json")),
+    ("whitworth", include_str!("../../templates/whitworth.json")),
+    ("oscillating-cylinder", include_str!("../../templates/oscillating-cylinder.json")),
+    ("scotch-yoke", include_str!("../../templates/scotch-yoke.json")),
+    ("elliptic-trammel", include_str!("../../templates/elliptic-trammel.json")),
+    ("curved-slot", include_str!("../../templates/curved-slot.json")),
+    ("two-slots", include_str!("../../templates/two-slots.json")),
+    ("shaper", include_str!("../../templates/shaper.json")),
+    ("toggle-press", include_str!("../../templates/toggle-press.json")),
+    ("watt-six-bar", include_str!("../../templates/watt-six-bar.json")),
+    ("stephenson-six-bar", include_str!("../../templates/stephenson-six-bar.json")),
+    ("class-iii-six-bar", include_str!("../../templates/class-iii-six-bar.json")),
+    ("five-bar", include_str!("../../templates/five-bar.json")),
+    ("robot-arm", include_str!("../../templates/robot-arm.json")),
+    ("excavator", include_str!("../../templates/excavator.json")),
+    ("pantograph", include_str!("../../templates/pantograph.json")),
+    ("atkinson", include_str!("../../templates/atkinson.json")),
+    ("radial-engine", include_str!("../../templates/radial-engine.json")),
+    ("jansen-leg", include_str!("../../templates/jansen-leg.json")),
 ];
 
 /// What a template is, for lists.
