@@ -6,7 +6,7 @@
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::position::Configuration;
-use crate::scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
+use crate::scene::{Asked, Axis, GuideId, LinkId, OnLink, PointId, Scene};
 
 /// The value of an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,7 +38,7 @@ pub trait Source {
 /// The level of a question.
 pub fn level_of(what: &Asked) -> Level {
     match what {
-        Asked::Position(_) | Asked::LinkAngle(_) | Asked::Distance(..) => Level::Position,
+        Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => Level::Position,
         Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) | Asked::Omega(_) | Asked::RelativeOmega(..) => {
             Level::Velocity
         }
@@ -53,7 +53,8 @@ pub fn evaluate(scene: &Scene, at: &Configuration, source: &impl Source, what: &
     let relative = |level, a: &OnLink, b: &OnLink| Some(vector(level, a)? - vector(level, b)?);
     let line = |a: &OnLink, b: &OnLink| (at.points[a.point.0]? - at.points[b.point.0]?).unit();
     Some(match what {
-        Asked::Position(p) => Value::Vector(at.points[p.0]?.to_vec2()),
+        Asked::Coordinate(p, Axis::X) => Value::Scalar(at.points[p.0]?.x),
+        Asked::Coordinate(p, Axis::Y) => Value::Scalar(at.points[p.0]?.y),
         Asked::LinkAngle(l) => Value::Scalar(at.link_direction(scene, *l).or_else(|| at.poses[l.0].map(|p| p.axis))?.angle()),
         Asked::Distance(a, b) => Value::Scalar(at.points[a.0]?.distance(at.points[b.0]?)),
         Asked::Velocity(p) => Value::Vector(vector(Velocity, p)?),

@@ -202,12 +202,19 @@ impl<'a> Board<'a> {
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
         for steps in plan.steps(level) {
+            // Given rates serve the group's own points; measured ones come from them.
+            for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
+                self.turning(&mut polygon, *body, *rate);
+            }
             let alternative = self.done.chosen[steps.group].min(steps.alternatives.len().saturating_sub(1));
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
             for (body, rate) in &steps.rates {
                 self.turning(&mut polygon, *body, *rate);
+            }
+            for step in &steps.further {
+                self.step(&mut polygon, step)?;
             }
         }
         Ok(polygon)

@@ -104,7 +104,8 @@ pub(crate) fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
             };
             if m.pins.contains(&p) {
                 nodes.push(Node::Pin(p));
-            } else if link.is_none() {
+            } else {
+                // Where the point is, its own link says, even when the vector asked for is another link's.
                 nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
             }
             nodes
@@ -116,7 +117,7 @@ fn needs_of(what: &Asked) -> Vec<(Need, Level)> {
     use Level::{Acceleration, Position, Velocity};
     let at = |o: &OnLink| Need::Point(o.point, o.link);
     match what {
-        Asked::Position(p) => vec![(Need::Point(*p, None), Position)],
+        Asked::Coordinate(p, _) => vec![(Need::Point(*p, None), Position)],
         Asked::LinkAngle(l) => vec![(Need::Turning(*l), Position)],
         Asked::Distance(a, b) => vec![(Need::Point(*a, None), Position), (Need::Point(*b, None), Position)],
         Asked::Velocity(p) => vec![(at(p), Velocity)],

@@ -219,8 +219,9 @@ impl Builder<'_> {
             [a, ..] if self.m.never_turns[link.0] || !spots_differ(a, v) => Step::Same { link, target: v, from: a },
             [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
             [a] => {
-                self.need_rate_at(level, Body::Link(link));
-                let (terms, _) = self.turning(level, Body::Link(link), v, a, true);
+                let body = self.body(link);
+                self.need_rate_at(level, body);
+                let (terms, _) = self.turning(level, body, v, a, true);
                 Step::Equation { target: v, chains: vec![Chain { start: a, known: terms, unknown: vec![] }], method: Method::Driven }
             }
         };
@@ -244,7 +245,7 @@ impl Builder<'_> {
                 Level::Acceleration => &mut self.acceleration,
                 _ => &mut self.velocity,
             };
-            list.push(GroupSteps { group: g, alternatives: Vec::new(), rates: Vec::new() });
+            list.push(GroupSteps { group: g, alternatives: Vec::new(), rates: Vec::new(), further: Vec::new() });
             let alternatives = self.group(level, g);
             let list = match level {
                 Level::Acceleration => &mut self.acceleration,
@@ -252,6 +253,14 @@ impl Builder<'_> {
             };
             list.last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
+        }
+    }
+
+    /// The body with which a link turns.
+    fn body(&self, l: LinkId) -> Body {
+        match self.m.passive[l.0] {
+            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+            _ => Body::Link(self.m.turns_as(self.scene, l)),
         }
     }
 
@@ -276,10 +285,7 @@ impl Builder<'_> {
                     self.ensure(level, v);
                 }
                 Need::Turning(l) => {
-                    let body = match self.m.passive[l.0] {
-                        Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-                        _ => Body::Link(self.m.turns_as(self.scene, l)),
-                    };
+                    let body = self.body(l);
                     self.need_rate_at(level, body);
                 }
             }
@@ -289,9 +295,7 @@ impl Builder<'_> {
             Level::Acceleration => &mut self.acceleration,
             _ => &mut self.velocity,
         };
-        for alternative in &mut list.last_mut().expect("called for a group under way").alternatives {
-            alternative.extend(steps.iter().cloned());
-        }
+        list.last_mut().expect("called for a group under way").further = steps;
     }
 
     /// The alternatives of one group; leaves its results known.
@@ -494,7 +498,8 @@ impl Builder<'_> {
             }
             for (i, g) in self.scene.guides.iter().enumerate() {
                 let id = crate::scene::GuideId(i);
-                let used = self.acceleration.iter().any(|s| s.alternatives.iter().flatten().any(|step| uses_guide(step, id)));
+                let used =
+                    self.acceleration.iter().any(|s| s.alternatives.iter().flatten().chain(&s.further).any(|step| uses_guide(step, id)));
                 let (on, reason) = if self.m.never_turns[g.on.0] {
                     (false, Reason::GuideDoesNotTurn)
                 } else if used {

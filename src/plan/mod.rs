@@ -195,6 +195,15 @@ pub struct GroupSteps {
     pub alternatives: Vec<Vec<Step>>,
     /// Turning rates that are asked for or needed later, found after the steps.
     pub rates: Vec<(Body, Rate)>,
+    /// Further points that are asked for, found last: by images and by the turning rates.
+    pub further: Vec<Step>,
+}
+
+impl GroupSteps {
+    /// The steps of one alternative, further points included.
+    pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
+        self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)
+    }
 }
 
 /// An effect that was considered.
@@ -273,8 +282,7 @@ impl Plan {
     pub fn equations(&self, level: Level) -> usize {
         self.steps(level)
             .iter()
-            .filter_map(|g| g.alternatives.first())
-            .flatten()
+            .flat_map(|g| g.steps(0))
             .filter(|s| matches!(s, Step::Equation { chains, .. } if chains.len() == 2))
             .count()
     }

@@ -279,7 +279,7 @@ impl Writer<'_> {
 
     /// Direction and magnitude of a vertex known before: those of its own single term, else "known".
     fn known_vector(&self, level: Level, v: VertexId) -> (String, String) {
-        let defining = self.plan.steps(level).iter().flat_map(|g| g.alternatives.first()).flatten().find_map(|s| match s {
+        let defining = self.plan.steps(level).iter().flat_map(|g| g.steps(0)).find_map(|s| match s {
             Step::Equation { target, chains, .. } if *target == v && chains.len() == 1 => Some(&chains[0]),
             _ => None,
         });

@@ -156,7 +156,7 @@ impl<'a> Assembly<'a> {
             Core::Link { link, legs } => {
                 let poses = match self.poses[link.0] {
                     Some(pose) => vec![pose],
-                    None => self.poses_of_link(*link, legs)?,
+                    None => self.nearest_to_given(*link, &given_pins, self.poses_of_link(*link, legs)?),
                 };
                 poses.into_iter().map(|pose| self.trial_of_link(group, *link, pose, legs)).collect::<Result<Vec<_>, _>>()?
             }
@@ -186,6 +186,17 @@ impl<'a> Assembly<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Where pins of the group have coordinates, only the pose that puts the link there is meant.
+    fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point)], poses: Vec<Pose>) -> Vec<Pose> {
+        let off = |pose: &Pose| -> f64 {
+            given.iter().filter_map(|(p, at)| Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).norm2())).sum()
+        };
+        if given.is_empty() {
+            return poses;
+        }
+        poses.into_iter().min_by(|a, b| off(a).total_cmp(&off(b))).into_iter().collect()
     }
 
     /// Collects a closure: adds the points of all its links.
@@ -376,6 +387,9 @@ impl<'a> Assembly<'a> {
         let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
         match (pinned, angle) {
             (Some(pin), Some((of, driver))) => {
+                if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
+                    return self.poses_of_lever(link, pin, runner, guide);
+                }
                 let axis = self.axis_of(link, of, driver)?;
                 let d = self.shapes[link.0].local(pin).expect("a link's points have local places");
                 Ok(vec![Pose { origin: self.known(pin) - d.to_vec2().rotate_by(axis), axis }])
@@ -392,6 +406,15 @@ impl<'a> Assembly<'a> {
             }
             (None, None) => self.poses_of_triad(link, legs),
         }
+    }
+
+    /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle.
+    fn posed_by_runner(&self, link: LinkId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
+        let DriverKind::Turn { angle: None, .. } = &self.scene.drivers[driver?].kind else { return None };
+        (0..self.scene.guides.len())
+            .map(GuideId)
+            .filter(|g| self.scene.guides[g.0].on == link)
+            .find_map(|g| self.scene.guides[g.0].pin.filter(|p| given_at(self.scene, *p).is_some()).map(|p| (p, g)))
     }
 
     fn no_closure(&self, link: LinkId) -> Diagnostic {
@@ -452,7 +475,7 @@ impl<'a> Assembly<'a> {
 
     /// A link on a known pivot whose slot runs over a known pin.
     fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose>, Diagnostic> {
-        let (pivot_at, pin_at) = (self.known(pivot), self.known(runner));
+        let (pivot_at, pin_at) = (self.known(pivot), given_at(self.scene, runner).unwrap_or_else(|| self.known(runner)));
         let d = self.shapes[link.0].local(pivot).expect("a link's points have local places");
         let to_pin = pin_at - pivot_at;
         let Some(path) = self.guides[guide.0] else {

@@ -231,6 +231,8 @@ pub(super) fn guide_in_link(scene: &Scene, m: &Mechanism, shape: &LinkShape, g: 
             let through = match through {
                 Through::Point(p) => shape.local(*p)?,
                 Through::At([x, y]) if plane => Point::new(x.value, y.value),
+                // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
+                Through::Pin if guide.pin.is_none() => Point::ORIGIN,
                 // The runner's own place: known in the link only where the link's frame is the plane's and the pin is given.
                 Through::Pin if shape.frame == Frame::Plane => given_at(scene, guide.pin?)?,
                 Through::At(_) | Through::Pin => return None,

@@ -36,11 +36,6 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         let points = words(Some(node), &format!("link `{}`", key.text), faults);
         raw.links.push(RawLink { name: key.clone(), points });
     }
-    if let Some(Node { kind: Kind::Object(members), span }) = links
-        && members.is_empty()
-    {
-        faults.push(Diagnostic::error("empty", "\"links\" is empty").at(*span).help("a mechanism has at least two links"));
-    }
     raw.links_sound = faults.list.len() == before;
     raw.ground = f.need("ground", "\"4\", the name of the fixed link", faults).and_then(|n| word(n, "\"ground\"", faults));
     for (key, node) in entries(f.get("points"), "\"points\"", faults) {

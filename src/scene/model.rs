@@ -282,11 +282,20 @@ pub struct Find {
     pub span: Span,
 }
 
+/// An axis of the plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axis {
+    /// To the right.
+    X,
+    /// Up.
+    Y,
+}
+
 /// The quantities that can be asked for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Asked {
-    /// `x_E`, `y_E` (m): both coordinates are answered.
-    Position(PointId),
+    /// `x_E`, `y_E` (m).
+    Coordinate(PointId, Axis),
     /// `phi_3` (rad): angle of the link's first two points from the x axis.
     LinkAngle(LinkId),
     /// `l_AB` (m): distance at the instant.

@@ -58,7 +58,9 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
             Asked::Distance(a, b)
         }
         "x" | "y" => match c.names.on_links(rest, word)? {
-            (OnLink { point, .. }, None) => Asked::Position(point),
+            (OnLink { point, .. }, None) => {
+                Asked::Coordinate(point, if symbol == "x" { crate::scene::Axis::X } else { crate::scene::Axis::Y })
+            }
             _ => return Err(fault(format!("`{}` names two points; a coordinate has one", word.text))),
         },
         _ => match (symbol, c.names.on_links(rest, word)?) {
