@@ -297,7 +297,10 @@ impl<'a> Board<'a> {
             }
             [(_, a, None)] => {
                 p.images[target.0] = Some(a);
-                p.actions.push(Action::Reach(target));
+                // A vector laid off ends in the target by itself; without one, the start is the target.
+                if chains[0].known.is_empty() {
+                    p.actions.push(Action::Reach(target));
+                }
             }
             _ => unreachable!("an equation has one chain without, or two with, unknown parts"),
         }

@@ -7,7 +7,6 @@
 mod board;
 mod readings;
 pub mod scale;
-pub mod text;
 
 pub use board::construct;
 pub use readings::{Answer, read};
@@ -84,7 +83,7 @@ pub enum Action {
         /// Sine of the crossing.
         sine: f64,
     },
-    /// The end of a chain of known vectors taken as a vertex's image.
+    /// A vertex's image is where its chain starts: nothing is added to the known vector.
     Reach(VertexId),
     /// A triangle copied.
     Copy {

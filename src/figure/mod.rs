@@ -8,6 +8,7 @@ pub mod font;
 pub mod item;
 pub mod label;
 pub mod place;
+pub mod sheet;
 pub mod style;
 pub mod symbols;
 pub mod text;

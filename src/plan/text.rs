@@ -68,13 +68,37 @@ impl Writer<'_> {
         vertex_name(self.scene, self.plan, v)
     }
 
-    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
-    pub fn line(&self, a: VertexId, b: VertexId) -> String {
-        let spot = |v: VertexId| match self.plan.vertex(v).spot {
+    /// The place of a vertex: `B`, `O_2`, without the number that tells coincident points apart.
+    pub fn spot(&self, v: VertexId) -> String {
+        match self.plan.vertex(v).spot {
             Spot::Point(p) => point_label(self.scene.point_name(p)),
             Spot::Special { .. } => "S".into(),
+        }
+    }
+
+    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
+    pub fn line(&self, a: VertexId, b: VertexId) -> String {
+        let (a, b) = self.ordered(a, b);
+        format!("{}{}", self.spot(a), self.spot(b))
+    }
+
+    /// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
+    fn ordered(&self, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
+        let rank = |v: VertexId| match self.plan.vertex(v).spot {
+            Spot::Point(p) => p.0,
+            Spot::Special { .. } => usize::MAX,
         };
-        format!("{}{}", spot(a), spot(b))
+        if rank(a) <= rank(b) { (a, b) } else { (b, a) }
+    }
+
+    /// The length of a line: `l_{AB}`.
+    pub fn length(&self, a: VertexId, b: VertexId) -> String {
+        let (a, b) = self.ordered(a, b);
+        let plain = |v: VertexId| match self.plan.vertex(v).spot {
+            Spot::Point(p) => self.scene.point_name(p).to_string(),
+            Spot::Special { .. } => "S".into(),
+        };
+        format!("l_{{{}{}}}", plain(a), plain(b))
     }
 
     fn quantity(level: Level) -> &'static str {
@@ -125,6 +149,45 @@ impl Writer<'_> {
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
+    /// The pole of a polygon: `p`, `p'`.
+    pub fn pole(&self, level: Level) -> String {
+        format!("{}{}", self.notation.pole, prime(level))
+    }
+
+    /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.
+    pub fn image(&self, level: Level, v: VertexId) -> String {
+        let vertex = self.plan.vertex(v);
+        if vertex.fixed {
+            return self.pole(level);
+        }
+        let name = match vertex.spot {
+            Spot::Point(p) => self.scene.point_name(p).to_lowercase(),
+            Spot::Special { .. } => "s".into(),
+        };
+        let head = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let digits = &name[head.len()..];
+        let number = vertex.number.map(|l| self.scene.link_name(l)).unwrap_or_default();
+        let sub = match (digits.is_empty(), number.is_empty()) {
+            (true, true) => return format!("{head}{}", prime(level)),
+            (false, false) => format!("{digits},{number}"),
+            _ => format!("{digits}{number}"),
+        };
+        format!("{head}{}_{{{sub}}}", prime(level))
+    }
+
+    /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
+    /// the subscript, as n_b′.
+    pub fn part(&self, level: Level, t: &Term) -> String {
+        let letter = match t.kind {
+            TermKind::Normal | TermKind::SlideNormal => "n",
+            TermKind::Coriolis => "k",
+            TermKind::Tangential => "t",
+            TermKind::Relative | TermKind::Slide | TermKind::Extension => "r",
+        };
+        let of = self.name(t.of).to_lowercase();
+        format!("{letter}{}_{{{of}}}", prime(level))
+    }
+
     /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
     pub fn turning(&self, level: Level, body: Body) -> String {
         let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
@@ -169,13 +232,9 @@ impl Writer<'_> {
 
     /// Direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
     pub fn direction(&self, t: &Term) -> String {
-        let spot = |v: VertexId| match self.plan.vertex(v).spot {
-            Spot::Point(p) => point_label(self.scene.point_name(p)),
-            Spot::Special { .. } => "S".into(),
-        };
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
-            (TermKind::Normal, _) => format!("{} \\to {}", spot(t.of), spot(t.to)),
+            (TermKind::Normal, _) => format!("{} \\to {}", self.spot(t.of), self.spot(t.to)),
             (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
@@ -199,14 +258,7 @@ impl Writer<'_> {
         if !t.known {
             return self.notation.unknown.clone();
         }
-        let length = || {
-            let spot = |v: VertexId| match self.plan.vertex(v).spot {
-                Spot::Point(p) => self.scene.point_name(p).to_string(),
-                Spot::Special { .. } => "S".into(),
-            };
-            // In the order of the line's name on the link, lower end first.
-            format!("l_{{{}{}}}", spot(t.to), spot(t.of))
-        };
+        let length = || self.length(t.of, t.to);
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
             (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(Level::Velocity, b), length()),
@@ -291,6 +343,10 @@ impl Writer<'_> {
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }
+}
+
+fn prime(level: Level) -> &'static str {
+    if level == Level::Acceleration { "'" } else { "" }
 }
 
 fn out_is_empty(absolute_left: bool, chain: &Chain, chains: &[Chain]) -> bool {
