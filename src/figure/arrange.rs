@@ -22,6 +22,8 @@ pub(super) struct Pieces {
 const GAP_MM: f64 = 12.0;
 /// Between equations.
 const LINE_GAP_MM: f64 = 2.4;
+/// Above a heading in the middle of a column.
+const HEADING_AIR_MM: f64 = 3.0;
 /// A4 across: the page that sheets aim at.
 const AIM_MM: [f64; 2] = [297.0, 210.0];
 /// What a third of an empty page costs against a sheet that is as much larger.
@@ -37,6 +39,8 @@ enum Along {
 /// A tree of boxes; leaves are parts by index.
 enum Tree {
     Leaf(usize),
+    /// Air in a column.
+    Air(f64),
     Group { along: Along, gap_mm: f64, children: Vec<Tree>, centred: bool },
 }
 
@@ -60,8 +64,9 @@ impl Tree {
     fn size(&self, parts: &[Part]) -> [f64; 2] {
         match self {
             Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
+            Tree::Air(mm) => [0.0, *mm],
             Tree::Group { along, gap_mm, children, .. } => {
-                let sizes: Vec<[f64; 2]> = children.iter().map(|c| c.size(parts)).filter(|s| s[0] > 0.0).collect();
+                let sizes: Vec<[f64; 2]> = children.iter().map(|c| c.size(parts)).filter(|s| s[1] > 0.0).collect();
                 let gaps = gap_mm * sizes.len().saturating_sub(1) as f64;
                 let sum = |k: usize| sizes.iter().map(|s| s[k]).sum::<f64>();
                 let max = |k: usize| sizes.iter().map(|s| s[k]).fold(0.0, f64::max);
@@ -77,12 +82,13 @@ impl Tree {
     fn put(&self, parts: &mut [Part], at: Point) {
         match self {
             Tree::Leaf(k) => parts[*k].stand_at(at),
+            Tree::Air(_) => {}
             Tree::Group { along, gap_mm, children, centred } => {
                 let [width, height] = self.size(parts);
                 let mut here = at;
                 for c in children {
                     let [w, h] = c.size(parts);
-                    if w <= 0.0 {
+                    if h <= 0.0 {
                         continue;
                     }
                     let part = if *centred { 0.5 } else { 0.0 };
@@ -206,7 +212,11 @@ impl Layout<'_> {
             if column >= out.len() {
                 out.push(Vec::new());
             }
-            out.last_mut().expect("there is a column").push(Tree::Leaf(*k));
+            let column = out.last_mut().expect("there is a column");
+            if heading && !column.is_empty() {
+                column.push(Tree::Air(HEADING_AIR_MM));
+            }
+            column.push(Tree::Leaf(*k));
             done += h;
         }
         out.into_iter().filter(|c| !c.is_empty()).map(Tree::text_column).collect()

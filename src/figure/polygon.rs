@@ -8,7 +8,8 @@ use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
-use crate::plan::{Spot, TermKind, VertexId};
+use crate::plan::{Spot, Step, TermKind, VertexId};
+use crate::scene::Asked;
 
 use super::drawing::{Drawing, Part};
 use super::item::Shape;
@@ -23,11 +24,14 @@ const ZERO_MM: f64 = 0.05;
 const SAME_MM: f64 = 0.1;
 /// How far a construction line goes on beyond its crossing: to be seen past an arrowhead's barbs.
 const BEYOND_MM: f64 = 4.0;
+/// A part of a vector shorter than this has no room for its name.
+const LABEL_ROOM_MM: f64 = 5.0;
 
 /// A vector to be drawn, with all names that it has.
 struct Arrow {
     from: Point,
     to: Point,
+    /// All its names; the last is that of a whole vector, if it is one.
     symbols: Vec<String>,
     class: &'static str,
     step: usize,
@@ -50,15 +54,38 @@ struct Draft<'a> {
     copies: Vec<([VertexId; 3], usize)>,
 }
 
+/// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
+const MANY_ARROWS: usize = 16;
+
 /// Draws a polygon; its pole lies in the origin.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
     draft.letter(Point::ORIGIN, w.pole(p.level), 0);
     draft.follow();
-    draft.draw(*style)
+    let mut style = *style;
+    if draft.arrows.len() > MANY_ARROWS {
+        let needed = draft.needed();
+        draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
+        style.label_mm = style.small_mm;
+    }
+    draft.draw(style)
 }
 
 impl Draft<'_> {
+    /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
+    fn needed(&self) -> Vec<String> {
+        let (w, level) = (self.w, self.p.level);
+        let asked = w.scene.find.iter().filter_map(|f| match (f.what, level) {
+            (Asked::Velocity(p), Level::Velocity) | (Asked::Acceleration(p), Level::Acceleration) => w.plan.find_vertex(w.scene, p.point, p.link),
+            _ => None,
+        });
+        let starts = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).flat_map(|s| match s {
+            Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
+            Step::Image { .. } | Step::Same { .. } => Vec::new(),
+        });
+        asked.chain(starts).map(|v| w.vector(level, v)).collect()
+    }
+
     /// Goes through the board's actions.
     fn follow(&mut self) {
         let p = self.p;
@@ -145,6 +172,13 @@ impl Draft<'_> {
         }
     }
 
+    /// Where the part of a vector begins that no shorter one covers: there its name belongs.
+    fn own_part(&self, a: &Arrow) -> Point {
+        let inside = |b: &&Arrow| b.from.distance(a.from) < SAME_MM && b.to.distance(a.to) > LABEL_ROOM_MM && covers((a.from, a.to), b.to);
+        let far = self.arrows.iter().filter(inside).max_by(|b, c| a.from.distance(b.to).total_cmp(&a.from.distance(c.to)));
+        far.map_or(a.from, |b| b.to)
+    }
+
     fn draw(self, style: Style) -> Part {
         let kind = match self.p.level {
             Level::Acceleration => "acceleration",
@@ -170,12 +204,15 @@ impl Draft<'_> {
         let mut order: Vec<&Arrow> = self.arrows.iter().collect();
         order.sort_by(|a, b| b.from.distance(b.to).total_cmp(&a.from.distance(a.to)));
         for a in order {
-            let symbol = a.symbols.join(" = ");
+            // A normal part that is all there is bears the name of the whole.
+            let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
+            let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
             let class = format!("{} step-{}", a.class, a.step);
             let word = a.class.split(' ').next().unwrap_or_default();
             let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
             let owner = d.shape(&format!("{word}-{}", a.symbols[0]), &class, shape);
-            let request = LabelRequest::along(Label::math(symbol.as_str()), style.label_mm, a.from, a.to, style.vector.width_mm / 2.0);
+            let from = self.own_part(a);
+            let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, a.to, style.vector.width_mm / 2.0);
             let outward = (a.from + (a.to - a.from) * 0.5) - middle;
             d.label(&a.symbols[0], &class, request.owned(owner).towards(outward));
         }

@@ -21,6 +21,8 @@ use super::words::Words;
 
 /// Distance of the rows' baselines: scripts of one must not touch those of the next.
 const ROW_MM: f64 = 6.4;
+/// From the first row up to the heading.
+const HEADING_MM: f64 = 2.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
 /// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
@@ -30,6 +32,7 @@ const ZERO_PART: f64 = 1e-11;
 
 /// The block of results.
 pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Part {
+    let heading = Cell { label: Label::text(words.results), size_mm: style.caption_mm, anchor: Anchor::Start, class: "result heading".into(), id: "heading-results".into() };
     let mut rows = Vec::new();
     for r in &worked.results {
         let find = &scene.find[r.find];
@@ -58,8 +61,9 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
         });
     }
     let mut items = grid::set(&rows, GAP_MM);
+    items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     if let Some(worst) = worst(worked) {
-        let text = words.agreement.replace("{}", &number(worst, 1));
+        let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
         let cell = Cell { label: Phrase::new(&text).label(), size_mm: style.small_mm, anchor: Anchor::Start, class: "agreement".into(), id: "agreement".into() };
         let below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
@@ -161,7 +165,7 @@ fn unit(find: &Find) -> &'static str {
 
 fn sense(find: &Find, value: Value, words: &Words) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::math(format!("\\angle {}\\degree", number(v.angle().to_degrees(), DIGITS))),
+        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(v.angle().to_degrees(), DIGITS))),
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => Label::text(words.sense(s)),
         _ => Label::text(""),
     }

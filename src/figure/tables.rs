@@ -9,13 +9,11 @@ use crate::report::phrase::Phrase;
 use crate::scene::PointId;
 
 use super::drawing::Part;
-use super::extent::translate;
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Item};
 use super::label::Label;
 use super::style::Style;
 use super::words::{Words, words};
-use crate::geom::Vec2;
 
 /// From a symbol's baseline to the row below it, and between rows.
 const ROW_MM: f64 = 7.2;
@@ -90,7 +88,10 @@ impl Tables<'_> {
                 return Some(self.table(level, target, chains, step));
             };
             if w.plan.vertex(chain.start).fixed {
-                let formula = format!("{} = {}", w.symbol(level, &term), w.magnitude(level, &term));
+                let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
+                // On the drawing it is the whole vector that is named.
+                let head = if whole == part { whole } else { format!("{whole} = {part}") };
+                let formula = format!("{head} = {}", w.magnitude(level, &term));
                 return Some(self.line(level, &formula, Some(Label::math(w.direction(&term))), step));
             }
         }
@@ -104,14 +105,14 @@ impl Tables<'_> {
         let class = |what: &str| format!("{} table {what} {step}", kind(level));
         let mut symbols = vec![None];
         let mut magnitudes = vec![Some(self.cell(
-            Label::text(words.magnitude),
+            heading(words.magnitude),
             style.caption_mm,
             Anchor::End,
             format!("{name}-magnitude"),
             &class("heading"),
         ))];
         let mut directions = vec![Some(self.cell(
-            Label::text(words.direction),
+            heading(words.direction),
             style.caption_mm,
             Anchor::End,
             format!("{name}-direction"),
@@ -206,6 +207,11 @@ impl Tables<'_> {
     }
 }
 
+/// A row's heading, with the air that parts it from the first column.
+fn heading(word: &str) -> Label {
+    Label::text(word).then(Label::math("\\quad"))
+}
+
 fn kind(level: Level) -> &'static str {
     match level {
         Level::Acceleration => "acceleration",
@@ -231,21 +237,4 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
         Action::Line { .. } | Action::Rate(_) => false,
     };
     p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
-}
-
-/// Stacks parts, one below the other, their left edges in line.
-pub fn stack(parts: Vec<Part>, gap_mm: f64) -> Part {
-    let mut items = Vec::new();
-    let mut y = 0.0;
-    let mut whole: Option<super::extent::Rect> = None;
-    for mut part in parts {
-        part.translate(Vec2::new(-part.bounds.min.x, y - part.bounds.max.y));
-        y = part.bounds.min.y - gap_mm;
-        whole = Some(whole.map_or(part.bounds, |w| w.union(part.bounds)));
-        items.extend(part.items);
-    }
-    translate(&mut items, Vec2::ZERO);
-    let mut out = Part::of(items);
-    out.bounds = whole.unwrap_or(out.bounds);
-    out
 }

@@ -81,10 +81,9 @@ impl Draft<'_> {
     fn ground_number(&mut self, id: &str, name: &str) {
         let pivot = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).find_map(|p| Some((self.point(p)?, self.support_side(p))));
         if let Some((at, down)) = pivot {
-            // Beside the end of the ground line.
-            let right = down.perp();
-            let end = at + down * self.style.pivot_height_mm + right * self.style.ground_half_mm;
-            self.d.label_at(id, "number", name, end, 0.4, Some(right));
+            // At an end of the ground line, or below its hatching.
+            let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
+            self.d.label_at(id, "number", name, foot, self.style.ground_half_mm, Some(down.perp()));
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(crate::scene::GuideId(g))).next();

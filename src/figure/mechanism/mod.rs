@@ -23,7 +23,7 @@ use form::Form;
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
 /// A link this near to the direction of a support's triangle (cosine) would be drawn over it.
-const OVER_SUPPORT: f64 = 0.75;
+const OVER_SUPPORT: f64 = 0.6;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {

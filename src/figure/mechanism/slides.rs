@@ -15,6 +15,8 @@ const GUIDE_MM: f64 = 26.0;
 const BUSHING_MM: f64 = 20.0;
 /// Length of a bushing.
 const BUSHING_LENGTH_MM: f64 = 11.0;
+/// How far the slotted bar of a yoke goes on beyond its rod.
+const BEYOND_ROD_MM: f64 = 8.0;
 /// Part of a cylinder's length that is its barrel: the rod shows also when it is far in.
 const BARREL_PART: f64 = 0.5;
 /// A link that leaves the block more steeply than this (sine) decides on which side the guide is hatched.
@@ -154,11 +156,8 @@ impl Draft<'_> {
         if !crossing.at.is_finite() || crossing.sine.abs() < 0.1 {
             return;
         }
-        // As far on the other side of the rod as the block stands off it: the yoke of every textbook.
         let t = (crossing.at - a).dot(u);
-        let length = a.distance(b);
-        let reach = (t.abs()).max((length - t).abs());
-        form.guide_bars[0] = (a + u * (t - reach), a + u * (t + reach));
+        form.guide_bars[0] = (a + u * (t - BEYOND_ROD_MM).min(0.0), a + u * (t + BEYOND_ROD_MM).max(a.distance(b)));
     }
 
     /// Blocks of numbered sliders that have a pin.
