@@ -29,9 +29,10 @@ const OVER_SUPPORT: f64 = 0.6;
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
     let mut draft = Draft::new(style, scene, worked);
     draft.ground_guides();
-    draft.plates();
+    draft.plates(true);
     draft.carriers();
     draft.blocks();
+    draft.plates(false);
     draft.bars();
     draft.cylinders();
     draft.joints();
@@ -156,11 +157,11 @@ impl<'a> Draft<'a> {
         sides.into_iter().find(|u| taken(u) < OVER_SUPPORT).unwrap_or(sides[0])
     }
 
-    /// Plates lie at the back.
-    fn plates(&mut self) {
+    /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.
+    fn plates(&mut self, with_guides: bool) {
         for l in 0..self.forms.len() {
             let Some(Form { plate, .. }) = &self.forms[l] else { continue };
-            if plate.is_empty() {
+            if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
                 continue;
             }
             let items = sym::plate(self.style, plate);

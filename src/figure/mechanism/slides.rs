@@ -168,9 +168,8 @@ impl Draft<'_> {
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((at, tangent)) = self.runner(g) else { continue };
             let items = sym::block(self.style, at, tangent.angle(), through);
-            let owner = self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
-            let half = tangent * (self.style.block_length_mm / 2.0);
-            self.number_at[slider.0] = Some(NumberPlace::Beside(at - half, at + half, owner));
+            self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
+            self.number_at[slider.0] = Some(NumberPlace::Around(at));
         }
     }
 
