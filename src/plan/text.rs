@@ -151,9 +151,14 @@ impl Writer<'_> {
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
-    /// The pole of a polygon: `p`, `p'`.
+    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, the other one of `p` and `o`, else `q`.
     pub fn pole(&self, level: Level) -> String {
-        format!("{}{}", self.notation.pole, prime(level))
+        let taken = |letter: &str| {
+            let named = |s: Spot| matches!(s, Spot::Point(p) if self.scene.point_name(p).to_lowercase() == letter);
+            self.plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
+        };
+        let letter = [self.notation.pole.as_str(), "p", "o"].into_iter().find(|l| !taken(l)).unwrap_or("q");
+        format!("{letter}{}", prime(level))
     }
 
     /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.

@@ -13,8 +13,8 @@ use super::Draft;
 pub(super) enum NumberPlace {
     /// Along a rod.
     Along(Point, Point, u32),
-    /// Around a block with this middle.
-    Around(Point),
+    /// Around a block with this middle, rather on this side.
+    Around(Point, Option<Vec2>),
     /// Beside something so wide to each side.
     Wide(Point, Point, f64, u32),
 }
@@ -37,7 +37,7 @@ impl Draft<'_> {
             let block = 0.9 * self.style.block_width_mm.hypot(self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Around(at)) => self.d.label_at(&id, "number", &name, at, block, None),
+                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name, at, block, side),
                 Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
@@ -67,7 +67,8 @@ impl Draft<'_> {
     fn pieces(&self, l: usize) -> Vec<(Point, Point)> {
         let Some(form) = &self.forms[l] else { return Vec::new() };
         let points: Vec<Point> = self.scene.links[l].points.iter().filter_map(|p| self.point(*p)).collect();
-        let runners = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on.0 == l).filter_map(|g| self.runner(crate::scene::GuideId(g)));
+        let runners =
+            (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on.0 == l).filter_map(|g| self.runner(crate::scene::GuideId(g)));
         let stops: Vec<Point> = points.into_iter().chain(runners.map(|(at, _)| at)).collect();
         let mut out = Vec::new();
         for (a, b) in form.segments() {
@@ -104,12 +105,17 @@ impl Draft<'_> {
     pub(super) fn letters(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p) else { continue };
-            let shown = self.is_fixed_pivot(p) || self.is_pin(p) || self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some());
+            let shown = self.is_fixed_pivot(p)
+                || self.is_pin(p)
+                || self.is_reference(p)
+                || self.scene.carriers(p).any(|l| self.forms[l.0].is_some());
             if !shown {
                 continue;
             }
             let clear = if self.block_at(p).is_some() {
                 self.style.block_width_mm / 2.0
+            } else if self.in_fixed_slot(p) {
+                self.style.slot_width_mm / 2.0 + self.style.hatch_depth_mm
             } else if self.is_pin(p) {
                 self.style.pin_radius_mm + self.style.outline.width_mm / 2.0
             } else {
@@ -118,6 +124,9 @@ impl Draft<'_> {
             let mut away = self.leaving(p).into_iter().fold(Vec2::ZERO, |s, u| s - u);
             if self.is_fixed_pivot(p) {
                 away = away - self.support_side(p);
+            }
+            if let Some(side) = self.block_at(p).and_then(|g| self.hatched[g.0]) {
+                away = away - side;
             }
             let prefer = away.unit().filter(|_| away.norm() > NO_SIDE);
             let name = self.scene.point_name(p).to_owned();

@@ -52,12 +52,15 @@ struct Draft<'a> {
     forms: Vec<Option<Form>>,
     /// Where each link's number goes.
     number_at: Vec<Option<letters::NumberPlace>>,
+    /// For each guide on the ground with hatching at one side, that side.
+    hatched: Vec<Option<Vec2>>,
 }
 
 impl<'a> Draft<'a> {
     fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked) -> Self {
         let d = Drawing::new("mechanism", *style);
-        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at: vec![None; scene.links.len()] };
+        let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
+        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at, hatched };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
     }
@@ -119,6 +122,11 @@ impl<'a> Draft<'a> {
         })
     }
 
+    /// Whether the point runs, as a bare pin, in a slot of the ground.
+    fn in_fixed_slot(&self, p: PointId) -> bool {
+        self.scene.guides.iter().any(|g| g.pin == Some(p) && g.slider.is_none() && g.on == self.scene.ground)
+    }
+
     /// The guide whose block stands around the point.
     fn block_at(&self, p: PointId) -> Option<GuideId> {
         self.scene.guides.iter().position(|g| g.pin == Some(p) && g.slider.is_some()).map(GuideId)
@@ -142,7 +150,13 @@ impl<'a> Draft<'a> {
         }
         for d in &self.scene.drivers {
             if let DriverKind::Cylinder { a, b, .. } = d.kind {
-                let other = if a == p { Some(b) } else if b == p { Some(a) } else { None };
+                let other = if a == p {
+                    Some(b)
+                } else if b == p {
+                    Some(a)
+                } else {
+                    None
+                };
                 out.extend(other.and_then(|q| (self.point(q)? - at).unit()));
             }
         }
@@ -216,9 +230,8 @@ impl<'a> Draft<'a> {
         let mut across = Vec::new();
         for l in self.scene.carriers(p) {
             let Some(form) = &self.forms[l.0] else { continue };
-            let through = |(a, b): &&(Point, Point)| {
-                form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM
-            };
+            let through =
+                |(a, b): &&(Point, Point)| form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM;
             if form.plate.is_empty() {
                 across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).copied());
             }
