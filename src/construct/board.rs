@@ -480,7 +480,7 @@ impl<'a> Board<'a> {
     }
 
     fn held_by(&self, t: &Term) -> String {
-        let line = || format!("{}{}", self.name(t.to), self.name(t.of));
+        let line = || crate::plan::text::line_name(self.scene, self.plan, t.to, t.of);
         match t.by {
             By::Turning(Body::Link(l)) => format!("link {} ({})", self.link(l), line()),
             By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),

@@ -30,6 +30,7 @@ pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
         vertices: b.vertices,
         velocity: b.velocity,
         acceleration: b.acceleration,
+        still: m.never_turns.clone(),
         level: demand.level,
         effects,
         undrawable: b.undrawable,
