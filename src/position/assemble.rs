@@ -495,6 +495,12 @@ impl<'a> Assembly<'a> {
             };
         };
         let places = match path {
+            // A link that is nothing but its pivot and its slot has no front: pin ahead or behind is the same thing.
+            Path::Line { through, direction } if self.shapes[link.0].frame == Frame::Loose && through == d => {
+                let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                places.truncate(1);
+                places
+            }
             Path::Line { through, direction } => {
                 kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?
             }
