@@ -90,14 +90,26 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = match computed {
-                    Value::Vector(_) => construction.polygon(level).map_or(0.0, construct::Polygon::largest),
-                    Value::Scalar(_) => construction.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max),
-                };
-                Some(compare(d.value, computed, scale, solution.condition, level))
+                let scale = scale_of(&construction, &configuration, level, &computed);
+                let worst = construction.magnification[usize::from(level == Level::Acceleration)];
+                Some(compare(d.value, computed, scale, worst))
             }
         };
         results.push(Outcome { find: i, drawn, computed, agreement });
     }
     Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
+}
+
+/// The size against which a small answer of a level is judged: the longest vector of its polygon; for a turning rate the
+/// largest rate, or what that vector makes at the size of the mechanism. (α may vanish where ω² l does not.)
+fn scale_of(paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
+    let longest = paper.polygon(level).map_or(0.0, construct::Polygon::largest);
+    match value {
+        Value::Vector(_) => longest,
+        Value::Scalar(_) => {
+            let rates = paper.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max);
+            let extent = at.extent();
+            if extent > 0.0 { rates.max(longest / extent) } else { rates }
+        }
+    }
 }

@@ -151,6 +151,8 @@ pub struct Construction {
     pub rates: Vec<RateReading>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
+    /// How many times rounding is magnified at the worst crossing, in velocities and in accelerations.
+    pub magnification: [f64; 2],
     /// Crossings under a bad angle and the like.
     pub warnings: Vec<Diagnostic>,
 }
