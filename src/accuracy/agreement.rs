@@ -10,6 +10,8 @@ pub struct Agreement {
     pub difference: f64,
     /// What double precision lets one expect: 1e-11 for well-conditioned scenes, more where crossings lie under bad angles.
     pub bound: f64,
+    /// A value of no more than this (SI) cannot be told from zero: rounding of the largest vector makes as much.
+    pub noise: f64,
 }
 
 impl Agreement {
@@ -37,7 +39,7 @@ pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) ->
     };
     let reference = size.max(scale * 1e-3);
     let difference = if difference == 0.0 { 0.0 } else { difference / reference };
-    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification) }
+    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: STEPS * f64::EPSILON * scale }
 }
 
 #[cfg(test)]

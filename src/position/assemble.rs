@@ -112,6 +112,7 @@ impl<'a> Assembly<'a> {
                 let through = match through {
                     Through::Point(p) => pose.to_world(self.shapes[guide.on.0].local(*p)?),
                     Through::At([x, y]) => Point::new(x.value, y.value),
+                    Through::Pin if guide.pin.is_none() => pose.origin,
                     Through::Pin => pin?,
                 };
                 Some(Path::Line { through: through + direction.perp() * offset.as_ref().map_or(0.0, |o| o.value), direction })
@@ -712,6 +713,20 @@ impl<'a> Assembly<'a> {
                     }
                     Path::Arc { centre, radius } => Path::Arc { centre: pose.to_local(centre), radius },
                 });
+            }
+        }
+        for g in (0..self.scene.guides.len()).map(GuideId) {
+            let guide = &self.scene.guides[g.0];
+            let runner = match (guide.pin, guide.slider) {
+                (Some(p), _) => self.points[p.0].is_some(),
+                (None, s) => s.is_some_and(|s| self.poses[s.0].is_some()),
+            };
+            if runner
+                && self.poses[guide.on.0].is_some()
+                && self.guides[g.0].is_none()
+                && let Err(d) = self.need_guide(g)
+            {
+                self.faults.push(d);
             }
         }
         let shapes = Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() };
