@@ -6,11 +6,14 @@ use hodograph::figure::extent::translate;
 use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
 use hodograph::figure::label::Label;
 use hodograph::figure::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
+use hodograph::figure::sheet::{Options, sheet};
 use hodograph::figure::style::Style;
 use hodograph::figure::symbols as sym;
 use hodograph::figure::{arrow::Head, extent::Rect};
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::render::{png, svg};
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
 
 const STYLE: Style = Style::TEXTBOOK;
 const PAPER: Rect = Rect { min: Point::ORIGIN, max: Point { x: 210.0, y: 104.0 } };
@@ -265,4 +268,30 @@ fn fourbar_sheet_in_two_languages() {
 fn symbol_sheet() {
     let (svg, _) = ink(&symbols(), "symbols");
     assert!(svg.contains(r#"class="ground hatch""#));
+}
+
+#[test]
+fn every_template_in_two_languages() {
+    let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
+    let values = std::env::var("HODOGRAPH_SET").unwrap_or_default();
+    let set: Vec<(&str, &str)> = values.split(',').filter_map(|v| v.split_once('=')).collect();
+    let mut failures = Vec::new();
+    for t in templates::list().iter().filter(|t| only.is_empty() || only.split(',').any(|o| o == t.name)) {
+        let scene = scene::read(templates::instantiate(t.name, &set).unwrap()).unwrap().value;
+        let worked = match work(&scene, Scope::Figure) {
+            Ok(w) => w.value,
+            Err(f) => {
+                failures.push(format!("{}: {f}", t.name));
+                continue;
+            }
+        };
+        for lang in [Lang::En, Lang::Zh] {
+            let options = Options::of_language(lang);
+            let figure = sheet(&scene, &worked, &options).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let tag = figure.lang.clone();
+            let name = format!("{}-{tag}", t.name);
+            ink(&figure, &name);
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -196,8 +196,10 @@ impl Writer<'_> {
             TermKind::Tangential => "t",
             TermKind::Relative | TermKind::Slide | TermKind::Extension => "r",
         };
-        let of = self.name(t.of).to_lowercase();
-        format!("{letter}{}_{{{of}}}", prime(level))
+        // The normal part of a relative acceleration bears both letters: the absolute one of the same point is n_c′ too.
+        let both = t.kind == TermKind::Normal && !self.plan.vertex(t.to).fixed;
+        let to = if both { self.name(t.to).to_lowercase() } else { String::new() };
+        format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
     }
 
     /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
