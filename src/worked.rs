@@ -131,6 +131,7 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
             if arm > 0.0 { largest.max(vector / arm) } else { largest }
         }
     }
+}
 
 /// A polygon with more vectors than this needs more room for their names than the usual box has.
 const USUAL_VECTORS: f64 = 9.0;

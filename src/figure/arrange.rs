@@ -41,7 +41,12 @@ enum Tree {
     Leaf(usize),
     /// Air in a column.
     Air(f64),
-    Group { along: Along, gap_mm: f64, children: Vec<Tree>, centred: bool },
+    Group {
+        along: Along,
+        gap_mm: f64,
+        children: Vec<Tree>,
+        centred: bool,
+    },
 }
 
 impl Tree {
@@ -135,9 +140,12 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     let size = paper.unwrap_or([w + 2.0 * margin_mm, h + 2.0 * margin_mm]);
     let (free_x, free_y) = (size[0] - w, size[1] - h);
     if free_x < 0.0 || free_y < 0.0 {
-        return Err(Diagnostic::error("paper-too-small", format!("the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}", size[0], size[1]))
-            .help("give a larger paper, leave its size to the sheet, or ask for less")
-            .into());
+        return Err(Diagnostic::error(
+            "paper-too-small",
+            format!("the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}", size[0], size[1]),
+        )
+        .help("give a larger paper, leave its size to the sheet, or ask for less")
+        .into());
     }
     best.put(&mut parts, Point::new(free_x / 2.0, size[1] - free_y / 2.0));
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))

@@ -143,7 +143,11 @@ impl Drawing {
 
 /// A symbol as a name in a document: no braces, no backslashes, no spaces.
 fn plain(symbol: &str) -> String {
-    symbol.replace('\'', "′").chars().filter(|c| !matches!(c, '{' | '}' | '\\' | '"' | '<' | '>' | '&' | ',') && !c.is_whitespace()).collect()
+    symbol
+        .replace('\'', "′")
+        .chars()
+        .filter(|c| !matches!(c, '{' | '}' | '\\' | '"' | '<' | '>' | '&' | ',') && !c.is_whitespace())
+        .collect()
 }
 
 #[cfg(test)]

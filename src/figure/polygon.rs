@@ -76,7 +76,9 @@ impl Draft<'_> {
     fn needed(&self) -> Vec<String> {
         let (w, level) = (self.w, self.p.level);
         let asked = w.scene.find.iter().filter_map(|f| match (f.what, level) {
-            (Asked::Velocity(p), Level::Velocity) | (Asked::Acceleration(p), Level::Acceleration) => w.plan.find_vertex(w.scene, p.point, p.link),
+            (Asked::Velocity(p), Level::Velocity) | (Asked::Acceleration(p), Level::Acceleration) => {
+                w.plan.find_vertex(w.scene, p.point, p.link)
+            }
             _ => None,
         });
         let starts = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).flat_map(|s| match s {

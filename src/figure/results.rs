@@ -32,12 +32,20 @@ const ZERO_PART: f64 = 1e-11;
 
 /// The block of results.
 pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Part {
-    let heading = Cell { label: Label::text(words.results), size_mm: style.caption_mm, anchor: Anchor::Start, class: "result heading".into(), id: "heading-results".into() };
+    let heading = Cell {
+        label: Label::text(words.results),
+        size_mm: style.caption_mm,
+        anchor: Anchor::Start,
+        class: "result heading".into(),
+        id: "heading-results".into(),
+    };
     let mut rows = Vec::new();
     for r in &worked.results {
         let find = &scene.find[r.find];
         let id = format!("result-{}", find.text);
-        let cell = |text: Label, anchor, what: &str| Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") });
+        let cell = |text: Label, anchor, what: &str| {
+            Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
+        };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = clean(r, find, &worked.construction);
         let measured = measured(r, find, &worked.construction, words);
@@ -64,7 +72,13 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     if let Some(worst) = worst(worked) {
         let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
-        let cell = Cell { label: Phrase::new(&text).label(), size_mm: style.small_mm, anchor: Anchor::Start, class: "agreement".into(), id: "agreement".into() };
+        let cell = Cell {
+            label: Phrase::new(&text).label(),
+            size_mm: style.small_mm,
+            anchor: Anchor::Start,
+            class: "agreement".into(),
+            id: "agreement".into(),
+        };
         let below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
     }
@@ -135,7 +149,9 @@ fn measured(r: &Outcome, find: &Find, paper: &Construction, words: &Words) -> Op
     let read = format!("{mm_text} mm \\cdot {scale}");
     let _ = mu;
     let over = match drawn.value {
-        Value::Scalar(_) => paper.rates.iter().filter(|q| q.level == level).filter_map(|q| q.measured).find(|(l, _)| *l == mm).map(|(_, l)| l),
+        Value::Scalar(_) => {
+            paper.rates.iter().filter(|q| q.level == level).filter_map(|q| q.measured).find(|(l, _)| *l == mm).map(|(_, l)| l)
+        }
         Value::Vector(_) => None,
     };
     Some(Label::math(match over {
@@ -166,7 +182,9 @@ fn unit(find: &Find) -> &'static str {
 fn sense(find: &Find, value: Value, words: &Words) -> Label {
     match (find.what, value) {
         (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(v.angle().to_degrees(), DIGITS))),
-        (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => Label::text(words.sense(s)),
+        (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
+            Label::text(words.sense(s))
+        }
         _ => Label::text(""),
     }
 }

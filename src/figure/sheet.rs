@@ -161,7 +161,7 @@ impl Maker<'_> {
     }
 
     fn captioned(&self, mut part: Part, letter: &str, words: &str, mu: &str) -> Part {
-            let x = part.bounds.centre().x;
+        let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
         let name = mu.chars().skip(1).take_while(|c| *c != ' ').collect::<String>();
         let text = |at: Point, label: Label, size_mm: f64, what: &str| {
@@ -214,12 +214,7 @@ struct TablesOwner<'a> {
 impl TablesOwner<'_> {
     fn parts(&self, level: Level) -> Vec<Part> {
         let worked = self.maker.worked;
-        let tables = Tables {
-            style: STYLE,
-            writer: &self.writer,
-            mechanism: &worked.mechanism,
-            construction: &worked.construction,
-        };
+        let tables = Tables { style: STYLE, writer: &self.writer, mechanism: &worked.mechanism, construction: &worked.construction };
         tables.parts(level)
     }
 }

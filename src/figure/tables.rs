@@ -104,20 +104,10 @@ impl Tables<'_> {
         let name = format!("{}-{}", kind(level), id_of(&w.vector(level, target)));
         let class = |what: &str| format!("{} table {what} {step}", kind(level));
         let mut symbols = vec![None];
-        let mut magnitudes = vec![Some(self.cell(
-            heading(words.magnitude),
-            style.caption_mm,
-            Anchor::End,
-            format!("{name}-magnitude"),
-            &class("heading"),
-        ))];
-        let mut directions = vec![Some(self.cell(
-            heading(words.direction),
-            style.caption_mm,
-            Anchor::End,
-            format!("{name}-direction"),
-            &class("heading"),
-        ))];
+        let mut magnitudes =
+            vec![Some(self.cell(heading(words.magnitude), style.caption_mm, Anchor::End, format!("{name}-magnitude"), &class("heading")))];
+        let mut directions =
+            vec![Some(self.cell(heading(words.direction), style.caption_mm, Anchor::End, format!("{name}-direction"), &class("heading")))];
         for (k, c) in columns.iter().enumerate() {
             let cell = |text: &str, size: f64, what: &str| {
                 Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))

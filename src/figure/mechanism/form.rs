@@ -62,7 +62,10 @@ impl Draft<'_> {
         let link = &self.scene.links[l.0];
         let own_guides: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].on == l).collect();
         // The centre of a slot is no part of the body, unless something is pinned there.
-        let centre_only = |p| !self.is_pin(p) && own_guides.iter().any(|g| matches!(self.scene.guides[g.0].path, GuidePath::Arc { centre, .. } if centre == p));
+        let centre_only = |p| {
+            !self.is_pin(p)
+                && own_guides.iter().any(|g| matches!(self.scene.guides[g.0].path, GuidePath::Arc { centre, .. } if centre == p))
+        };
         let points: Vec<Point> = link.points.iter().filter(|p| !centre_only(**p)).filter_map(|p| self.point(*p)).collect();
         let mut form = Form::default();
         if points.len() >= 3 && !in_line(&points) {
@@ -123,7 +126,8 @@ impl Draft<'_> {
         }
         // Points of the link off the guide: the corner where their bar meets it.
         if form.plate.is_empty()
-            && let (Some(off_line), Some(corner)) = (points.iter().copied().find(|p| off(*p) >= IN_LINE_MM), points.iter().copied().find(|p| off(*p) < IN_LINE_MM))
+            && let (Some(off_line), Some(corner)) =
+                (points.iter().copied().find(|p| off(*p) >= IN_LINE_MM), points.iter().copied().find(|p| off(*p) < IN_LINE_MM))
             && corner.distance(at) > IN_LINE_MM
         {
             form.corners.push((corner, off_line, at));

@@ -66,7 +66,8 @@ impl Draft<'_> {
     fn pieces(&self, l: usize) -> Vec<(Point, Point)> {
         let Some(form) = &self.forms[l] else { return Vec::new() };
         let points: Vec<Point> = self.scene.links[l].points.iter().filter_map(|p| self.point(*p)).collect();
-        let runners = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on.0 == l).filter_map(|g| self.runner(crate::scene::GuideId(g)));
+        let runners =
+            (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on.0 == l).filter_map(|g| self.runner(crate::scene::GuideId(g)));
         let stops: Vec<Point> = points.into_iter().chain(runners.map(|(at, _)| at)).collect();
         let mut out = Vec::new();
         for (a, b) in form.segments() {
@@ -79,7 +80,10 @@ impl Draft<'_> {
     }
 
     fn ground_number(&mut self, id: &str, name: &str) {
-        let pivot = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).find_map(|p| Some((self.point(p)?, self.support_side(p))));
+        let pivot = (0..self.scene.points.len())
+            .map(PointId)
+            .filter(|p| self.is_fixed_pivot(*p))
+            .find_map(|p| Some((self.point(p)?, self.support_side(p))));
         if let Some((at, down)) = pivot {
             // At an end of the ground line, or below its hatching.
             let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
@@ -99,7 +103,10 @@ impl Draft<'_> {
     pub(super) fn letters(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
             let Some(at) = self.point(p) else { continue };
-            let shown = self.is_fixed_pivot(p) || self.is_pin(p) || self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some());
+            let shown = self.is_fixed_pivot(p)
+                || self.is_pin(p)
+                || self.is_reference(p)
+                || self.scene.carriers(p).any(|l| self.forms[l.0].is_some());
             if !shown {
                 continue;
             }

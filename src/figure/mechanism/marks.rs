@@ -49,14 +49,20 @@ impl Draft<'_> {
         let Some(u) = (to - at).unit() else { return };
         let crank = at.distance(to);
         let grounded = against == self.scene.ground;
-        let index = if grounded { self.scene.link_name(link).to_owned() } else { format!("{}/{}", self.scene.link_name(link), self.scene.link_name(against)) };
+        let index = if grounded {
+            self.scene.link_name(link).to_owned()
+        } else {
+            format!("{}/{}", self.scene.link_name(link), self.scene.link_name(against))
+        };
         let mut side = 1.0;
         let written = angle.as_ref().map(|a| a.value.radians() % TAU);
         if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD) {
             side = sweep.signum();
             let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
             let reference = match against_line.or_else(|| first_two(against)) {
-                Some((a, b)) if !grounded || against_line.is_some() => self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle()),
+                Some((a, b)) if !grounded || against_line.is_some() => {
+                    self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
+                }
                 _ => 0.0,
             };
             let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
@@ -80,7 +86,8 @@ impl Draft<'_> {
     }
 
     fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
-        let request = LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
+        let request =
+            LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
         self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
     }
 
@@ -99,7 +106,11 @@ impl Draft<'_> {
         };
         // Above the block, as the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
-        let symbol = if driver.acceleration.as_ref().is_some_and(|a| a.value != 0.0) { format!("v_{{{name}}}, a_{{{name}}}") } else { format!("v_{{{name}}}") };
+        let symbol = if driver.acceleration.as_ref().is_some_and(|a| a.value != 0.0) {
+            format!("v_{{{name}}}, a_{{{name}}}")
+        } else {
+            format!("v_{{{name}}}")
+        };
         let from = at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM);
         self.straight_arrow(from, tangent, driver.rate.value, &symbol);
     }

@@ -141,7 +141,13 @@ impl<'a> Draft<'a> {
         }
         for d in &self.scene.drivers {
             if let DriverKind::Cylinder { a, b, .. } = d.kind {
-                let other = if a == p { Some(b) } else if b == p { Some(a) } else { None };
+                let other = if a == p {
+                    Some(b)
+                } else if b == p {
+                    Some(a)
+                } else {
+                    None
+                };
                 out.extend(other.and_then(|q| (self.point(q)? - at).unit()));
             }
         }
@@ -215,9 +221,8 @@ impl<'a> Draft<'a> {
         let mut across = Vec::new();
         for l in self.scene.carriers(p) {
             let Some(form) = &self.forms[l.0] else { continue };
-            let through = |(a, b): &&(Point, Point)| {
-                form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM
-            };
+            let through =
+                |(a, b): &&(Point, Point)| form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM;
             if form.plate.is_empty() {
                 across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).copied());
             }
