@@ -57,9 +57,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The value to print: the drawing's where there is one.
+    /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
     pub fn value(&self) -> Value {
-        self.drawn.as_ref().map_or(self.computed, |a| a.value)
+        let value = self.drawn.as_ref().map_or(self.computed, |a| a.value);
+        match (value, self.agreement) {
+            (Value::Vector(_), Some(a)) if value.magnitude() <= a.noise => Value::Vector(crate::geom::Vec2::ZERO),
+            (Value::Scalar(_), Some(a)) if value.magnitude() <= a.noise => Value::Scalar(0.0),
+            _ => value,
+        }
     }
 }
 
@@ -90,16 +95,42 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = match computed {
-                    Value::Vector(_) => construction.polygon(level).map_or(0.0, construct::Polygon::largest),
-                    Value::Scalar(_) => construction.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max),
-                };
-                Some(compare(d.value, computed, scale, solution.condition, level))
+                let scale = scale_of(scene, &construction, &configuration, level, &computed);
+                let worst = construction.magnification[usize::from(level == Level::Acceleration)];
+                Some(compare(d.value, computed, scale, worst))
             }
         };
         results.push(Outcome { find: i, drawn, computed, agreement });
     }
     Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
+}
+
+/// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers
+/// would make at the size of the mechanism where all vectors vanish; for a turning rate the largest rate, or what that
+/// vector makes on the shortest arm on which a rate was measured (ω of a short link is a small difference of vectors
+/// divided by a small length, and α may vanish where ω² l does not).
+fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
+    let extent = at.extent();
+    let driven = |d: &crate::scene::Driver| match d.kind {
+        crate::scene::DriverKind::Turn { .. } => d.rate.value.abs() * extent,
+        _ => d.rate.value.abs(),
+    };
+    let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
+    let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);
+    let vector = match level {
+        Level::Acceleration if extent > 0.0 => largest(level).max(speed * speed / extent),
+        Level::Acceleration => largest(level),
+        _ => speed,
+    };
+    match value {
+        Value::Vector(_) => vector,
+        Value::Scalar(_) => {
+            let rates = paper.rates.iter().filter(|r| r.level == level);
+            let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
+            let arm = rates.filter_map(|r| r.measured).map(|m| m.1).fold(extent, f64::min);
+            if arm > 0.0 { largest.max(vector / arm) } else { largest }
+        }
+    }
 }
 
 /// A polygon with more vectors than this needs more room for their names than the usual box has.

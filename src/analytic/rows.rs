@@ -7,7 +7,7 @@
 
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Level, Mechanism, Passive};
+use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::DVector;
@@ -101,7 +101,6 @@ impl Layout {
                     .or_else(|| at.poses[l].map(|p| p.origin))
             })
             .collect();
-        let _ = m.passive.iter().filter(|p| matches!(p, Some(Passive::Block(_)))).count();
         let unknowns = 3 * links.len() + 2 * bare.len();
         Layout { links, bare, unknowns, origins, scale: crate::position::kernel::power_of_two_scale(at.extent()) }
     }

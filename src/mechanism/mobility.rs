@@ -169,7 +169,8 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
     Diagnostic::error(
         "too-few-constraints",
         format!(
-            "the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            count(scene).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
             names.join(", ")
@@ -191,7 +192,15 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
     }
     let d = Diagnostic::error(
         "too-many-constraints",
-        format!("{} more condition{} than freedoms: {}", homeless.len(), if homeless.len() == 1 { "" } else { "s" }, names.join(", ")),
+        format!(
+            "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
+            homeless.len(),
+            if homeless.len() == 1 { "" } else { "s" },
+            count(scene).freedom,
+            scene.drivers.len(),
+            if scene.drivers.len() == 1 { "" } else { "s" },
+            names.join(", ")
+        ),
     )
     .help("leave out a driver, or a link or joint that only repeats what others fix");
     match span {
@@ -227,7 +236,7 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (String, crate::diag::Span)
 
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
-pub(crate) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
+pub(crate) fn count(scene: &Scene) -> Mobility {
     let mut moving = scene.links.len() - 1;
     let mut lower = 0;
     let mut on_pin = vec![0usize; scene.points.len()];
@@ -267,7 +276,6 @@ pub(crate) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     lower += on_pin.iter().map(|n| n.saturating_sub(1)).sum::<usize>();
-    debug_assert!(constraints.len() >= scene.drivers.len());
     let freedom = 3 * moving as i64 - 2 * lower as i64 - higher as i64;
     Mobility { moving, lower, higher, freedom }
 }

@@ -51,6 +51,25 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     name
 }
 
+/// Name of a line in plain letters, its ends in the order of the scene: `AB`.
+pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String {
+    let (a, b) = ordered(plan, a, b);
+    let plain = |v: VertexId| match plan.vertex(v).spot {
+        Spot::Point(p) => scene.point_name(p),
+        Spot::Special { .. } => "S",
+    };
+    format!("{}{}", plain(a), plain(b))
+}
+
+/// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
+fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
+    let rank = |v: VertexId| match plan.vertex(v).spot {
+        Spot::Point(p) => p.0,
+        Spot::Special { .. } => usize::MAX,
+    };
+    if rank(a) <= rank(b) { (a, b) } else { (b, a) }
+}
+
 /// A point's name in the label language: `O2` → `O_2`, `B` → `B`.
 pub fn point_label(name: &str) -> String {
     let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -78,27 +97,13 @@ impl Writer<'_> {
 
     /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
     pub fn line(&self, a: VertexId, b: VertexId) -> String {
-        let (a, b) = self.ordered(a, b);
+        let (a, b) = ordered(self.plan, a, b);
         format!("{}{}", self.spot(a), self.spot(b))
-    }
-
-    /// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
-    fn ordered(&self, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
-        let rank = |v: VertexId| match self.plan.vertex(v).spot {
-            Spot::Point(p) => p.0,
-            Spot::Special { .. } => usize::MAX,
-        };
-        if rank(a) <= rank(b) { (a, b) } else { (b, a) }
     }
 
     /// The length of a line: `l_{AB}`.
     pub fn length(&self, a: VertexId, b: VertexId) -> String {
-        let (a, b) = self.ordered(a, b);
-        let plain = |v: VertexId| match self.plan.vertex(v).spot {
-            Spot::Point(p) => self.scene.point_name(p).to_string(),
-            Spot::Special { .. } => "S".into(),
-        };
-        format!("l_{{{}{}}}", plain(a), plain(b))
+        format!("l_{{{}}}", line_name(self.scene, self.plan, a, b))
     }
 
     fn quantity(level: Level) -> &'static str {
@@ -110,14 +115,19 @@ impl Writer<'_> {
         format!("{}_{{{}}}", Self::quantity(level), self.name(v))
     }
 
-    fn subscript(&self, t: &Term) -> String {
-        // A cylinder's two parts add up to the absolute vector: neither may bear its name.
+    /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
+    /// their equation may start at a fixed point as well.
+    fn is_absolute(&self, t: &Term) -> bool {
         let cylinder = matches!(t.by, By::Cylinder(_) | By::Turning(Body::Cylinder(_)));
-        if self.plan.vertex(t.to).fixed && !cylinder { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+        self.plan.vertex(t.to).fixed && !cylinder
+    }
+
+    fn subscript(&self, t: &Term) -> String {
+        if self.is_absolute(t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
     }
 
     fn superscript(&self, level: Level, t: &Term) -> String {
-        let fixed_guide = self.plan.vertex(t.to).fixed;
+        let fixed_guide = self.is_absolute(t);
         match (t.kind, t.by) {
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
@@ -233,7 +243,7 @@ impl Writer<'_> {
                     None => p(*a),
                 }
             }
-            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if guide.on == self.scene.ground => {
+            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => {
                 match angle.value {
                     crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => "x".into(),
                     crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => "y".into(),
