@@ -138,7 +138,7 @@ const USUAL_VECTORS: f64 = 9.0;
 /// The largest polygon: a sheet of A3.
 const LARGEST_ROOM: f64 = 2.0;
 /// A mechanism may be as tall as wide: beside it there is room for equations.
-const DIAGRAM_MM: [f64; 2] = [125.0, 125.0];
+const DIAGRAM_MM: [f64; 2] = [130.0, 130.0];
 /// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
 /// equations and results.
 const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];

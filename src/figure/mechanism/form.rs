@@ -53,6 +53,21 @@ pub(super) fn on_segment(p: Point, a: Point, b: Point, tolerance_mm: f64) -> boo
     p.distance(a + d * t) < tolerance_mm
 }
 
+/// Whether `p` lies in a convex polygon whose corners are counter-clockwise; never in an empty one.
+pub(super) fn inside(p: Point, corners: &[Point]) -> bool {
+    let n = corners.len();
+    n > 2 && (0..n).all(|k| (corners[(k + 1) % n] - corners[k]).cross(p - corners[k]) >= 0.0)
+}
+
+/// Whether an arc from `from` through `sweep` passes the direction `angle` or its reference line lies there.
+pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
+    use std::f64::consts::TAU;
+    let turned = ((angle - from) * sweep.signum()).rem_euclid(TAU);
+    // The support's half base seen from the joint.
+    let half = 0.6;
+    turned < sweep.abs() + half || turned > TAU - half
+}
+
 impl Draft<'_> {
     /// The form of a link; `None` for ground, for blocks and cylinder parts, and for what has no place.
     pub(super) fn form(&self, l: LinkId) -> Option<Form> {
@@ -199,6 +214,13 @@ mod tests {
         let p = |x: f64, y: f64| Point::new(x, y);
         let corners = hull(&[p(0.0, 0.0), p(4.0, 4.0), p(2.0, 1.0), p(4.0, 0.0), p(0.0, 4.0), p(2.0, 0.0)]);
         assert_eq!(corners, [p(0.0, 0.0), p(4.0, 0.0), p(4.0, 4.0), p(0.0, 4.0)]);
+    }
+
+    #[test]
+    fn arcs_and_sides() {
+        let (deg, down, up) = (f64::to_radians, -90_f64, 90_f64);
+        assert!(!sweeps(0.0, deg(60.0), deg(down)) && sweeps(0.0, deg(240.0), deg(up)));
+        assert!(sweeps(0.0, deg(-100.0), deg(down)) && sweeps(0.0, deg(60.0), 0.0));
     }
 
     #[test]

@@ -47,6 +47,18 @@ impl Draft<'_> {
         }
     }
 
+    /// Given angles whose arcs are around a point: where they begin and how far they go.
+    pub(super) fn given_angles(&self, p: PointId) -> Vec<(f64, f64)> {
+        let at_point = |d: &Driver| match d.kind {
+            DriverKind::Turn { link, against, line, angle: Some(ref angle), .. } if against == self.scene.ground => {
+                let vertex = line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
+                (vertex == Some(p)).then(|| (0.0, angle.value.radians() % TAU))
+            }
+            _ => None,
+        };
+        self.scene.drivers.iter().filter_map(at_point).filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD).collect()
+    }
+
     fn turning(&mut self, driver: &Driver, centre: Point, wider_mm: f64) {
         let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else { return };
         let first_two = |l: LinkId| match self.scene.links[l.0].points[..] {

@@ -24,6 +24,12 @@ use form::Form;
 const SAME_MM: f64 = 0.07;
 /// A link this near to the direction of a support's triangle (cosine) would be drawn over it.
 const OVER_SUPPORT: f64 = 0.6;
+/// What speaks against a side for a support, most gravely first: a link over the triangle, a plate behind it, a given
+/// angle's arc across it, and that it is not below, where readers look for the ground.
+const LINK_COST: f64 = 4.0;
+const PLATE_COST: f64 = 3.0;
+const ANGLE_COST: f64 = 2.0;
+const OTHER_COST: f64 = 1.0;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
@@ -163,12 +169,25 @@ impl<'a> Draft<'a> {
         out
     }
 
-    /// From a fixed pivot to its ground: down, unless a link goes there and another side is freer.
+    /// From a fixed pivot to its ground: down, unless something is in the way and another side is freer.
     fn support_side(&self, p: PointId) -> Vec2 {
+        let down = Vec2::new(0.0, -1.0);
+        let Some(at) = self.point(p) else { return down };
         let leaving = self.leaving(p);
-        let taken = |u: &Vec2| leaving.iter().map(|v| v.dot(*u)).fold(-1.0, f64::max);
-        let sides = [Vec2::new(0.0, -1.0), Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
-        sides.into_iter().find(|u| taken(u) < OVER_SUPPORT).unwrap_or(sides[0])
+        let given = self.given_angles(p);
+        let cost = |u: &Vec2| {
+            let link = leaving.iter().any(|v| v.dot(*u) > OVER_SUPPORT);
+            let foot = at + *u * self.style.pivot_height_mm;
+            let plate = self.forms.iter().flatten().any(|f| form::inside(foot, &f.plate));
+            let angle = given.iter().any(|(from, sweep)| form::sweeps(*from, *sweep, u.angle()));
+            [(link, LINK_COST), (plate, PLATE_COST), (angle, ANGLE_COST), (*u != down, OTHER_COST)]
+                .iter()
+                .filter(|c| c.0)
+                .map(|c| c.1)
+                .sum::<f64>()
+        };
+        let sides = [down, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
+        sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(down)
     }
 
     /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.
