@@ -383,3 +383,23 @@ fn all_around_the_crank() {
     }
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
+
+#[test]
+fn a_fixed_sheet_is_kept() {
+    let text = text_on(r#""A4 landscape""#);
+    let scene = scene::read(text).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let figure = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+    assert_eq!((figure.width_mm, figure.height_mm), (297.0, 210.0));
+    assert_eq!(check("a4", &scene, &worked, &figure), Vec::<String>::new());
+    ink(&figure, "a4");
+    let small = text_on(r#"["120 mm", "80 mm"]"#);
+    let scene = scene::read(small).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let faults = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap_err();
+    assert_eq!(faults.list[0].code, "paper-too-small");
+}
+
+fn text_on(size: &str) -> String {
+    templates::get("crank-rocker").unwrap().replacen('{', &format!(r#"{{"paper": {{"size": {size}}},"#), 1)
+}
