@@ -137,6 +137,8 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
 const USUAL_VECTORS: f64 = 9.0;
 /// The largest polygon: a sheet of A3.
 const LARGEST_ROOM: f64 = 2.0;
+/// A mechanism may be as tall as wide: beside it there is room for equations.
+const DIAGRAM_MM: [f64; 2] = [125.0, 125.0];
 /// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
 /// equations and results.
 const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];
@@ -155,5 +157,5 @@ fn room(scene: &Scene, plan: &Plan) -> Boxes {
     });
     // Names need area, and area goes with the square of the side.
     let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST_ROOM);
-    Boxes { diagram: usual.diagram, polygon: usual.polygon.map(|side| side * larger) }
+    Boxes { diagram: DIAGRAM_MM, polygon: usual.polygon.map(|side| side * larger) }
 }

@@ -78,7 +78,7 @@ mod tests {
     fn columns_are_as_wide_as_their_widest_cell() {
         // Digits of Times are half an em, 2 mm here.
         let rows = [
-            Row { cells: vec![cell("11", Anchor::End), cell("1", Anchor::Middle)], height_mm: 5.0 },
+            Row { cells: vec![cell("20", Anchor::End), cell("1", Anchor::Middle)], height_mm: 5.0 },
             Row { cells: vec![cell("1", Anchor::End), None, cell("2", Anchor::Start)], height_mm: 6.0 },
         ];
         let at: Vec<Point> = set(&rows, 3.0)

@@ -34,7 +34,8 @@ struct Arrow {
     /// All its names; the last is that of a whole vector, if it is one.
     symbols: Vec<String>,
     class: &'static str,
-    step: usize,
+    /// The actions that draw it; two vectors of one place are one arrow.
+    steps: Vec<usize>,
 }
 
 /// A point to be marked, with all letters that it has.
@@ -128,10 +129,11 @@ impl Draft<'_> {
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),
-            Mark::Part(t) if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis) => {
-                if edge.from.1.distance(edge.to.1) >= ZERO_MM {
-                    self.letter(edge.to.1, self.w.part(self.p.level, &t), step);
-                }
+            Mark::Part(t)
+                if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
+                    && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
+            {
+                self.letter(edge.to.1, self.w.part(self.p.level, &t), step);
             }
             _ => {}
         }
@@ -140,9 +142,15 @@ impl Draft<'_> {
     fn arrow(&mut self, from: Point, to: Point, symbol: String, class: &'static str, step: usize) {
         let same = |a: &&mut Arrow| a.from.distance(from) < SAME_MM && a.to.distance(to) < SAME_MM;
         match self.arrows.iter_mut().find(same) {
-            Some(a) if a.symbols.contains(&symbol) => {}
-            Some(a) => a.symbols.push(symbol),
-            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, step }),
+            Some(a) => {
+                if !a.symbols.contains(&symbol) {
+                    a.symbols.push(symbol);
+                }
+                if !a.steps.contains(&step) {
+                    a.steps.push(step);
+                }
+            }
+            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, steps: vec![step] }),
         }
     }
 
@@ -209,7 +217,7 @@ impl Draft<'_> {
             // A normal part that is all there is bears the name of the whole.
             let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
             let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
-            let class = format!("{} step-{}", a.class, a.step);
+            let class = a.steps.iter().fold(a.class.to_owned(), |class, step| format!("{class} step-{step}"));
             let word = a.class.split(' ').next().unwrap_or_default();
             let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
             let owner = d.shape(&format!("{word}-{}", a.symbols[0]), &class, shape);
@@ -244,4 +252,50 @@ fn covers((a, b): (Point, Point), p: Point) -> bool {
     let d = b - a;
     let t = ((p - a).dot(d) / d.norm2()).clamp(0.0, 1.0);
     p.distance(a + d * t) < SAME_MM
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::notation::Notation;
+    use crate::scene::{Lang, read, templates};
+    use crate::worked::{Scope, work};
+
+    fn drawn(name: &str, level: Level) -> Vec<(String, Shape)> {
+        let scene = read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let notation = Notation::of_language(Lang::En);
+        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let part = polygon(&Style::TEXTBOOK, &w, worked.construction.polygon(level).unwrap());
+        part.items.into_iter().map(|i| (i.id, i.shape)).collect()
+    }
+
+    fn arrows(items: &[(String, Shape)]) -> Vec<&str> {
+        items.iter().filter(|(_, s)| matches!(s, Shape::Arrow { .. })).map(|(id, _)| id.as_str()).collect()
+    }
+
+    #[test]
+    fn a_vector_that_is_an_edge_is_drawn_once() {
+        let mut names = drawn("offset-slider-crank", Level::Velocity);
+        names.sort_by(|a, b| a.0.cmp(&b.0));
+        // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
+        assert_eq!(arrows(&names), ["velocity-absolute-v_S", "velocity-edge-v_B", "velocity-edge-v_C", "velocity-edge-v_CB"]);
+    }
+
+    #[test]
+    fn vectors_of_no_length_are_noted() {
+        let items = drawn("parallelogram", Level::Velocity);
+        let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
+        assert!(items.iter().any(|(_, s)| note(s)));
+        assert!(!arrows(&items).iter().any(|a| a.contains("CB")));
+        let dots = items.iter().filter(|(id, _)| id.starts_with("velocity-zero")).count();
+        assert_eq!(dots, 1);
+    }
+
+    #[test]
+    fn three_points_of_a_link_show_their_image() {
+        let items = drawn("crank-rocker", Level::Velocity);
+        // b–c is an edge already: the triangle needs two more lines.
+        assert_eq!(items.iter().filter(|(id, _)| id.starts_with("velocity-image")).count(), 2);
+    }
 }

@@ -26,7 +26,7 @@ const HEADING_MM: f64 = 2.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
 /// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
-const DIGITS: usize = 4;
+pub(super) const DIGITS: usize = 4;
 /// Below this part of the largest value of its level a result is rounding, and shown as zero.
 const ZERO_PART: f64 = 1e-11;
 

@@ -12,6 +12,7 @@ use super::drawing::Part;
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Item};
 use super::label::Label;
+use super::results::{DIGITS, number};
 use super::style::Style;
 use super::words::{Words, words};
 
@@ -82,7 +83,8 @@ impl Tables<'_> {
             let [term] = chain.known[..] else {
                 // Nothing is added: the point moves as one known before.
                 if chain.known.is_empty() {
-                    let formula = format!("{} = {}", w.vector(level, target), w.vector(level, chain.start));
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
+                    let formula = format!("{} = {start}", w.vector(level, target));
                     return (chain.start != target).then(|| self.line(level, &formula, None, step));
                 }
                 return Some(self.table(level, target, chains, step));
@@ -91,7 +93,12 @@ impl Tables<'_> {
                 let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
-                let formula = format!("{head} = {}", w.magnitude(level, &term));
+                // What a driver gives is a number, not a formula.
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                    (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
+                    (formula, _) => formula,
+                };
+                let formula = format!("{head} = {magnitude}");
                 return Some(self.line(level, &formula, Some(Label::math(w.direction(&term))), step));
             }
         }
@@ -206,6 +213,13 @@ fn kind(level: Level) -> &'static str {
     match level {
         Level::Acceleration => "acceleration",
         _ => "velocity",
+    }
+}
+
+fn unit(level: Level) -> &'static str {
+    match level {
+        Level::Acceleration => "m/s^2",
+        _ => "m/s",
     }
 }
 

@@ -144,10 +144,10 @@ impl Writer<'_> {
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
             (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
-                format!("{}t", self.notation.sliding)
+                format!("{}\\,t", self.notation.sliding)
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
-            (TermKind::SlideNormal, _) => format!("{}n", self.notation.sliding),
+            (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
         }
     }
 
@@ -161,9 +161,14 @@ impl Writer<'_> {
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
-    /// The pole of a polygon: `p`, `p'`.
+    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, the other one of `p` and `o`, else `q`.
     pub fn pole(&self, level: Level) -> String {
-        format!("{}{}", self.notation.pole, prime(level))
+        let taken = |letter: &str| {
+            let named = |s: Spot| matches!(s, Spot::Point(p) if self.scene.point_name(p).to_lowercase() == letter);
+            self.plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
+        };
+        let letter = [self.notation.pole.as_str(), "p", "o"].into_iter().find(|l| !taken(l)).unwrap_or("q");
+        format!("{letter}{}", prime(level))
     }
 
     /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.
@@ -190,16 +195,25 @@ impl Writer<'_> {
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
     /// the subscript, as n_b′.
     pub fn part(&self, level: Level, t: &Term) -> String {
-        let letter = match t.kind {
+        let letter = Self::part_letter(t.kind);
+        // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
+        let shared = self.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).any(|s| match s {
+            Step::Equation { chains, .. } => {
+                chains.iter().flat_map(|c| &c.known).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to)
+            }
+            Step::Image { .. } | Step::Same { .. } => false,
+        });
+        let to = if shared && !self.plan.vertex(t.to).fixed { self.name(t.to).to_lowercase() } else { String::new() };
+        format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
+    }
+
+    fn part_letter(kind: TermKind) -> &'static str {
+        match kind {
             TermKind::Normal | TermKind::SlideNormal => "n",
             TermKind::Coriolis => "k",
             TermKind::Tangential => "t",
             TermKind::Relative | TermKind::Slide | TermKind::Extension => "r",
-        };
-        // The normal part of a relative acceleration bears both letters: the absolute one of the same point is n_c′ too.
-        let both = t.kind == TermKind::Normal && !self.plan.vertex(t.to).fixed;
-        let to = if both { self.name(t.to).to_lowercase() } else { String::new() };
-        format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
+        }
     }
 
     /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.

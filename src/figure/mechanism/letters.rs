@@ -13,8 +13,8 @@ use super::Draft;
 pub(super) enum NumberPlace {
     /// Along a rod.
     Along(Point, Point, u32),
-    /// Beside a block whose long axis this is.
-    Beside(Point, Point, u32),
+    /// Around a block with this middle, rather on this side.
+    Around(Point, Option<Vec2>),
     /// Beside something so wide to each side.
     Wide(Point, Point, f64, u32),
 }
@@ -33,10 +33,11 @@ impl Draft<'_> {
                 continue;
             }
             let half = self.style.link.width_mm / 2.0;
-            let block = self.style.block_width_mm / 2.0 + self.style.outline.width_mm / 2.0;
+            // Nearly to the corners: along a side the number stands a little off.
+            let block = 0.9 * self.style.block_width_mm.hypot(self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Beside(a, b, owner)) => self.number(&id, &name, (a, b), block, owner),
+                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name, at, block, side),
                 Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
@@ -80,11 +81,12 @@ impl Draft<'_> {
     }
 
     fn ground_number(&mut self, id: &str, name: &str) {
-        let pivot = (0..self.scene.points.len())
-            .map(PointId)
-            .filter(|p| self.is_fixed_pivot(*p))
-            .find_map(|p| Some((self.point(p)?, self.support_side(p))));
-        if let Some((at, down)) = pivot {
+        let all: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
+        let alone = |p: Point| all.iter().map(|q| p.distance(*q)).filter(|d| *d > super::SAME_MM).fold(f64::INFINITY, f64::min);
+        // The support with most air around it; of equals the first.
+        let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p));
+        let places = pivots.filter_map(|p| Some((self.point(p)?, self.support_side(p)))).rev();
+        if let Some((at, down)) = places.max_by(|a, b| alone(a.0).total_cmp(&alone(b.0))) {
             // At an end of the ground line, or below its hatching.
             let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
             self.d.label_at(id, "number", name, foot, self.style.ground_half_mm, Some(down.perp()));
@@ -112,6 +114,8 @@ impl Draft<'_> {
             }
             let clear = if self.block_at(p).is_some() {
                 self.style.block_width_mm / 2.0
+            } else if self.in_fixed_slot(p) {
+                self.style.slot_width_mm / 2.0 + self.style.hatch_depth_mm
             } else if self.is_pin(p) {
                 self.style.pin_radius_mm + self.style.outline.width_mm / 2.0
             } else {
@@ -120,6 +124,9 @@ impl Draft<'_> {
             let mut away = self.leaving(p).into_iter().fold(Vec2::ZERO, |s, u| s - u);
             if self.is_fixed_pivot(p) {
                 away = away - self.support_side(p);
+            }
+            if let Some(side) = self.block_at(p).and_then(|g| self.hatched[g.0]) {
+                away = away - side;
             }
             let prefer = away.unit().filter(|_| away.norm() > NO_SIDE);
             let name = self.scene.point_name(p).to_owned();

@@ -19,6 +19,8 @@ const ROTATION_PART: f64 = 0.4;
 const ROTATION_MM: [f64; 2] = [7.0, 9.5];
 /// Where the arrow of a rotation begins and ends, seen from the crank.
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
+/// How much farther out a second driver's arrows are: its label fits between.
+const NEXT_MM: f64 = 6.0;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
 /// Length of a straight arrow, and its distance from the thing that moves.
@@ -28,19 +30,25 @@ const ARROW_OFF_MM: f64 = 3.0;
 impl Draft<'_> {
     /// All drivers.
     pub(super) fn drivers(&mut self) {
+        let mut centres: Vec<Point> = Vec::new();
         for k in 0..self.scene.drivers.len() {
             let driver = &self.scene.drivers[k];
             match driver.kind {
-                DriverKind::Turn { .. } => self.turning(driver),
+                DriverKind::Turn { link, against, .. } => {
+                    let Some(centre) = self.shared(link, against) else { continue };
+                    // A second driver at the same joint has its arrows around those of the first.
+                    let before = centres.iter().filter(|c| c.distance(centre) < super::SAME_MM).count();
+                    centres.push(centre);
+                    self.turning(driver, centre, before as f64 * NEXT_MM);
+                }
                 DriverKind::Slide { guide, .. } => self.sliding(guide, driver),
                 DriverKind::Cylinder { a, b, .. } => self.stretching(a, b, driver),
             }
         }
     }
 
-    fn turning(&mut self, driver: &Driver) {
+    fn turning(&mut self, driver: &Driver, centre: Point, wider_mm: f64) {
         let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else { return };
-        let Some(centre) = self.shared(link, against) else { return };
         let first_two = |l: LinkId| match self.scene.links[l.0].points[..] {
             [a, b, ..] => Some((a, b)),
             _ => None,
@@ -58,7 +66,7 @@ impl Draft<'_> {
         let written = angle.as_ref().map(|a| a.value.radians() % TAU);
         if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD) {
             side = sweep.signum();
-            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
+            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]) + wider_mm;
             let reference = match against_line.or_else(|| first_two(against)) {
                 Some((a, b)) if !grounded || against_line.is_some() => {
                     self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
@@ -72,7 +80,7 @@ impl Draft<'_> {
         if rate == 0.0 {
             return;
         }
-        let radius = (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]);
+        let radius = (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm;
         let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };
         let angles = ROTATION_RAD.map(|a| outward.angle() + side * a);
         // The head is at the end that the link turns to.
@@ -111,7 +119,12 @@ impl Draft<'_> {
         } else {
             format!("v_{{{name}}}")
         };
-        let from = at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM);
+        let ahead = tangent * driver.rate.value.signum();
+        let from = match guide.pin {
+            // Beyond the end of a slot with hatching on both sides.
+            Some(p) if self.in_fixed_slot(p) => at + ahead * (super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM),
+            _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
+        };
         self.straight_arrow(from, tangent, driver.rate.value, &symbol);
     }
 

@@ -29,9 +29,10 @@ const OVER_SUPPORT: f64 = 0.6;
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
     let mut draft = Draft::new(style, scene, worked);
     draft.ground_guides();
-    draft.plates();
+    draft.plates(true);
     draft.carriers();
     draft.blocks();
+    draft.plates(false);
     draft.bars();
     draft.cylinders();
     draft.joints();
@@ -51,12 +52,15 @@ struct Draft<'a> {
     forms: Vec<Option<Form>>,
     /// Where each link's number goes.
     number_at: Vec<Option<letters::NumberPlace>>,
+    /// For each guide on the ground with hatching at one side, that side.
+    hatched: Vec<Option<Vec2>>,
 }
 
 impl<'a> Draft<'a> {
     fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked) -> Self {
         let d = Drawing::new("mechanism", *style);
-        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at: vec![None; scene.links.len()] };
+        let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
+        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at, hatched };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
     }
@@ -118,6 +122,11 @@ impl<'a> Draft<'a> {
         })
     }
 
+    /// Whether the point runs, as a bare pin, in a slot of the ground.
+    fn in_fixed_slot(&self, p: PointId) -> bool {
+        self.scene.guides.iter().any(|g| g.pin == Some(p) && g.slider.is_none() && g.on == self.scene.ground)
+    }
+
     /// The guide whose block stands around the point.
     fn block_at(&self, p: PointId) -> Option<GuideId> {
         self.scene.guides.iter().position(|g| g.pin == Some(p) && g.slider.is_some()).map(GuideId)
@@ -162,11 +171,11 @@ impl<'a> Draft<'a> {
         sides.into_iter().find(|u| taken(u) < OVER_SUPPORT).unwrap_or(sides[0])
     }
 
-    /// Plates lie at the back.
-    fn plates(&mut self) {
+    /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.
+    fn plates(&mut self, with_guides: bool) {
         for l in 0..self.forms.len() {
             let Some(Form { plate, .. }) = &self.forms[l] else { continue };
-            if plate.is_empty() {
+            if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
                 continue;
             }
             let items = sym::plate(self.style, plate);

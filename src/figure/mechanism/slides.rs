@@ -10,7 +10,7 @@ use super::Draft;
 use super::letters::NumberPlace;
 
 /// Length of a fixed guide: three blocks and a little.
-const GUIDE_MM: f64 = 26.0;
+pub(super) const GUIDE_MM: f64 = 26.0;
 /// From a yoke's slot to the bushing of its rod.
 const BUSHING_MM: f64 = 20.0;
 /// Length of a bushing.
@@ -63,6 +63,7 @@ impl Draft<'_> {
         if pull < -STEEP {
             u = -u;
         }
+        self.hatched[g.0] = Some(-u.perp());
         let items = sym::guide(self.style, at, u.angle(), GUIDE_MM, sym::Guide::OneSided);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
@@ -168,9 +169,8 @@ impl Draft<'_> {
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((at, tangent)) = self.runner(g) else { continue };
             let items = sym::block(self.style, at, tangent.angle(), through);
-            let owner = self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
-            let half = tangent * (self.style.block_length_mm / 2.0);
-            self.number_at[slider.0] = Some(NumberPlace::Beside(at - half, at + half, owner));
+            self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
+            self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }
     }
 
