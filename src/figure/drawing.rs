@@ -105,16 +105,6 @@ impl Drawing {
         self.label(name, class, request.owned(owner));
     }
 
-    /// The style in which it is drawn.
-    pub fn style(&self) -> Style {
-        self.style
-    }
-
-    /// Whether anything was drawn.
-    pub fn is_empty(&self) -> bool {
-        self.items.is_empty()
-    }
-
     /// A name not used before: `velocity-edge-v_CB`, then `velocity-edge-v_CB-2`.
     fn name(&mut self, wish: &str) -> String {
         let base = format!("{}-{}", self.kind, plain(wish));

@@ -9,7 +9,7 @@ use crate::plan::text::point_label;
 use crate::quantity::significant;
 use crate::report::answers::worst;
 use crate::report::phrase::Phrase;
-use crate::scene::{Asked, Find, Scene};
+use crate::scene::{Asked, Axis, Find, Scene};
 use crate::worked::{Outcome, Worked};
 
 use super::drawing::Part;
@@ -101,11 +101,8 @@ pub fn sentence(scene: &Scene, worked: &Worked, notation: &Notation, words: &Wor
 pub fn symbol(find: &Find, notation: &Notation) -> String {
     let sub = find.text.split_once('_').map_or("", |(_, s)| s);
     let (letter, sup) = match find.what {
-        Asked::Coordinate(p, axis) => {
-            let letter = if axis == crate::scene::Axis::X { "x" } else { "y" };
-            let _ = p;
-            (letter, "")
-        }
+        Asked::Coordinate(_, Axis::X) => ("x", ""),
+        Asked::Coordinate(_, Axis::Y) => ("y", ""),
         Asked::LinkAngle(_) => ("\\varphi", ""),
         Asked::Distance(..) => ("l", ""),
         Asked::Velocity(_) | Asked::RelativeVelocity(..) => ("v", ""),
@@ -142,12 +139,11 @@ fn measured(r: &Outcome, find: &Find, paper: &Construction, words: &Words) -> Op
         return None;
     }
     let Some(drawn) = &r.drawn else { return Some(Label::text(words.computed)) };
-    let (mm, mu) = drawn.measured?;
+    let (mm, _) = drawn.measured?;
     let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
     // Less than a thousandth of a millimetre is nothing that a ruler gives.
     let mm_text = if mm < 1e-3 { "0".to_owned() } else { number(mm, DIGITS) };
     let read = format!("{mm_text} mm \\cdot {scale}");
-    let _ = mu;
     let over = match drawn.value {
         Value::Scalar(_) => {
             paper.rates.iter().filter(|q| q.level == level).filter_map(|q| q.measured).find(|(l, _)| *l == mm).map(|(_, l)| l)
