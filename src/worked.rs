@@ -90,14 +90,27 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = match computed {
-                    Value::Vector(_) => construction.polygon(level).map_or(0.0, construct::Polygon::largest),
-                    Value::Scalar(_) => construction.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max),
-                };
+                let scale = scale_of(&construction, configuration.extent(), level, matches!(computed, Value::Vector(_)));
                 Some(compare(d.value, computed, scale, solution.condition, level))
             }
         };
         results.push(Outcome { find: i, drawn, computed, agreement });
     }
     Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
+}
+
+/// The size against which a difference of the two ways is judged: the largest vector or rate of the level, or what the rest
+/// of the motion makes of the mechanism's size `l` (v/l for ω, v²/l for a). Without the latter, a level at which everything
+/// vanishes would compare rounding with rounding.
+fn scale_of(drawn: &Construction, l: f64, level: Level, vector: bool) -> f64 {
+    let largest = |level| drawn.polygon(level).map_or(0.0, construct::Polygon::largest);
+    let (v, a) = (largest(Level::Velocity), largest(Level::Acceleration));
+    let rates = |level| drawn.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max);
+    let omega = rates(Level::Velocity).max(if l > 0.0 { v / l } else { 0.0 });
+    match (level, vector) {
+        (Level::Acceleration, true) => a.max(v * omega),
+        (Level::Acceleration, false) => rates(Level::Acceleration).max(if l > 0.0 { a / l } else { 0.0 }).max(omega * omega),
+        (_, true) => v,
+        (_, false) => omega,
+    }
 }
