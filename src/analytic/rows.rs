@@ -83,11 +83,13 @@ pub(super) struct Layout {
 impl Layout {
     pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Layout {
         let links = super::taking_part(scene, m, at, demand);
+        // A pin may be called for without the links that it carries, which only follow it.
         let bare: Vec<PointId> = m
             .pins
             .iter()
             .copied()
-            .filter(|p| scene.carriers(*p).next().is_none() && m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)))
+            .filter(|p| !scene.carriers(*p).any(|l| l == scene.ground || links.contains(&l)))
+            .filter(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)))
             .collect();
         // The origin of a link's unknowns is one of its own points, so that arms are short and an offset of all
         // coordinates takes no digits.

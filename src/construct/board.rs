@@ -217,6 +217,10 @@ impl<'a> Board<'a> {
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
             }
+            // A block on a curved guide is measured from the guide's centre, which is one of the further points.
+            for (body, rate) in &steps.rates {
+                self.turning(&mut polygon, *body, *rate);
+            }
         }
         Ok(polygon)
     }
@@ -393,6 +397,7 @@ impl<'a> Board<'a> {
                 };
                 RateReading { level, body, value: self.rate(level, Body::Link(against)) + sign * own, measured: None }
             }
+            Rate::Measured { of, to } if p.images[of.0].is_none() || p.images[to.0].is_none() => return,
             Rate::Measured { of, to } => {
                 let r = self.arm(of, to);
                 let l = r.norm();

@@ -34,7 +34,9 @@ impl OnPaper<'_> {
 
 impl Source for OnPaper<'_> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
-        if on == Some(self.scene.ground) {
+        // Fixed points lie in the pole, whether or not the plan had a use for them.
+        let ground = self.scene.ground;
+        if on == Some(ground) || (on.is_none() && self.scene.links[ground.0].points.contains(&p)) {
             return Some(Vec2::ZERO);
         }
         self.paper.vector(level, self.vertex(p, on)?)

@@ -14,7 +14,7 @@ pub use groups::{Core, Group, Leg};
 pub use mobility::Mobility;
 
 use crate::diag::{Diagnostic, Faults, Warned};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -124,11 +124,32 @@ impl Mechanism {
         self.passive[l.0].is_some()
     }
 
-    /// The link whose turning a link shares for topological reasons: the carrier of its guide for a block, itself otherwise.
+    /// The link whose turning a link shares for topological reasons: the carrier of its straight guide for a block, itself
+    /// otherwise. A block on a curved guide turns on its own account, see [`Mechanism::curved_block`].
     pub fn turns_as(&self, scene: &Scene, l: LinkId) -> LinkId {
         match self.passive[l.0] {
-            Some(Passive::Block(g)) => self.turns_as(scene, scene.guides[g.0].on),
+            Some(Passive::Block(g)) if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => {
+                self.turns_as(scene, scene.guides[g.0].on)
+            }
             _ => l,
+        }
+    }
+
+    /// For a block on a curved guide: its pin, the centre of curvature, and the link that carries the guide.
+    pub fn curved_block(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId, LinkId)> {
+        let Some(Passive::Block(g)) = self.passive[l.0] else { return None };
+        let guide = &scene.guides[g.0];
+        match guide.path {
+            GuidePath::Arc { centre, .. } => Some((guide.pin?, centre, guide.on)),
+            GuidePath::Line { .. } => None,
+        }
+    }
+
+    /// The group that places a node; ground and what only follows has none.
+    pub fn group_of(&self, n: Node) -> Option<usize> {
+        match n {
+            Node::Link(l) => self.group_of_link[l.0],
+            Node::Pin(p) => self.group_of_pin[p.0],
         }
     }
 
@@ -263,7 +284,7 @@ fn find_never_turning(scene: &Scene) -> Vec<bool> {
         for g in &scene.guides {
             // Only a straight guide keeps its slider's direction in the plane.
             if let Some(s) = g.slider
-                && matches!(g.path, crate::scene::GuidePath::Line { .. })
+                && matches!(g.path, GuidePath::Line { .. })
                 && (still[s.0] || still[g.on.0])
             {
                 still[s.0] = true;

@@ -161,6 +161,11 @@ impl Builder<'_> {
             _ => {}
         }
         let group = match body {
+            // A block has no group: its turning is read off after that of its pin and of the link that carries it.
+            Body::Link(l) if self.m.is_passive(l) => {
+                let nodes = crate::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
+                nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
+            }
             Body::Link(l) => self.m.group_of_link[l.0],
             Body::Cylinder(d) => match self.scene.drivers[d].kind {
                 crate::scene::DriverKind::Cylinder { a, b, .. } => self.m.group_of_pin[a.0].max(self.m.group_of_pin[b.0]),
@@ -286,18 +291,20 @@ impl Builder<'_> {
         }
     }
 
+    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would: that is its source.
+    fn source_of_curved_block(&mut self, level: Level, l: LinkId) {
+        let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) else { return };
+        let (of, to) = (self.pin(pin), self.coincident(centre, on));
+        self.ensure(level, to);
+        self.source(level, Body::Link(l), Rate::Measured { of, to });
+    }
+
     /// Points and turning rates of this group that are asked for.
     fn answer_needs(&mut self, level: Level, g: usize) {
         let needs: Vec<Need> = self.demand.needs.iter().filter(|(_, l)| *l >= level).map(|(n, _)| *n).collect();
         for need in needs {
             let nodes = crate::mechanism::nodes_of(self.scene, self.m, need);
-            let groups: Vec<usize> = nodes
-                .iter()
-                .filter_map(|n| match n {
-                    crate::mechanism::Node::Link(l) => self.m.group_of_link[l.0],
-                    crate::mechanism::Node::Pin(p) => self.m.group_of_pin[p.0],
-                })
-                .collect();
+            let groups: Vec<usize> = nodes.iter().filter_map(|n| self.m.group_of(*n)).collect();
             if groups.iter().max() != Some(&g) {
                 continue;
             }
@@ -308,6 +315,7 @@ impl Builder<'_> {
                 }
                 Need::Turning(l) => {
                     let body = self.body(l);
+                    self.source_of_curved_block(level, l);
                     self.need_rate_at(level, body);
                 }
             }
@@ -502,7 +510,9 @@ impl Builder<'_> {
         for leg in legs {
             self.sources_of_leg(level, leg);
         }
-        self.source(level, body, Rate::Measured { of: nears[1], to: nears[0] });
+        // Two slots over one pin have one near point: the turning is measured between two that differ.
+        let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
+        self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
     }
 

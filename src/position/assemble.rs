@@ -112,6 +112,7 @@ impl<'a> Assembly<'a> {
                 let through = match through {
                     Through::Point(p) => pose.to_world(self.shapes[guide.on.0].local(*p)?),
                     Through::At([x, y]) => Point::new(x.value, y.value),
+                    // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
                     Through::Pin if guide.pin.is_none() => pose.origin,
                     Through::Pin => pin?,
                 };
@@ -237,11 +238,20 @@ impl<'a> Assembly<'a> {
             match *leg {
                 Leg::Bar { link, far, .. } => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
                 Leg::Ram { link, far, guide, driver, .. } => {
-                    let runner = self.runner_in_link(link, guide, driver)?;
-                    let d = self.shapes[link.0].local(far).expect("a link's points have local places");
-                    let far_at = self.known(far);
-                    let pose = Pose::from_point_and_direction(d, runner - d, far_at, at - far_at)
-                        .ok_or_else(|| self.degenerate(guide, "the pin lies on the pivot"))?;
+                    let stated = matches!(self.scene.drivers[driver].kind, DriverKind::Slide { position: Some(_), .. });
+                    let pose = if let Some(pose) = self.poses[link.0] {
+                        pose
+                    } else if !stated && given_at(self.scene, pin).is_some() {
+                        // Coordinates of the pin show how far the slider is: the slot is laid over them.
+                        let poses = self.poses_of_lever(link, far, pin, guide)?;
+                        poses.into_iter().next().ok_or_else(|| self.no_closure(link))?
+                    } else {
+                        let runner = self.runner_in_link(link, guide, driver)?;
+                        let d = self.shapes[link.0].local(far).expect("a link's points have local places");
+                        let far_at = self.known(far);
+                        Pose::from_point_and_direction(d, runner - d, far_at, at - far_at)
+                            .ok_or_else(|| self.degenerate(guide, "the pin lies on the pivot"))?
+                    };
                     poses.push((link, pose));
                 }
                 _ => {}
@@ -744,7 +754,7 @@ impl<'a> Assembly<'a> {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
                 Path::Arc { centre, radius } => (at.distance(centre) - radius).abs(),
             };
-            if off > SAME_PLACE * extent {
+            if off > same_place(extent, at) {
                 self.faults.push(
                     Diagnostic::error(
                         "pin-off-guide",
@@ -765,7 +775,7 @@ impl<'a> Assembly<'a> {
             for (p, local) in &shape.points {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
-                if off > SAME_PLACE * extent {
+                if off > same_place(extent, at) {
                     self.faults.push(
                         Diagnostic::error(
                             "pin-off-link",
@@ -803,6 +813,12 @@ impl<'a> Assembly<'a> {
 /// Two descriptions of one place may differ by the rounding of what a person types (ten digits), relative to the size of
 /// the mechanism. Coarser contradictions would show as a disagreement between drawing and analysis.
 const SAME_PLACE: f64 = 1e-9;
+
+/// How far two descriptions of the place `at` may be apart: see [`SAME_PLACE`], and a few units in the last place of the
+/// coordinates themselves (a single point has no size of its own, and one far from the origin is rounded coarsely).
+fn same_place(extent: f64, at: Point) -> f64 {
+    SAME_PLACE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
+}
 
 fn point_along(path: Path, s: f64) -> Point {
     match path {

@@ -37,6 +37,24 @@ impl TriadLeg {
             Locus::Line { through, direction } => direction.cross(origin - through),
         }
     }
+
+    /// Derivatives of [`TriadLeg::miss`] by the origin's x and y and by the angle times `scale` (so that all three compare).
+    fn gradient(&self, origin: Point, axis: Vec2, scale: f64) -> [f64; 3] {
+        let (by_origin, by_angle) = match *self {
+            TriadLeg::Circle { near, far, .. } => {
+                let arm = near.to_vec2().rotate_by(axis);
+                let d = origin + arm - far;
+                let u = d * (1.0 / d.norm());
+                (u, u.dot(arm.perp()))
+            }
+            TriadLeg::Line { near, direction, .. } => (direction.perp(), direction.cross(near.to_vec2().rotate_by(axis).perp())),
+            TriadLeg::Slot { through, direction, pin } => {
+                let (u, q) = (direction.rotate_by(axis), through.to_vec2().rotate_by(axis));
+                (u.perp(), u.perp().cross(origin + q - pin) + u.cross(q.perp()))
+            }
+        };
+        [by_origin.x, by_origin.y, by_angle / scale]
+    }
 }
 
 /// Steps of the sweep: a quarter of a degree. 2 000 samples miss an assembly in 7 % of random triads when only values at
@@ -44,15 +62,37 @@ impl TriadLeg {
 const STEPS: usize = 1440;
 
 /// All assemblies (origin, axis) that the sweep encloses.
+///
+/// Each pair of legs takes its turn in giving the place: where two legs only just reach each other, their meeting point
+/// goes with the root of the angle, and a solution there is neither enclosed nor accurate; with another pair it is both.
 pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
-    let eval = |angle: f64, branch: usize| -> Option<(f64, Point, Vec2)> {
+    let scale = legs.iter().map(size).fold(0.0, f64::max);
+    let mut found: Vec<(Point, Vec2)> = Vec::new();
+    for order in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
+        for rough in sweep(&order.map(|i| legs[i]), scale) {
+            let hit = polished(legs, rough, scale).unwrap_or(rough);
+            let same = |o: &(Point, Vec2)| (o.0 - hit.0).norm() < SAME * scale && (o.1 - hit.1).norm() < SAME;
+            if !found.iter().any(same) {
+                found.push(hit);
+            }
+        }
+    }
+    found
+}
+
+/// Polished solutions are good to a few units of 1e-16 times their condition number; two assemblies nearer to one another
+/// than this are at a fold, where they are one.
+const SAME: f64 = 1e-7;
+
+fn sweep(legs: &[TriadLeg; 3], scale: f64) -> Vec<(Point, Vec2)> {
+    let eval = |angle: f64, branch: usize| -> Option<Sample> {
         let axis = Vec2::from_angle(angle);
         let at = meet(legs[0].locus(axis), legs[1].locus(axis)).ok()?;
         let origin = *at.get(branch)?;
         origin.is_finite().then(|| (legs[2].miss(origin, axis), origin, axis))
     };
     let angle_at = |i: usize| i as f64 * (std::f64::consts::TAU / STEPS as f64);
-    let mut found: Vec<(Point, Vec2)> = Vec::new();
+    let mut found = Vec::new();
     for branch in 0..2 {
         let mut last = eval(angle_at(0), branch);
         for i in 1..=STEPS {
@@ -61,10 +101,9 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
                 && a.0.signum() != b.0.signum()
                 && let Some(hit) = refine(&eval, branch, (angle_at(i - 1), a.0), (angle_at(i), b.0))
             {
-                let scale = legs.iter().map(size).fold(0.0, f64::max);
-                let same = |o: &(Point, Vec2)| (o.0 - hit.1).norm() < 1e-9 * scale && (o.1 - hit.2).norm() < 1e-9;
-                // A jump of the residual through infinity (a pole) also changes sign, but does not vanish.
-                if hit.0.abs() < 1e-9 * scale && !found.iter().any(same) {
+                // A jump of the residual through infinity (a pole) also changes sign, but does not vanish. A root near the
+                // end of what two legs reach may miss by the square root of rounding; polishing makes it good.
+                if hit.0.abs() < 1e-6 * scale {
                     found.push((hit.1, hit.2));
                 }
             }
@@ -72,6 +111,40 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
         }
     }
     found
+}
+
+/// Newton's method on the three legs; `None` where it does not settle near by.
+fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64) -> Option<(Point, Vec2)> {
+    let (mut origin, mut axis) = from;
+    for _ in 0..8 {
+        let rows = legs.map(|l| l.gradient(origin, axis, scale));
+        let rhs = legs.map(|l| -l.miss(origin, axis));
+        let det = |c: [[f64; 3]; 3]| {
+            c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
+                + c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0])
+        };
+        let whole = det(rows);
+        let step = [0, 1, 2].map(|k| {
+            let mut c = rows;
+            for (row, r) in c.iter_mut().zip(rhs) {
+                row[k] = r;
+            }
+            det(c) / whole
+        });
+        let turn = step[2] / scale;
+        let size = (step[0].abs() + step[1].abs()) / scale + turn.abs();
+        // A polish moves by rounding; whatever moves farther would find another assembly or none.
+        if !size.is_finite() || size > 1e-2 {
+            return None;
+        }
+        origin = origin + Vec2::new(step[0], step[1]);
+        axis = axis.rotate_by(Vec2::from_angle(turn)).unit()?;
+        if size < 4.0 * f64::EPSILON {
+            break;
+        }
+    }
+    let off = legs.iter().map(|l| l.miss(origin, axis).abs()).fold(0.0, f64::max);
+    (off < 1e-9 * scale).then_some((origin, axis))
 }
 
 fn size(leg: &TriadLeg) -> f64 {
