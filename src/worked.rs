@@ -82,7 +82,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let configuration = placed.value;
     notes.extend(placed.notes);
     let plan = plan::plan(scene, &mechanism, &demand);
-    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &room(scene, &plan))?;
+    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
     notes.extend(construction.warnings.iter().cloned());
     let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
@@ -131,31 +131,4 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
             if arm > 0.0 { largest.max(vector / arm) } else { largest }
         }
     }
-}
-
-/// A polygon with more vectors than this needs more room for their names than the usual box has.
-const USUAL_VECTORS: f64 = 9.0;
-/// The largest polygon: a sheet of A3.
-const LARGEST_ROOM: f64 = 2.0;
-/// A mechanism may be as tall as wide: beside it there is room for equations.
-const DIAGRAM_MM: [f64; 2] = [130.0, 130.0];
-/// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
-/// equations and results.
-const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];
-const POLYGON_PART: [f64; 2] = [0.25, 0.34];
-
-/// Room on paper: the usual, more for polygons of many vectors, less on a fixed sheet.
-fn room(scene: &Scene, plan: &Plan) -> Boxes {
-    if let Some([w, h]) = scene.paper.size_mm {
-        let part = |p: [f64; 2]| [p[0] * w, p[1] * h];
-        return Boxes { diagram: part(DIAGRAM_PART), polygon: part(POLYGON_PART) };
-    }
-    let usual = Boxes::default();
-    let vectors = plan.steps(plan.level).iter().flat_map(|g| g.steps(0)).map(|s| match s {
-        plan::Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
-        plan::Step::Image { .. } | plan::Step::Same { .. } => 1_usize,
-    });
-    // Names need area, and area goes with the square of the side.
-    let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST_ROOM);
-    Boxes { diagram: DIAGRAM_MM, polygon: usual.polygon.map(|side| side * larger) }
 }

@@ -9,7 +9,7 @@ mod readings;
 pub mod scale;
 
 pub use board::construct;
-pub use readings::{Answer, read};
+pub use readings::{Answer, Measured, read};
 
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};

@@ -2,7 +2,6 @@
 //! and loop equations are apart.
 
 use crate::answer::{Value, level_of};
-use crate::construct::{Construction, Polygon};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
@@ -27,8 +26,6 @@ const HEADING_MM: f64 = 2.2;
 const GAP_MM: f64 = 1.8;
 /// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
 pub(super) const DIGITS: usize = 4;
-/// Below this part of the largest value of its level a result is rounding, and shown as zero.
-const ZERO_PART: f64 = 1e-11;
 
 /// The block of results.
 pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Part {
@@ -47,8 +44,8 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
             Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
         };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
-        let value = clean(r, find, &worked.construction);
-        let measured = measured(r, find, &worked.construction, words);
+        let value = r.value();
+        let measured = measured(r, find, words);
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -89,7 +86,7 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
 pub fn sentence(scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> String {
     let each = worked.results.iter().map(|r| {
         let find = &scene.find[r.find];
-        let value = clean(r, find, &worked.construction);
+        let value = r.value();
         let plain = format!("{} = {} ", symbol(find, notation), amount(find, value));
         let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, words)).plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -119,38 +116,20 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 
-fn clean(r: &Outcome, find: &Find, paper: &Construction) -> Value {
-    let level = level_of(&find.what);
-    let largest = match r.value() {
-        Value::Vector(_) => paper.polygon(level).map_or(0.0, Polygon::largest),
-        Value::Scalar(_) => paper.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max),
-    };
-    match r.value() {
-        v if level == Level::Position || v.magnitude() > ZERO_PART * largest => v,
-        Value::Vector(_) => Value::Vector(crate::geom::Vec2::ZERO),
-        Value::Scalar(_) => Value::Scalar(0.0),
-    }
-}
-
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
-fn measured(r: &Outcome, find: &Find, paper: &Construction, words: &Words) -> Option<Label> {
+fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
     if level == Level::Position {
         return None;
     }
     let Some(drawn) = &r.drawn else { return Some(Label::text(words.computed)) };
-    let (mm, _) = drawn.measured?;
+    let measured = drawn.measured?;
+    let mm = measured.length_mm;
     let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
     // Less than a thousandth of a millimetre is nothing that a ruler gives.
     let mm_text = if mm < 1e-3 { "0".to_owned() } else { number(mm, DIGITS) };
     let read = format!("{mm_text} mm \\cdot {scale}");
-    let over = match drawn.value {
-        Value::Scalar(_) => {
-            paper.rates.iter().filter(|q| q.level == level).filter_map(|q| q.measured).find(|(l, _)| *l == mm).map(|(_, l)| l)
-        }
-        Value::Vector(_) => None,
-    };
-    Some(Label::math(match over {
+    Some(Label::math(match measured.arm_m {
         Some(length) => format!("{read} / {} m", number(length, DIGITS)),
         None => read,
     }))

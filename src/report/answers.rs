@@ -81,7 +81,10 @@ fn measured_words(r: &Outcome, lang: Lang) -> String {
     match &r.drawn {
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match a.measured {
-            Some((mm, mu)) => format!("({} mm · μ {})", significant(mm, 4), shortest(mu)),
+            Some(m) => {
+                let arm = m.arm_m.map(|l| format!(" / {} m", significant(l, 4))).unwrap_or_default();
+                format!("({} mm · μ {}{arm})", significant(m.length_mm, 4), shortest(m.mu))
+            }
             None => String::new(),
         },
     }
@@ -113,8 +116,8 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
                 "unit": if radians { "rad" } else { unit(&find.what) },
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": value(r.computed),
-                "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.0),
-                "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.1),
+                "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
+                "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
             })

@@ -1,13 +1,15 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
-//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`letters`] numbers and letters.
+//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads,
+//! [`letters`] numbers and letters.
 //! Links and points without a place are left out.
 
 mod form;
 mod letters;
 mod marks;
 mod slides;
+mod special;
 
 use crate::geom::{Point, Vec2};
 use crate::position::Path;
@@ -43,6 +45,7 @@ pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
     draft.cylinders();
     draft.joints();
     draft.drivers();
+    draft.special_points();
     draft.numbers();
     draft.letters();
     draft.d.finish()
