@@ -33,6 +33,12 @@ pub fn significant(value: f64, digits: usize) -> String {
     if negative { format!("-{plain}") } else { plain }
 }
 
+/// The direction of a vector in degrees, rounded to a thousandth and in (−180, 180]: no −0, no −180.
+pub fn direction_degrees(angle_rad: f64) -> f64 {
+    let rounded = libm::rint(angle_rad.to_degrees() * 1e3) / 1e3 + 0.0;
+    if rounded == -180.0 { 180.0 } else { rounded }
+}
+
 /// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.
 pub fn shortest(value: f64) -> String {
     let rounded: f64 = format!("{value:.12e}").parse().expect("a formatted float parses");

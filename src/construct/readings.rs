@@ -41,6 +41,14 @@ impl OnPaper<'_> {
     fn vertex(&self, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
         self.plan.find_vertex(self.scene, p, on)
     }
+
+    /// The body with which a link turns.
+    fn body(&self, link: LinkId) -> Body {
+        match self.m.passive[link.0] {
+            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+            _ => Body::Link(self.m.turns_as(self.scene, link)),
+        }
+    }
 }
 
 impl Source for OnPaper<'_> {
@@ -57,10 +65,7 @@ impl Source for OnPaper<'_> {
         if self.m.never_turns[link.0] {
             return Some(0.0);
         }
-        let body = match self.m.passive[link.0] {
-            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-            _ => Body::Link(self.m.turns_as(self.scene, link)),
-        };
+        let body = self.body(link);
         if let Body::Link(l) = body
             && self.m.never_turns[l.0]
         {
@@ -84,7 +89,7 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
                 (Value::Vector(v), Some(p)) => Some(Measured { length_mm: v.norm() / p.mu, mu: p.mu, arm_m: None }),
                 (Value::Scalar(_), Some(p)) => {
                     let body = match f.what {
-                        Asked::Omega(l) | Asked::Alpha(l) => Some(Body::Link(m.turns_as(scene, l))),
+                        Asked::Omega(l) | Asked::Alpha(l) => Some(source.body(l)),
                         _ => None,
                     };
                     paper

@@ -20,6 +20,8 @@ use super::symbols as sym;
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;
+/// A vector this much shorter than the longest is rounding, not a small vector.
+const ROUNDING: f64 = 1e-11;
 /// Two ends nearer than half a line's width are one point on paper.
 const SAME_MM: f64 = 0.1;
 /// How far a construction line goes on beyond its crossing: to be seen past an arrowhead's barbs.
@@ -123,7 +125,8 @@ impl Draft<'_> {
         let symbols: Vec<String> = edge.terms.iter().map(|t| self.w.symbol(self.p.level, t)).collect();
         let symbol = symbols.join(" + ");
         if edge.from.1.distance(edge.to.1) < ZERO_MM {
-            self.zeros.push((edge.to.1, format!("{symbol} = 0"), step));
+            let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
+            self.zeros.push((edge.to.1, format!("{symbol} {sign} 0"), step));
         } else {
             self.arrow(edge.from.1, edge.to.1, symbol, if edge.known { "edge known" } else { "edge unknown" }, step);
         }
@@ -178,8 +181,14 @@ impl Draft<'_> {
         if at.distance(Point::ORIGIN) >= ZERO_MM {
             self.arrow(Point::ORIGIN, at, symbol, "absolute", step);
         } else if !self.zeros.iter().any(|(_, note, _)| note.starts_with(&symbol)) {
-            self.zeros.push((at, format!("{symbol} = 0"), step));
+            let sign = self.zero_sign(at.to_vec2().norm());
+            self.zeros.push((at, format!("{symbol} {sign} 0"), step));
         }
+    }
+
+    /// Whether a vector too short to be drawn is nothing but rounding, or merely small.
+    fn zero_sign(&self, length_mm: f64) -> &'static str {
+        if length_mm <= ROUNDING * self.p.largest() / self.p.mu { "=" } else { "\\approx" }
     }
 
     /// Where the part of a vector begins that no shorter one covers: there its name belongs.

@@ -5,7 +5,7 @@ use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
-use crate::quantity::significant;
+use crate::quantity::{direction_degrees, significant};
 use crate::report::answers::worst;
 use crate::report::phrase::Phrase;
 use crate::scene::{Asked, Axis, Find, Scene};
@@ -156,7 +156,7 @@ fn unit(find: &Find) -> &'static str {
 
 fn sense(find: &Find, value: Value, words: &Words) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(v.angle().to_degrees(), DIGITS))),
+        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(direction_degrees(v.angle()), DIGITS))),
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
             Label::text(words.sense(s))
         }

@@ -123,7 +123,7 @@ impl Maker<'_> {
     }
 
     fn mechanism(&self) -> Part {
-        mechanism::mechanism(STYLE, self.scene, self.worked)
+        mechanism::mechanism(STYLE, self.scene, self.worked, &self.options.notation)
     }
 
     fn polygon(&self, p: &Polygon) -> Part {

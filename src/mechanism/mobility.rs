@@ -177,7 +177,28 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
         ),
     )
     .at(span)
-    .help(format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }))
+    .help(match unlisted_pivots(scene) {
+        Some(names) => format!(
+            "if {names} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing"
+        ),
+        None => format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }),
+    })
+}
+
+/// Points with coordinates on a single moving link: often pivots that were not listed under the ground.
+fn unlisted_pivots(scene: &Scene) -> Option<String> {
+    let names: Vec<&str> = scene
+        .points
+        .iter()
+        .enumerate()
+        .filter(|(i, p)| {
+            let carriers: Vec<_> = scene.carriers(PointId(*i)).collect();
+            let runs = scene.guides.iter().any(|g| g.pin == Some(PointId(*i)));
+            matches!(p.place, crate::scene::Place::At(_)) && !runs && carriers.len() == 1 && carriers[0] != scene.ground
+        })
+        .map(|(_, p)| p.name.as_str())
+        .collect();
+    (!names.is_empty()).then(|| names.join(", "))
 }
 
 fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {

@@ -564,11 +564,22 @@ impl<'a> Assembly<'a> {
             };
             return Ok(vec![Pose { origin: point_along(path, s.value), axis }]);
         }
-        // A slot that passes "through the pin where it is" is met wherever the link is put along its guide.
-        if self.scene.links[link.0].points.is_empty()
-            && legs.iter().any(|l| matches!(l, Leg::InSlot { guide, .. } if self.guides[guide.0].is_none()))
+        // A point with given coordinates shows the place of a link whose direction is known.
+        let shape = &self.shapes[link.0];
+        if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_at(self.scene, *p)?))) {
+            return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
+        }
+        // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
+        // only translates its place changes no vector: its first point is put at the pin.
+        let met = legs.iter().find_map(|l| match l {
+            Leg::InSlot { guide, pin } if self.guides[guide.0].is_none() => Some(*pin),
+            _ => None,
+        });
+        if let Some(pin) = met
+            && (shape.points.is_empty() || self.m.never_turns[link.0])
         {
-            return Ok(vec![Pose { origin: Point::ORIGIN, axis }]);
+            let origin = if shape.points.is_empty() { Point::ORIGIN } else { self.known(pin) };
+            return Ok(vec![Pose { origin, axis }]);
         }
         let [a, b] = legs[..] else { return Err(self.no_closure(link)) };
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));

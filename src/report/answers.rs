@@ -3,7 +3,7 @@
 use super::phrase::{sense, tr};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
-use crate::quantity::{shortest, significant};
+use crate::quantity::{direction_degrees, shortest, significant};
 use crate::scene::{Asked, Find, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 use serde_json::{Value as Json, json};
@@ -63,7 +63,7 @@ fn value_words(find: &Find, value: Value, lang: Lang) -> String {
     let unit = unit(&find.what);
     match value {
         Value::Vector(v) => {
-            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", significant(v.angle().to_degrees(), 5)) } else { String::new() };
+            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", shortest(direction_degrees(v.angle()))) } else { String::new() };
             format!("{} {unit}{angle}", significant(v.norm(), DIGITS))
         }
         Value::Scalar(s) => match find.what {
@@ -83,7 +83,8 @@ fn measured_words(r: &Outcome, lang: Lang) -> String {
         Some(a) => match a.measured {
             Some(m) => {
                 let arm = m.arm_m.map(|l| format!(" / {} m", significant(l, 4))).unwrap_or_default();
-                format!("({} mm · μ {}{arm})", significant(m.length_mm, 4), shortest(m.mu))
+                let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
+                format!("({} mm · μ {}{arm})", significant(length, 4), shortest(m.mu))
             }
             None => String::new(),
         },

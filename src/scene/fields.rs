@@ -4,6 +4,9 @@ use super::json::{Kind, Node, Word};
 use super::raw::RawQuantity;
 use crate::diag::{Diagnostic, Faults, Span};
 
+/// Bytes that a message can quote in one line.
+const LINE: usize = 120;
+
 /// The members of an object whose keys have been checked.
 pub(super) struct Fields<'a> {
     what: &'static str,
@@ -33,7 +36,10 @@ impl<'a> Fields<'a> {
     pub fn need(&self, key: &str, example: &str, faults: &mut Faults) -> Option<&'a Node> {
         let found = self.get(key);
         if found.is_none() {
-            let d = Diagnostic::error("missing-key", format!("{} has no `{key}`", self.what)).at(self.span);
+            let d = Diagnostic::error("missing-key", format!("{} has no `{key}`", self.what));
+            // Of an object longer than a line the opening brace alone: the whole would fill the page.
+            let long = self.span.end - self.span.start > LINE;
+            let d = if long { d.at(Span::new(self.span.start, self.span.start + 1)) } else { d.at(self.span) };
             faults.push(d.help(format!("add \"{key}\": {example}")));
         }
         found

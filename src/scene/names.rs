@@ -83,7 +83,7 @@ impl<'a> Names<'a> {
     }
 
     fn no_point(&self, text: &str, word: &Word) -> Diagnostic {
-        let d = Diagnostic::error("unknown-point", format!("there is no point `{text}`")).at(word.span);
+        let d = Diagnostic::error("unknown-point", format!("there is no point `{text}` on any link")).at(word.span);
         d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), "the points are"))
     }
 

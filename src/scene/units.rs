@@ -117,6 +117,8 @@ pub static UNITS: &[Unit] = &[
     unit("min", TIME, 60.0, 1.0),
     unit("h", TIME, 3600.0, 1.0),
     degrees("rpm", RATE, 6.0),
+    // Revolutions per minute as Chinese books write them; only directly behind a number, for `r` may be a parameter.
+    degrees("r/min", RATE, 6.0),
 ];
 
 /// The unit of a name.

@@ -147,7 +147,7 @@ impl Draft<'_> {
         // Beside the rod; the arrow goes the way the rod goes.
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
         let from = if driver.rate.value > 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
-        self.straight_arrow(from, u, driver.rate.value, &format!("v_{{{nb}{na}}}"));
+        self.straight_arrow(from, u, driver.rate.value, &format!("v^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
     }
 
     fn straight_arrow(&mut self, from: Point, along: Vec2, rate: f64, symbol: &str) {

@@ -12,6 +12,7 @@ mod slides;
 mod special;
 
 use crate::geom::{Point, Vec2};
+use crate::plan::notation::Notation;
 use crate::position::Path;
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use crate::worked::Worked;
@@ -34,8 +35,8 @@ const ANGLE_COST: f64 = 2.0;
 const OTHER_COST: f64 = 1.0;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
-pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
-    let mut draft = Draft::new(style, scene, worked);
+pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
+    let mut draft = Draft::new(style, scene, worked, notation);
     draft.ground_guides();
     draft.plates(true);
     draft.carriers();
@@ -56,6 +57,7 @@ struct Draft<'a> {
     style: &'a Style,
     scene: &'a Scene,
     worked: &'a Worked,
+    notation: &'a Notation,
     d: Drawing,
     /// What each link looks like; `None` for ground and what has no place.
     forms: Vec<Option<Form>>,
@@ -66,10 +68,10 @@ struct Draft<'a> {
 }
 
 impl<'a> Draft<'a> {
-    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked) -> Self {
+    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation) -> Self {
         let d = Drawing::new("mechanism", *style);
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
-        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at, hatched };
+        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
     }

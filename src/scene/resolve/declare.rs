@@ -120,15 +120,37 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     if let Some(id) = r.by_link.get(&word.text) {
         return Some(*id);
     }
+    let pivots = implied_pivots(raw, r);
     // A ground that nothing touches is a mistyped name, not a link without points of its own.
     let carries = raw.guides.iter().any(|g| g.on.as_ref().is_none_or(|on| on.text == word.text));
-    if !carries {
+    if !carries && pivots.is_empty() {
         let d = Diagnostic::error("unknown-link", format!("the ground `{}` is not among the links and carries no guide", word.text));
         let known = raw.links.iter().map(|l| l.name.text.as_str());
-        faults.push(d.at(word.span).help(suggest(&word.text, known, "the links are")));
+        let near = suggest(&word.text, known, "the links are");
+        faults.push(d.at(word.span).help(format!("{near}; list its fixed pivots, as in \"{}\": [\"A\", \"D\"]", word.text)));
         return None;
     }
-    Some(r.link(word, Vec::new(), faults))
+    if !pivots.is_empty() {
+        let names: Vec<&str> = pivots.iter().map(|p| r.points[p.0].name.as_str()).collect();
+        let quoted: Vec<String> = names.iter().map(|n| format!("\"{n}\"")).collect();
+        let message = format!("{} taken as fixed: they have coordinates and sit on one link only", names.join(", "));
+        let d = Diagnostic::note("implied-pivots", message).at(word.span);
+        faults.push(d.help(format!("to say it: \"{}\": [{}] in \"links\"", word.text, quoted.join(", "))));
+    }
+    Some(r.link(word, pivots, faults))
+}
+
+/// The fixed pivots of a ground that lists no points: those given by coordinates that would otherwise join nothing.
+fn implied_pivots(raw: &RawScene, r: &Register) -> Vec<PointId> {
+    let runs = |name: &str| raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(|p| p.text == name));
+    (0..r.points.len())
+        .map(PointId)
+        .filter(|p| {
+            let name = r.points[p.0].name.as_str();
+            let placed = raw.points.iter().any(|(w, place)| w.text == name && matches!(place, RawPlace::At(_)));
+            placed && !runs(name) && r.links.iter().filter(|l| l.points.contains(p)).count() == 1
+        })
+        .collect()
 }
 
 /// A link without points must slide, carry a guide or be the ground; else nothing joins it to the others.

@@ -50,7 +50,12 @@ fn everything(c: &Context) -> Vec<Find> {
     for (i, l) in links.iter().enumerate() {
         let id = LinkId(i);
         let carries_guide = c.raw.guides.iter().any(|g| g.on.as_ref().is_some_and(|w| w.text == l.name));
-        if id != c.ground && (l.points.len() >= 2 || carries_guide) {
+        let in_cylinder = c
+            .raw
+            .drivers
+            .iter()
+            .any(|d| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == l.name)));
+        if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder) {
             ask("omega", &l.name, l.span, Asked::Omega(id));
             ask("alpha", &l.name, l.span, Asked::Alpha(id));
         }
