@@ -531,7 +531,7 @@ impl Builder<'_> {
             for (i, g) in self.scene.guides.iter().enumerate() {
                 let id = crate::scene::GuideId(i);
                 let used =
-                    self.acceleration.iter().any(|s| s.alternatives.iter().flatten().chain(&s.further).any(|step| uses_guide(step, id)));
+                    self.acceleration.iter().any(|s| s.alternatives.iter().flatten().chain(&s.further).any(|step| step.slides_along(id)));
                 let (on, reason) = if self.m.never_turns[g.on.0] {
                     (false, Reason::GuideDoesNotTurn)
                 } else if used {
@@ -548,15 +548,5 @@ impl Builder<'_> {
             }
         }
         out
-    }
-}
-
-fn uses_guide(step: &Step, guide: crate::scene::GuideId) -> bool {
-    match step {
-        Step::Equation { chains, .. } => chains
-            .iter()
-            .flat_map(|c| c.known.iter().chain(&c.unknown))
-            .any(|t| matches!(t.by, super::By::Guide { guide: g, .. } if g == guide)),
-        _ => false,
     }
 }

@@ -163,6 +163,19 @@ pub enum Step {
     },
 }
 
+impl Step {
+    /// Whether a term of the step slides along a guide.
+    pub fn slides_along(&self, guide: GuideId) -> bool {
+        match self {
+            Step::Equation { chains, .. } => chains
+                .iter()
+                .flat_map(|c| c.known.iter().chain(&c.unknown))
+                .any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide)),
+            Step::Image { .. } | Step::Same { .. } => false,
+        }
+    }
+}
+
 /// How the turning (ω, α) of a body is found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {

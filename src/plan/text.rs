@@ -232,7 +232,7 @@ impl Writer<'_> {
     }
 
     /// The name of a guide's direction: the line of two points it runs along, else x–x, t–t.
-    fn guide_line(&self, g: GuideId) -> String {
+    pub fn guide_line(&self, g: GuideId) -> String {
         let guide = &self.scene.guides[g.0];
         let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
         match &guide.path {

@@ -1,10 +1,12 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
-//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads,
+//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
+//! that tables call t,
 //! [`letters`] numbers and letters.
 //! Links and points without a place are left out.
 
+mod directions;
 mod form;
 mod letters;
 mod marks;
@@ -47,6 +49,7 @@ pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notat
     draft.joints();
     draft.drivers();
     draft.special_points();
+    draft.directions();
     draft.numbers();
     draft.letters();
     draft.d.finish()
