@@ -225,6 +225,7 @@ impl Builder<'_> {
             [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);
+                self.source_of_curved_block(level, link);
                 self.need_rate_at(level, body);
                 let (terms, _) = self.turning(level, body, v, a, true);
                 Step::Equation { target: v, chains: vec![Chain { start: a, known: terms, unknown: vec![] }], method: Method::Driven }
