@@ -86,7 +86,7 @@ pub(crate) fn assign(
         faults.push(too_free(scene, &capacity, &held, &free));
     }
     if !homeless.is_empty() {
-        faults.push(too_tight(scene, constraints, &units, &homeless));
+        faults.push(too_tight(scene, constraints, &units, &homeless, capacity.iter().sum()));
     }
     if faults.has_errors() {
         return Err(faults);
@@ -179,7 +179,7 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
     .help(format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }))
 }
 
-fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {
+fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize], capacity: usize) -> Diagnostic {
     let mut names: Vec<String> = Vec::new();
     let mut span = None;
     for &u in homeless {
@@ -189,9 +189,24 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
         }
         span = span.or(Some(at));
     }
+    let driver = |c: Constraint| matches!(c, Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_));
+    let drivers = units.iter().filter(|u| driver(constraints[u.0])).count();
+    // Where a part is loose and another locked the count says nothing of either.
+    let left = match capacity.saturating_sub(units.len() - drivers) {
+        0 => "no freedom".to_string(),
+        1 => "1 freedom".to_string(),
+        n => format!("{n} freedoms"),
+    };
     let d = Diagnostic::error(
         "too-many-constraints",
-        format!("{} more condition{} than freedoms: {}", homeless.len(), if homeless.len() == 1 { "" } else { "s" }, names.join(", ")),
+        format!(
+            "{} more condition{} than freedoms: {} (the joints leave {left}, and there {} {drivers} driver{})",
+            homeless.len(),
+            if homeless.len() == 1 { "" } else { "s" },
+            names.join(", "),
+            if drivers == 1 { "is" } else { "are" },
+            if drivers == 1 { "" } else { "s" }
+        ),
     )
     .help("leave out a driver, or a link or joint that only repeats what others fix");
     match span {
