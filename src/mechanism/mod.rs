@@ -82,6 +82,10 @@ impl Mechanism {
     /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
     pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
         let passive = find_passive(scene);
+        let faults = curved_sliders(scene, &passive);
+        if faults.has_errors() {
+            return Err(faults);
+        }
         let pins = find_pins(scene, &passive);
         let constraints = find_constraints(scene, &passive, &pins);
         let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
@@ -222,6 +226,28 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
         }
     }
     passive
+}
+
+/// On a curved guide only a block that carries nothing else is taken: any more of a link turns about the centre of
+/// curvature, which is a pin joint there and is to be written as one.
+fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
+    let mut faults = Faults::default();
+    for (i, guide) in scene.guides.iter().enumerate() {
+        let (Some(s), GuidePath::Arc { centre, .. }) = (guide.slider, &guide.path) else { continue };
+        if passive[s.0] == Some(Passive::Block(GuideId(i))) {
+            continue;
+        }
+        let (slider, on, centre) = (scene.link_name(s), scene.link_name(guide.on), scene.point_name(*centre));
+        faults.push(
+            Diagnostic::error(
+                "curved-slider",
+                format!("link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}"),
+            )
+            .at(guide.span)
+            .help(format!("make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide")),
+        );
+    }
+    faults
 }
 
 fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {

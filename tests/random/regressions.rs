@@ -135,3 +135,17 @@ fn a_triad_whose_legs_are_almost_stretched() {
         assert!(off < 1e-10, "hair {hair:e}: A lies {off:e} from its sketch");
     }
 }
+
+/// A link that slides on a curved guide turns about its centre; the drawing kept its direction.
+#[test]
+fn a_link_on_a_curved_guide_is_a_pin_joint() {
+    let scene = |links: &str, guides: &str| {
+        format!(
+            r#"{{"links": {{"0": ["O", "K"], "1": ["O", "A"], "2": ["A", "C"], {links}}}, "ground": "0",
+            "points": {{"O": ["0 m", "0 m"], "A": ["1 m", "0.5 m"], "K": ["2 m", "0.5 m"], "C": ["2.5 m", "2 m"], "D": ["1.5 m", "2.5 m"]}},
+            "guides": [{guides}], "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["omega_3", "alpha_3", "a_D"]}}"#
+        )
+    };
+    refused(&scene(r#""3": ["C", "D"]"#, r#"{"pin": "C", "slider": "3", "on": "0", "centre": "K"}"#), "curved-slider");
+    solved(&scene(r#""3": ["K", "C", "D"]"#, ""));
+}
