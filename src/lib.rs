@@ -1,11 +1,59 @@
 //! hodograph solves planar mechanisms the way they are solved at the drawing board.
+//!
+//! From one scene file it plans the relative-motion vector equations, draws the velocity and acceleration polygons step by
+//! step to the scales μ_l, μ_v, μ_a, reads the answers off the paper, and proves them against the loop equations.
+//!
+//! ```
+//! use hodograph::{scene, worked::{work, Scope}};
+//!
+//! let text = scene::templates::get("crank-rocker").unwrap();
+//! let scene = scene::read(text).unwrap().value;
+//! let worked = work(&scene, Scope::Questions).unwrap().value;
+//! for r in &worked.results {
+//!     println!("{} = {:?}", scene.find[r.find].text, r.value());
+//! }
+//! ```
+//!
+//! # The way through
+//! ```text
+//! scene.json ─▶ Scene ─▶ Mechanism ─┬─▶ Plan ──────────┬─▶ Construction ─┬─▶ Figure ─▶ SVG ─▶ PNG
+//!   raw text    valid,   links,     │  which equations, │  paper mm,      │  lines, arrows,
+//!               SI       pairs,     │  no numbers       │  ruler steps    │  labels in mm
+//!                        groups     └─▶ Configuration ──┤                 └─▶ Answers ──┐
+//!                                       positions       └─▶ Solution (loop equations) ──┴─▶ Agreement
+//! ```
+//! Every arrow is one public function from one finished value to the next; nothing flows back. [`worked::work`] walks them
+//! all.
+//!
+//! # Rooms
+//! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
+//!   templates, schema.
+//! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
+//!   questions.
+//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
+//! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
+//! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
+//! - [`analytic`]: constraint rows, Jacobian, conditioning. Knows neither plan nor paper.
+//! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart.
+//! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
+//! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
+//! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
+//! - [`cli`]: the only room that prints, reads arguments or touches files.
+//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`].
+//!
+//! # What must not be
+//! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the
+//! mechanism and its positions, nothing else. No hash-map order reaches an output. No absolute tolerance decides anything.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// The map names private rooms too; `cargo doc --document-private-items` follows those links.
+#![allow(rustdoc::private_intra_doc_links)]
 
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod cli;
 pub mod construct;
 pub mod diag;
 pub mod figure;

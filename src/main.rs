@@ -1,1 +1,5 @@
-fn main() {}
+//! The `hodograph` program; see [`hodograph::cli`].
+
+fn main() -> std::process::ExitCode {
+    hodograph::cli::main()
+}

@@ -57,9 +57,14 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The value to print: the drawing's where there is one.
+    /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
     pub fn value(&self) -> Value {
-        self.drawn.as_ref().map_or(self.computed, |a| a.value)
+        let value = self.drawn.as_ref().map_or(self.computed, |a| a.value);
+        match (value, self.agreement) {
+            (Value::Vector(_), Some(a)) if value.magnitude() <= a.noise => Value::Vector(crate::geom::Vec2::ZERO),
+            (Value::Scalar(_), Some(a)) if value.magnitude() <= a.noise => Value::Scalar(0.0),
+            _ => value,
+        }
     }
 }
 
@@ -77,7 +82,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let configuration = placed.value;
     notes.extend(placed.notes);
     let plan = plan::plan(scene, &mechanism, &demand);
-    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::default())?;
+    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
     notes.extend(construction.warnings.iter().cloned());
     let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
@@ -90,8 +95,9 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = scale_of(&construction, configuration.extent(), level, matches!(computed, Value::Vector(_)));
-                Some(compare(d.value, computed, scale, solution.condition, level))
+                let scale = scale_of(scene, &construction, &configuration, level, &computed);
+                let worst = construction.magnification[usize::from(level == Level::Acceleration)];
+                Some(compare(d.value, computed, scale, worst))
             }
         };
         results.push(Outcome { find: i, drawn, computed, agreement });
@@ -99,18 +105,30 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
 }
 
-/// The size against which a difference of the two ways is judged: the largest vector or rate of the level, or what the rest
-/// of the motion makes of the mechanism's size `l` (v/l for ω, v²/l for a). Without the latter, a level at which everything
-/// vanishes would compare rounding with rounding.
-fn scale_of(drawn: &Construction, l: f64, level: Level, vector: bool) -> f64 {
-    let largest = |level| drawn.polygon(level).map_or(0.0, construct::Polygon::largest);
-    let (v, a) = (largest(Level::Velocity), largest(Level::Acceleration));
-    let rates = |level| drawn.rates.iter().filter(|r| r.level == level).map(|r| r.value.abs()).fold(0.0, f64::max);
-    let omega = rates(Level::Velocity).max(if l > 0.0 { v / l } else { 0.0 });
-    match (level, vector) {
-        (Level::Acceleration, true) => a.max(v * omega),
-        (Level::Acceleration, false) => rates(Level::Acceleration).max(if l > 0.0 { a / l } else { 0.0 }).max(omega * omega),
-        (_, true) => v,
-        (_, false) => omega,
+/// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers
+/// would make at the size of the mechanism where all vectors vanish; for a turning rate the largest rate, or what that
+/// vector makes on the shortest arm on which a rate was measured (ω of a short link is a small difference of vectors
+/// divided by a small length, and α may vanish where ω² l does not).
+fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
+    let extent = at.extent();
+    let driven = |d: &crate::scene::Driver| match d.kind {
+        crate::scene::DriverKind::Turn { .. } => d.rate.value.abs() * extent,
+        _ => d.rate.value.abs(),
+    };
+    let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
+    let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);
+    let vector = match level {
+        Level::Acceleration if extent > 0.0 => largest(level).max(speed * speed / extent),
+        Level::Acceleration => largest(level),
+        _ => speed,
+    };
+    match value {
+        Value::Vector(_) => vector,
+        Value::Scalar(_) => {
+            let rates = paper.rates.iter().filter(|r| r.level == level);
+            let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
+            let arm = rates.filter_map(|r| r.measured).map(|m| m.1).fold(extent, f64::min);
+            if arm > 0.0 { largest.max(vector / arm) } else { largest }
+        }
     }
 }

@@ -65,6 +65,9 @@ fn reference_cases() {
             }
         };
         solved += 1;
+        for r in worked.results.iter().filter(|r| r.agreement.is_some_and(|a| !a.holds())) {
+            failures.push(format!("{id}: {} drawing and analysis disagree: {:?}", scene.find[r.find].text, r.agreement));
+        }
         for e in case["expect"].as_array().unwrap() {
             let find = e["find"].as_str().unwrap();
             let Some(i) = scene.find.iter().position(|f| f.text == find) else {

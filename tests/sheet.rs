@@ -6,11 +6,15 @@ use hodograph::figure::extent::translate;
 use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
 use hodograph::figure::label::Label;
 use hodograph::figure::place::{CROWDED, LabelRequest, Obstacles, Placement, place};
+use hodograph::figure::sheet::{Options, sheet};
 use hodograph::figure::style::Style;
 use hodograph::figure::symbols as sym;
 use hodograph::figure::{arrow::Head, extent::Rect};
 use hodograph::geom::{Point, Vec2, cross_lines};
+use hodograph::mechanism::Level;
 use hodograph::render::{png, svg};
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
 
 const STYLE: Style = Style::TEXTBOOK;
 const PAPER: Rect = Rect { min: Point::ORIGIN, max: Point { x: 210.0, y: 104.0 } };
@@ -265,4 +269,137 @@ fn fourbar_sheet_in_two_languages() {
 fn symbol_sheet() {
     let (svg, _) = ink(&symbols(), "symbols");
     assert!(svg.contains(r#"class="ground hatch""#));
+}
+
+/// What must hold for every sheet; returns what does not.
+fn check(name: &str, scene: &scene::Scene, worked: &hodograph::worked::Worked, figure: &Figure) -> Vec<String> {
+    let mut faults = Vec::new();
+    let mut fault = |text: String| faults.push(format!("{name}: {text}"));
+    let mut ids = std::collections::HashSet::new();
+    let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
+    for item in &figure.items {
+        if item.id.is_empty() || item.class.is_empty() || !ids.insert(item.id.as_str()) {
+            fault(format!("id `{}` of class `{}` is missing or not unique", item.id, item.class));
+        }
+        if let Some(b) = item.bounds()
+            && paper.union(b) != paper
+        {
+            fault(format!("{} is cut by the paper's edge: {b:?}", item.id));
+        }
+    }
+    let labels: Vec<(&Item, Rect)> =
+        figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
+    for (k, (a, ra)) in labels.iter().enumerate() {
+        for (b, rb) in &labels[..k] {
+            if ra.overlap_mm2(*rb) > 0.0 {
+                fault(format!("labels {} and {} overlap by {:.2} mm²", a.id, b.id, ra.overlap_mm2(*rb)));
+            }
+        }
+    }
+    for (level, kind) in [(Level::Velocity, "velocity"), (Level::Acceleration, "acceleration")] {
+        let Some(p) = worked.construction.polygon(level) else { continue };
+        let pole = figure.items.iter().find(|i| i.id == format!("{kind}-pole")).and_then(|i| match i.shape {
+            Shape::Circle { centre, .. } => Some(centre),
+            _ => None,
+        });
+        let Some(pole) = pole else {
+            fault(format!("{kind} has no pole"));
+            continue;
+        };
+        let arrows: Vec<(Point, Point)> = figure
+            .items
+            .iter()
+            .filter(|i| i.class.starts_with(kind))
+            .filter_map(|i| match i.shape {
+                Shape::Arrow { from, to, .. } => Some((from, to)),
+                _ => None,
+            })
+            .collect();
+        let near = |a: Point, b: Point| a.distance(pole + b.to_vec2()) < 0.1;
+        for e in p.edges.iter().filter(|e| e.from.1.distance(e.to.1) > 0.1) {
+            if !arrows.iter().any(|(from, to)| near(*from, e.from.1) && near(*to, e.to.1)) {
+                fault(format!("{kind}: no arrow from {:?} to {:?}", e.from, e.to));
+            }
+        }
+        let notes = figure.items.iter().filter(|i| i.class.starts_with(&format!("{kind} zero"))).count();
+        if p.edges.iter().any(|e| e.from.1.distance(e.to.1) < 0.01) && notes == 0 {
+            fault(format!("{kind}: a vector of no length is not noted"));
+        }
+        for (n, action) in p.actions.iter().enumerate() {
+            let word = format!("step-{n}");
+            let shown = figure.items.iter().any(|i| i.class.starts_with(kind) && i.class.split(' ').any(|w| w == word));
+            if !shown && !matches!(action, hodograph::construct::Action::Rate(_)) {
+                fault(format!("{kind}: {action:?} (step {n}) shows nothing"));
+            }
+        }
+    }
+    for r in &worked.results {
+        let id = format!("result-{}-value", scene.find[r.find].text);
+        if !ids.contains(id.as_str()) {
+            fault(format!("no result {id}"));
+        }
+    }
+    faults
+}
+
+fn sheets_of(name: &str, values: &[(&str, &str)], languages: &[Lang]) -> Vec<String> {
+    let tag: String = values.iter().map(|(k, v)| format!("-{k}={v}")).collect();
+    let scene = scene::read(templates::instantiate(name, values).unwrap()).unwrap().value;
+    let worked = match work(&scene, Scope::Figure) {
+        Ok(w) => w.value,
+        Err(f) => return vec![format!("{name}{tag}: {f}")],
+    };
+    let mut faults = Vec::new();
+    for lang in languages {
+        let figure = sheet(&scene, &worked, &Options::of_language(*lang)).unwrap_or_else(|f| panic!("{name}{tag}: {f}"));
+        let name = format!("{name}{tag}-{}", figure.lang);
+        faults.extend(check(&name, &scene, &worked, &figure));
+        let (svg, _) = ink(&figure, &name);
+        let labels = figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).count();
+        if svg.matches("data-text=").count() != labels {
+            faults.push(format!("{name}: a label is not in the document"));
+        }
+    }
+    faults
+}
+
+#[test]
+fn every_template_in_two_languages() {
+    // To look at some only: HODOGRAPH_ONLY=crank-rocker,shaper
+    let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
+    let wanted = |name: &str| only.is_empty() || only.split(',').any(|o| o == name);
+    let names: Vec<&str> = templates::list().iter().map(|t| t.name).filter(|n| wanted(n)).collect();
+    let faults: Vec<String> = names.iter().flat_map(|n| sheets_of(n, &[], &[Lang::En, Lang::Zh])).collect();
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn all_around_the_crank() {
+    let mut faults = Vec::new();
+    for name in ["crank-rocker", "slotted-lever", "offset-slider-crank"] {
+        for degrees in (15..360).step_by(45) {
+            faults.extend(sheets_of(name, &[("phi_1", &degrees.to_string())], &[Lang::En]));
+        }
+    }
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn a_fixed_sheet_is_kept() {
+    let text = text_on(r#""A4 landscape""#);
+    let scene = scene::read(text).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let figure = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+    assert_eq!((figure.width_mm, figure.height_mm), (297.0, 210.0));
+    assert_eq!(check("a4", &scene, &worked, &figure), Vec::<String>::new());
+    ink(&figure, "a4");
+    let small = text_on(r#"["120 mm", "80 mm"]"#);
+    let scene = scene::read(small).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    let faults = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap_err();
+    assert_eq!(faults.list[0].code, "paper-too-small");
+}
+
+fn text_on(size: &str) -> String {
+    templates::get("crank-rocker").unwrap().replacen('{', &format!(r#"{{"paper": {{"size": {size}}},"#), 1)
 }

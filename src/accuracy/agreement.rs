@@ -1,7 +1,6 @@
 //! Drawing against analysis, question by question.
 
 use crate::answer::Value;
-use crate::mechanism::Level;
 
 /// How one question's two answers compare.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,8 +8,10 @@ pub struct Agreement {
     /// Difference of the two, relative to the answer, or to a thousandth of the largest vector of its polygon where the
     /// answer is smaller than that (an answer of zero has no relative error).
     pub difference: f64,
-    /// What double precision lets one expect: 1e-11 for well-conditioned scenes, more as the condition number grows.
+    /// What double precision lets one expect: 1e-11 for well-conditioned scenes, more where crossings lie under bad angles.
     pub bound: f64,
+    /// A value of no more than this (SI) cannot be told from zero: rounding of the largest vector makes as much.
+    pub noise: f64,
 }
 
 impl Agreement {
@@ -23,20 +24,33 @@ impl Agreement {
 /// Well-conditioned scenes agree to this.
 const WELL_CONDITIONED: f64 = 1e-11;
 
-/// Compares two values of one question. `scale` is the largest vector (or rate) of its level.
-pub fn compare(drawn: Value, computed: Value, scale: f64, condition: f64, level: Level) -> Agreement {
+/// Units in the last place that a handful of operations per step may lose, before the crossings magnify them.
+const STEPS: f64 = 32.0;
+
+/// Compares two values of one question.
+///
+/// `scale` is the largest vector (or rate) of its level; `magnification` is by how much the worst crossing magnifies
+/// rounding there (see [`crate::construct::Construction::magnification`]).
+pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) -> Agreement {
     let (difference, size) = match (drawn, computed) {
         (Value::Vector(a), Value::Vector(b)) => ((a - b).norm(), b.norm()),
         (Value::Scalar(a), Value::Scalar(b)) => ((a - b).abs(), b.abs()),
         _ => (f64::INFINITY, 1.0),
     };
     let reference = size.max(scale * 1e-3);
-    // Velocities lose the condition number's digits, accelerations up to its cube (they go with 1/S³ of the crossing).
-    let lost = match level {
-        Level::Acceleration => condition * condition * condition.min(1e3),
-        _ => condition * condition,
-    };
-    let bound = WELL_CONDITIONED.max(64.0 * f64::EPSILON * lost);
-    let relative = if difference == 0.0 { 0.0 } else { difference / reference };
-    Agreement { difference: relative, bound }
+    let difference = if difference == 0.0 { 0.0 } else { difference / reference };
+    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: STEPS * f64::EPSILON * scale }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_answers_are_judged_by_their_polygon() {
+        let a = compare(Value::Scalar(1e-15), Value::Scalar(0.0), 1.0, 1.0);
+        assert!(a.holds() && (a.difference - 1e-12).abs() < 1e-20);
+        assert!(!compare(Value::Scalar(1.0), Value::Scalar(1.0 + 1e-9), 1.0, 10.0).holds());
+        assert!(!compare(Value::Scalar(f64::NAN), Value::Scalar(1.0), 1.0, 10.0).holds());
+    }
 }

@@ -95,6 +95,7 @@ impl<'a> Board<'a> {
                 acceleration: None,
                 rates: Vec::new(),
                 chosen: vec![0; m.groups.len()],
+                magnification: [1.0; 2],
                 warnings: Vec::new(),
             },
         };
@@ -279,10 +280,14 @@ impl<'a> Board<'a> {
         match ends[..] {
             [(_, a, Some(u)), (_, b, Some(w))] => {
                 let c = cross_lines(a, u, b, w);
-                let tolerance = PARALLEL_UNITS * f64::EPSILON * (1.0 + self.rounding(&chains[0]) + self.rounding(&chains[1]));
-                if c.sine.abs() <= tolerance || !c.at.is_finite() {
+                let rounding = 1.0 + self.rounding(&chains[0]) + self.rounding(&chains[1]);
+                if c.sine.abs() <= PARALLEL_UNITS * f64::EPSILON * rounding || !c.at.is_finite() {
                     return Err(self.dead_centre(p.level, target, chains).into());
                 }
+                // Velocities go with 1/sine; accelerations with the square of velocities through one more crossing.
+                let s = c.sine.abs();
+                self.done.magnification[0] = self.done.magnification[0].max(rounding / s);
+                self.done.magnification[1] = self.done.magnification[1].max(rounding * rounding / (s * s * s));
                 if c.sine.abs() < BAD_ANGLE {
                     self.warn_bad_angle(p.level, target, chains, c.sine);
                 }
@@ -301,7 +306,10 @@ impl<'a> Board<'a> {
             }
             [(_, a, None)] => {
                 p.images[target.0] = Some(a);
-                p.actions.push(Action::Reach(target));
+                // A vector laid off ends in the target by itself; without one, the start is the target.
+                if chains[0].known.is_empty() {
+                    p.actions.push(Action::Reach(target));
+                }
             }
             _ => unreachable!("an equation has one chain without, or two with, unknown parts"),
         }
@@ -482,7 +490,7 @@ impl<'a> Board<'a> {
     }
 
     fn held_by(&self, t: &Term) -> String {
-        let line = || format!("{}{}", self.name(t.to), self.name(t.of));
+        let line = || crate::plan::text::line_name(self.scene, self.plan, t.to, t.of);
         match t.by {
             By::Turning(Body::Link(l)) => format!("link {} ({})", self.link(l), line()),
             By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),

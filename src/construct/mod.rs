@@ -1,16 +1,15 @@
 //! The drawing board: ruler and paper, in millimetres.
 //!
-//! Walks a [`Plan`] on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
+//! Walks a [`Plan`](crate::plan::Plan) on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
 //! vectors, draws lines of known direction, crosses them, copies triangles by similarity, measures. What is measured is
 //! multiplied by μ. It never looks at the loop equations.
 
 mod board;
 mod readings;
 pub mod scale;
-pub mod text;
 
 pub use board::construct;
-pub use readings::{Answer, read};
+pub use readings::{Answer, Measured, read};
 
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
@@ -84,7 +83,7 @@ pub enum Action {
         /// Sine of the crossing.
         sine: f64,
     },
-    /// The end of a chain of known vectors taken as a vertex's image.
+    /// A vertex's image is where its chain starts: nothing is added to the known vector.
     Reach(VertexId),
     /// A triangle copied.
     Copy {
@@ -152,6 +151,8 @@ pub struct Construction {
     pub rates: Vec<RateReading>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
+    /// How many times rounding is magnified at the worst crossing, in velocities and in accelerations.
+    pub magnification: [f64; 2],
     /// Crossings under a bad angle and the like.
     pub warnings: Vec<Diagnostic>,
 }

@@ -15,8 +15,19 @@ pub struct Answer {
     pub find: usize,
     /// The value.
     pub value: Value,
-    /// Length measured on paper (mm) and the scale (SI/mm) it was multiplied by; `None` for given values and positions.
-    pub measured: Option<(f64, f64)>,
+    /// What the ruler gave; `None` for given values and positions.
+    pub measured: Option<Measured>,
+}
+
+/// A length measured on paper, and what it was multiplied with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The length (mm).
+    pub length_mm: f64,
+    /// The scale (SI per mm).
+    pub mu: f64,
+    /// For a turning rate, the arm (m) by which the product is divided.
+    pub arm_m: Option<f64>,
 }
 
 struct OnPaper<'a> {
@@ -70,13 +81,18 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
             let value = evaluate(scene, at, &source, &f.what)?;
             let level = level_of(&f.what);
             let measured = match (value, paper.polygon(level)) {
-                (Value::Vector(v), Some(p)) => Some((v.norm() / p.mu, p.mu)),
+                (Value::Vector(v), Some(p)) => Some(Measured { length_mm: v.norm() / p.mu, mu: p.mu, arm_m: None }),
                 (Value::Scalar(_), Some(p)) => {
                     let body = match f.what {
                         Asked::Omega(l) | Asked::Alpha(l) => Some(Body::Link(m.turns_as(scene, l))),
                         _ => None,
                     };
-                    paper.rates.iter().find(|r| r.level == level && Some(r.body) == body).and_then(|r| r.measured).map(|(mm, _)| (mm, p.mu))
+                    paper
+                        .rates
+                        .iter()
+                        .find(|r| r.level == level && Some(r.body) == body)
+                        .and_then(|r| r.measured)
+                        .map(|(length_mm, arm)| Measured { length_mm, mu: p.mu, arm_m: Some(arm) })
                 }
                 _ => None,
             };

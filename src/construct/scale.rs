@@ -1,5 +1,9 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
+use crate::mechanism::Level;
+use crate::plan::{Plan, Step};
+use crate::scene::Paper;
+
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Boxes {
@@ -10,9 +14,38 @@ pub struct Boxes {
 }
 
 impl Default for Boxes {
-    /// What lets a diagram and two polygons stand side by side on A4 across, with room for their labels.
+    /// What lets a diagram and two polygons stand side by side on A4 across, with room for their labels. A mechanism may be
+    /// as tall as wide: beside it there is room for equations.
     fn default() -> Self {
-        Boxes { diagram: [120.0, 95.0], polygon: [95.0, 80.0] }
+        Boxes { diagram: [130.0, 130.0], polygon: [95.0, 80.0] }
+    }
+}
+
+/// A polygon with more vectors than this needs more room for their names than the usual box has.
+const USUAL_VECTORS: f64 = 9.0;
+/// The largest polygon, against the usual one: a sheet of A3.
+const LARGEST: f64 = 2.0;
+/// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
+/// equations and results.
+const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];
+const POLYGON_PART: [f64; 2] = [0.25, 0.34];
+
+impl Boxes {
+    /// The room that a plan's drawings get: the usual, more for polygons of many vectors, a part of a fixed paper.
+    pub fn of(paper: &Paper, plan: &Plan) -> Boxes {
+        if let Some([w, h]) = paper.size_mm {
+            let part = |p: [f64; 2]| [p[0] * w, p[1] * h];
+            return Boxes { diagram: part(DIAGRAM_PART), polygon: part(POLYGON_PART) };
+        }
+        let usual = Boxes::default();
+        let level = plan.level.max(Level::Velocity);
+        let vectors = plan.steps(level).iter().flat_map(|g| g.steps(0)).map(|s| match s {
+            Step::Equation { chains, .. } => chains.iter().map(|c| c.known.len() + c.unknown.len()).sum(),
+            Step::Image { .. } | Step::Same { .. } => 1_usize,
+        });
+        // Names need area, and area goes with the square of the side.
+        let larger = (vectors.sum::<usize>() as f64 / USUAL_VECTORS).sqrt().clamp(1.0, LARGEST);
+        Boxes { polygon: usual.polygon.map(|side| side * larger), ..usual }
     }
 }
 

@@ -2,12 +2,21 @@
 //!
 //! Everything here is y up and knows no file format; [`crate::render`] turns a [`item::Figure`] into ink.
 
+mod arrange;
 pub mod arrow;
+pub mod drawing;
 pub mod extent;
 pub mod font;
+pub mod grid;
 pub mod item;
 pub mod label;
+pub mod mechanism;
 pub mod place;
+pub mod polygon;
+pub mod results;
+pub mod sheet;
 pub mod style;
 pub mod symbols;
+pub mod tables;
 pub mod text;
+pub mod words;

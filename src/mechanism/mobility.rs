@@ -86,7 +86,7 @@ pub(crate) fn assign(
         faults.push(too_free(scene, &capacity, &held, &free));
     }
     if !homeless.is_empty() {
-        faults.push(too_tight(scene, constraints, &units, &homeless, capacity.iter().sum()));
+        faults.push(too_tight(scene, constraints, &units, &homeless));
     }
     if faults.has_errors() {
         return Err(faults);
@@ -169,7 +169,8 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
     Diagnostic::error(
         "too-few-constraints",
         format!(
-            "the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            count(scene).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
             names.join(", ")
@@ -179,7 +180,7 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
     .help(format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }))
 }
 
-fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize], capacity: usize) -> Diagnostic {
+fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {
     let mut names: Vec<String> = Vec::new();
     let mut span = None;
     for &u in homeless {
@@ -189,23 +190,16 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
         }
         span = span.or(Some(at));
     }
-    let driver = |c: Constraint| matches!(c, Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_));
-    let drivers = units.iter().filter(|u| driver(constraints[u.0])).count();
-    // Where a part is loose and another locked the count says nothing of either.
-    let left = match capacity.saturating_sub(units.len() - drivers) {
-        0 => "no freedom".to_string(),
-        1 => "1 freedom".to_string(),
-        n => format!("{n} freedoms"),
-    };
     let d = Diagnostic::error(
         "too-many-constraints",
         format!(
-            "{} more condition{} than freedoms: {} (the joints leave {left}, and there {} {drivers} driver{})",
+            "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
-            names.join(", "),
-            if drivers == 1 { "is" } else { "are" },
-            if drivers == 1 { "" } else { "s" }
+            count(scene).freedom,
+            scene.drivers.len(),
+            if scene.drivers.len() == 1 { "" } else { "s" },
+            names.join(", ")
         ),
     )
     .help("leave out a driver, or a link or joint that only repeats what others fix");
@@ -242,7 +236,7 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (String, crate::diag::Span)
 
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
-pub(crate) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
+pub(crate) fn count(scene: &Scene) -> Mobility {
     let mut moving = scene.links.len() - 1;
     let mut lower = 0;
     let mut on_pin = vec![0usize; scene.points.len()];
@@ -282,7 +276,6 @@ pub(crate) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     lower += on_pin.iter().map(|n| n.saturating_sub(1)).sum::<usize>();
-    debug_assert!(constraints.len() >= scene.drivers.len());
     let freedom = 3 * moving as i64 - 2 * lower as i64 - higher as i64;
     Mobility { moving, lower, higher, freedom }
 }

@@ -89,7 +89,7 @@ impl Mechanism {
         let pins = find_pins(scene, &passive);
         let constraints = find_constraints(scene, &passive, &pins);
         let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
-        let mobility = mobility::count(scene, &constraints);
+        let mobility = mobility::count(scene);
         let never_turns = find_never_turning(scene);
         let mut mechanism = Mechanism {
             constraints,

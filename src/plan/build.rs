@@ -30,6 +30,7 @@ pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
         vertices: b.vertices,
         velocity: b.velocity,
         acceleration: b.acceleration,
+        still: m.never_turns.clone(),
         level: demand.level,
         effects,
         undrawable: b.undrawable,
@@ -187,6 +188,15 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether a body's turning can be told from what is known by now.
+    fn turning_is_known(&self, level: Level, body: Body) -> bool {
+        match self.sources[slot(level)].iter().find(|(b, _)| *b == body) {
+            Some((_, Rate::Measured { of, to })) => self.is_known(level, *of) && self.is_known(level, *to),
+            Some(_) => true,
+            None => matches!(body, Body::Link(l) if self.m.never_turns[l.0]),
+        }
+    }
+
     fn source(&mut self, level: Level, body: Body, rate: Rate) {
         let list = &mut self.sources[slot(level)];
         if !list.iter().any(|(b, _)| *b == body) {
@@ -203,8 +213,14 @@ impl Builder<'_> {
         let link = match (vertex.on, vertex.spot) {
             (Some(l), _) => l,
             (None, Spot::Point(p)) => {
-                let known_most = |l: &LinkId| self.known_on(level, *l).len();
-                match self.scene.carriers(p).filter(|l| !self.m.is_passive(*l)).max_by_key(|l| (known_most(l), std::cmp::Reverse(l.0))) {
+                // Two known points serve an image; one serves if the link's turning is known without this point.
+                let serves = |l: &LinkId| match self.known_on(level, *l).len() {
+                    0 => 0,
+                    1 => usize::from(self.turning_is_known(level, self.body(*l))),
+                    _ => 2,
+                };
+                let carriers = self.scene.carriers(p).filter(|l| !self.m.is_passive(*l));
+                match carriers.max_by_key(|l| (serves(l), std::cmp::Reverse(l.0))) {
                     Some(l) => l,
                     None => return,
                 }
@@ -226,7 +242,13 @@ impl Builder<'_> {
             [a] => {
                 let body = self.body(link);
                 self.source_of_curved_block(level, link);
-                self.need_rate_at(level, body);
+                if !self.turning_is_known(level, body) {
+                    // The link belongs to a group that is not drawn.
+                    return;
+                }
+                if level == Level::Velocity || !self.alpha_is_zero(body) {
+                    self.need_rate_at(level, body);
+                }
                 let (terms, _) = self.turning(level, body, v, a, true);
                 Step::Equation { target: v, chains: vec![Chain { start: a, known: terms, unknown: vec![] }], method: Method::Driven }
             }

@@ -146,7 +146,9 @@ impl Builder<'_> {
         if to_point == near || self.m.never_turns[link.0] {
             return;
         }
-        self.need_rate_at(level, Body::Link(link));
+        if level == Level::Velocity || !self.alpha_is_zero(Body::Link(link)) {
+            self.need_rate_at(level, Body::Link(link));
+        }
         let (known, _) = self.turning(level, Body::Link(link), to_point, near, true);
         chain.known.extend(known);
     }

@@ -249,6 +249,8 @@ pub struct Plan {
     pub velocity: Vec<GroupSteps>,
     /// Acceleration steps.
     pub acceleration: Vec<GroupSteps>,
+    /// For each link, whether it keeps its direction for topological reasons.
+    pub still: Vec<bool>,
     /// How far the questions go.
     pub level: Level,
     /// Effects considered: what, in or out, why.

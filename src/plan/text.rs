@@ -51,6 +51,25 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     name
 }
 
+/// Name of a line in plain letters, its ends in the order of the scene: `AB`.
+pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String {
+    let (a, b) = ordered(plan, a, b);
+    let plain = |v: VertexId| match plan.vertex(v).spot {
+        Spot::Point(p) => scene.point_name(p),
+        Spot::Special { .. } => "S",
+    };
+    format!("{}{}", plain(a), plain(b))
+}
+
+/// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
+fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
+    let rank = |v: VertexId| match plan.vertex(v).spot {
+        Spot::Point(p) => p.0,
+        Spot::Special { .. } => usize::MAX,
+    };
+    if rank(a) <= rank(b) { (a, b) } else { (b, a) }
+}
+
 /// A point's name in the label language: `O2` → `O_2`, `B` → `B`.
 pub fn point_label(name: &str) -> String {
     let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
@@ -68,13 +87,23 @@ impl Writer<'_> {
         vertex_name(self.scene, self.plan, v)
     }
 
-    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
-    pub fn line(&self, a: VertexId, b: VertexId) -> String {
-        let spot = |v: VertexId| match self.plan.vertex(v).spot {
+    /// The place of a vertex: `B`, `O_2`, without the number that tells coincident points apart.
+    pub fn spot(&self, v: VertexId) -> String {
+        match self.plan.vertex(v).spot {
             Spot::Point(p) => point_label(self.scene.point_name(p)),
             Spot::Special { .. } => "S".into(),
-        };
-        format!("{}{}", spot(a), spot(b))
+        }
+    }
+
+    /// Name of a line through two vertices: `AB`; coincident numbers are dropped, for a line is a place.
+    pub fn line(&self, a: VertexId, b: VertexId) -> String {
+        let (a, b) = ordered(self.plan, a, b);
+        format!("{}{}", self.spot(a), self.spot(b))
+    }
+
+    /// The length of a line: `l_{AB}`.
+    pub fn length(&self, a: VertexId, b: VertexId) -> String {
+        format!("l_{{{}}}", line_name(self.scene, self.plan, a, b))
     }
 
     fn quantity(level: Level) -> &'static str {
@@ -86,12 +115,19 @@ impl Writer<'_> {
         format!("{}_{{{}}}", Self::quantity(level), self.name(v))
     }
 
+    /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
+    /// their equation may start at a fixed point as well.
+    fn is_absolute(&self, t: &Term) -> bool {
+        let cylinder = matches!(t.by, By::Cylinder(_) | By::Turning(Body::Cylinder(_)));
+        self.plan.vertex(t.to).fixed && !cylinder
+    }
+
     fn subscript(&self, t: &Term) -> String {
-        if self.plan.vertex(t.to).fixed { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+        if self.is_absolute(t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
     }
 
     fn superscript(&self, level: Level, t: &Term) -> String {
-        let fixed_guide = self.plan.vertex(t.to).fixed;
+        let fixed_guide = self.is_absolute(t);
         match (t.kind, t.by) {
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
@@ -108,10 +144,10 @@ impl Writer<'_> {
             }
             (TermKind::SlideNormal, _) if fixed_guide => "n".into(),
             (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
-                format!("{}t", self.notation.sliding)
+                format!("{}\\,t", self.notation.sliding)
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
-            (TermKind::SlideNormal, _) => format!("{}n", self.notation.sliding),
+            (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
         }
     }
 
@@ -123,6 +159,61 @@ impl Writer<'_> {
     pub fn symbol(&self, level: Level, t: &Term) -> String {
         let (q, sub, sup) = (Self::quantity(level), self.subscript(t), self.superscript(level, t));
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
+    }
+
+    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, the other one of `p` and `o`, else `q`.
+    pub fn pole(&self, level: Level) -> String {
+        let taken = |letter: &str| {
+            let named = |s: Spot| matches!(s, Spot::Point(p) if self.scene.point_name(p).to_lowercase() == letter);
+            self.plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
+        };
+        let letter = [self.notation.pole.as_str(), "p", "o"].into_iter().find(|l| !taken(l)).unwrap_or("q");
+        format!("{letter}{}", prime(level))
+    }
+
+    /// The image of a vertex: `b`, `b_3`, `b'_3`; fixed points have theirs in the pole.
+    pub fn image(&self, level: Level, v: VertexId) -> String {
+        let vertex = self.plan.vertex(v);
+        if vertex.fixed {
+            return self.pole(level);
+        }
+        let name = match vertex.spot {
+            Spot::Point(p) => self.scene.point_name(p).to_lowercase(),
+            Spot::Special { .. } => "s".into(),
+        };
+        let head = name.trim_end_matches(|c: char| c.is_ascii_digit());
+        let digits = &name[head.len()..];
+        let number = vertex.number.map(|l| self.scene.link_name(l)).unwrap_or_default();
+        let sub = match (digits.is_empty(), number.is_empty()) {
+            (true, true) => return format!("{head}{}", prime(level)),
+            (false, false) => format!("{digits},{number}"),
+            _ => format!("{digits}{number}"),
+        };
+        format!("{head}{}_{{{sub}}}", prime(level))
+    }
+
+    /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
+    /// the subscript, as n_b′.
+    pub fn part(&self, level: Level, t: &Term) -> String {
+        let letter = Self::part_letter(t.kind);
+        // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
+        let shared = self.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).any(|s| match s {
+            Step::Equation { chains, .. } => {
+                chains.iter().flat_map(|c| &c.known).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to)
+            }
+            Step::Image { .. } | Step::Same { .. } => false,
+        });
+        let to = if shared && !self.plan.vertex(t.to).fixed { self.name(t.to).to_lowercase() } else { String::new() };
+        format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
+    }
+
+    fn part_letter(kind: TermKind) -> &'static str {
+        match kind {
+            TermKind::Normal | TermKind::SlideNormal => "n",
+            TermKind::Coriolis => "k",
+            TermKind::Tangential => "t",
+            TermKind::Relative | TermKind::Slide | TermKind::Extension => "r",
+        }
     }
 
     /// The symbol of a body's turning: `\omega_3`, `\alpha_3`; of an unnumbered cylinder `\omega_{FG}`.
@@ -152,7 +243,7 @@ impl Writer<'_> {
                     None => p(*a),
                 }
             }
-            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if guide.on == self.scene.ground => {
+            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => {
                 match angle.value {
                     crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => "x".into(),
                     crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => "y".into(),
@@ -169,13 +260,9 @@ impl Writer<'_> {
 
     /// Direction of a term: `\perp BC`, `\parallel BC`, `C \to D`.
     pub fn direction(&self, t: &Term) -> String {
-        let spot = |v: VertexId| match self.plan.vertex(v).spot {
-            Spot::Point(p) => point_label(self.scene.point_name(p)),
-            Spot::Special { .. } => "S".into(),
-        };
         match (t.kind, t.by) {
             (TermKind::Relative | TermKind::Tangential, _) => format!("\\perp {}", self.line(t.of, t.to)),
-            (TermKind::Normal, _) => format!("{} \\to {}", spot(t.of), spot(t.to)),
+            (TermKind::Normal, _) => format!("{} \\to {}", self.spot(t.of), self.spot(t.to)),
             (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
@@ -199,14 +286,7 @@ impl Writer<'_> {
         if !t.known {
             return self.notation.unknown.clone();
         }
-        let length = || {
-            let spot = |v: VertexId| match self.plan.vertex(v).spot {
-                Spot::Point(p) => self.scene.point_name(p).to_string(),
-                Spot::Special { .. } => "S".into(),
-            };
-            // In the order of the line's name on the link, lower end first.
-            format!("l_{{{}{}}}", spot(t.to), spot(t.of))
-        };
+        let length = || self.length(t.of, t.to);
         let squared = |s: String| s.replacen('_', "^2_", 1);
         match (t.kind, t.by) {
             (TermKind::Relative, By::Turning(b)) => format!("{} {}", self.turning(Level::Velocity, b), length()),
@@ -291,6 +371,10 @@ impl Writer<'_> {
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }
+}
+
+fn prime(level: Level) -> &'static str {
+    if level == Level::Acceleration { "'" } else { "" }
 }
 
 fn out_is_empty(absolute_left: bool, chain: &Chain, chains: &[Chain]) -> bool {

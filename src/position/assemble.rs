@@ -165,7 +165,7 @@ impl<'a> Assembly<'a> {
             Core::Higher => {
                 if all_pins && group.links.iter().all(|l| self.poses[l.0].is_some()) {
                     let poses = group.links.iter().map(|l| (*l, Pose::GROUND)).collect();
-                    vec![self.trial(group, given_pins.clone(), poses)]
+                    vec![self.trial(given_pins.clone(), poses)]
                 } else {
                     vec![self.newton_trial(index, group)?]
                 }
@@ -202,7 +202,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Collects a closure: adds the points of all its links.
-    fn trial(&self, group: &Group, pins: Vec<(PointId, Point)>, poses: Vec<(LinkId, Pose)>) -> Trial {
+    fn trial(&self, pins: Vec<(PointId, Point)>, poses: Vec<(LinkId, Pose)>) -> Trial {
         let mut points = pins;
         for (l, pose) in &poses {
             for (p, local) in &self.shapes[l.0].points {
@@ -211,7 +211,6 @@ impl<'a> Assembly<'a> {
                 }
             }
         }
-        debug_assert!(poses.len() <= group.links.len());
         Trial { points, poses }
     }
 
@@ -258,7 +257,7 @@ impl<'a> Assembly<'a> {
                 _ => {}
             }
         }
-        Ok(self.trial(group, vec![(pin, at)], poses))
+        Ok(self.trial(vec![(pin, at)], poses))
     }
 
     fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose, legs: &[Leg]) -> Result<Trial, Diagnostic> {
@@ -274,7 +273,7 @@ impl<'a> Assembly<'a> {
                 poses.push((bar, self.pose_from_points(bar, (far, self.known(far)), (near, near_at))?));
             }
         }
-        Ok(self.trial(group, pins, poses))
+        Ok(self.trial(pins, poses))
     }
 
     /// Place of a pin that an earlier group placed.
@@ -367,7 +366,7 @@ impl<'a> Assembly<'a> {
         let how = match miss {
             Miss::TooFar(x) => format!("they end {} apart", metres(x)),
             Miss::TooNear(x) => format!("one is {} too long for the other", metres(x)),
-            Miss::Parallel(x) if x == 0.0 => "they coincide, so that the joint's place is undetermined".to_string(),
+            Miss::Parallel(0.0) => "they coincide, so that the joint's place is undetermined".to_string(),
             Miss::Parallel(x) => format!("they run parallel, {} apart", metres(x)),
         };
         let d = Diagnostic::error("cannot-assemble", format!("{wa} and {wb} cannot meet at {p}: {how}")).at(self.scene.points[pin.0].span);
@@ -506,6 +505,12 @@ impl<'a> Assembly<'a> {
             };
         };
         let places = match path {
+            // A link that is nothing but its pivot and its slot has no front: pin ahead or behind is the same thing.
+            Path::Line { through, direction } if self.shapes[link.0].frame == Frame::Loose && through == d => {
+                let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                places.truncate(1);
+                places
+            }
             Path::Line { through, direction } => {
                 kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?
             }
@@ -569,7 +574,7 @@ impl<'a> Assembly<'a> {
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
-                Miss::Parallel(x) if x == 0.0 => "its two guides run parallel".to_string(),
+                Miss::Parallel(0.0) => "its two guides run parallel".to_string(),
                 Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => format!("its two joints miss each other by {}", metres(x)),
             };
             Diagnostic::error("cannot-assemble", format!("link {} cannot be placed: {how}", self.scene.link_name(link)))
@@ -676,11 +681,11 @@ impl<'a> Assembly<'a> {
         })?;
         let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at))).collect();
         let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose))).collect();
-        Ok(self.trial(group, pins, poses))
+        Ok(self.trial(pins, poses))
     }
 
     fn driver_values(&self, start: &Configuration) -> newton::DriverValues {
-        let mut values = newton::driver_values(self.scene, self.m, start);
+        let mut values = newton::driver_values(self.scene, start);
         for (d, driver) in self.scene.drivers.iter().enumerate() {
             match &driver.kind {
                 DriverKind::Turn { link, against, .. } => {
@@ -743,8 +748,10 @@ impl<'a> Assembly<'a> {
     /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
     fn check_placed(&mut self, g: GuideId) {
         let guide = &self.scene.guides[g.0];
-        let runner = guide.pin.is_none_or(|p| self.points[p.0].is_some())
-            && guide.slider.is_none_or(|s| self.m.is_passive(s) || self.poses[s.0].is_some());
+        let runner = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.points[p.0].is_some(),
+            (None, s) => s.is_some_and(|s| self.poses[s.0].is_some()),
+        };
         if self.guides[g.0].is_some() || self.poses[guide.on.0].is_none() || !runner {
             return;
         }
@@ -853,9 +860,9 @@ pub(super) fn complete(
     mut points: Vec<Option<Point>>,
 ) -> Configuration {
     poses[scene.ground.0] = Some(Pose::GROUND);
-    for l in 0..scene.links.len() {
-        let Some(pose) = poses[l] else { continue };
-        for (p, local) in &shapes.points[l] {
+    for (pose, carried) in poses.iter().zip(&shapes.points) {
+        let Some(pose) = pose else { continue };
+        for (p, local) in carried {
             // Pins keep their own place; every other point follows its link.
             if !m.pins.contains(p) || points[p.0].is_none() {
                 points[p.0] = Some(pose.to_world(*local));

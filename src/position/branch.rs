@@ -74,17 +74,26 @@ pub(super) fn choose(
         }
     }
     let note = (!decided && left.len() > 1).then(|| {
-        let what = trials[left[0]]
-            .points
-            .iter()
-            .find(|(p, at)| trials[left[1]].at(*p).is_some_and(|o| o != *at))
-            .map(|(p, _)| scene.point_name(*p))
-            .unwrap_or_default();
+        let moved = trials[left[0]].points.iter().find_map(|(p, at)| {
+            let other = trials[left[1]].at(*p).filter(|o| o != at)?;
+            Some((scene.point_name(*p), *at, other))
+        });
+        let (which, hint) = match moved {
+            Some((p, at, other)) => (
+                format!("the one with {p} at {} was taken, not the one with {p} at {}", place(at), place(other)),
+                format!("a rough place of {p} in \"sketch\""),
+            ),
+            None => ("the first was taken".to_string(), "rough places in \"sketch\"".to_string()),
+        };
         Diagnostic::note(
             "assembly-by-default",
-            format!("link{link_names} can be assembled in {} ways and the scene does not say which: the first was taken", left.len()),
+            format!("link{link_names} can be assembled in {} ways and the scene does not say which: {which}", left.len()),
         )
-        .help(format!("say it with \"side\" or a rough place of {what} in \"sketch\""))
+        .help(format!("say it with \"side\" or {hint}"))
     });
     Ok((left[0], note))
+}
+
+fn place(p: Point) -> String {
+    format!("({}, {})", crate::quantity::metres(p.x), crate::quantity::metres(p.y))
 }

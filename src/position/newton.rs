@@ -11,6 +11,9 @@ use crate::mechanism::{Constraint, Mechanism, Node};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector};
 
+/// Poses of all links and places of all points, as far as they are known.
+pub type Solved = (Vec<Option<Pose>>, Vec<Option<Point>>);
+
 /// The values that the drivers hold, in the order of the scene: radians from the pose in which the link frames were laid,
 /// metres along the guide, metres of length.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +87,7 @@ impl<'a> System<'a> {
         }
     }
 
-    fn unpack(&self, x: &DVector<f64>) -> (Vec<Option<Pose>>, Vec<Option<Point>>) {
+    fn unpack(&self, x: &DVector<f64>) -> Solved {
         let mut poses = self.poses.clone();
         let mut points = self.points.clone();
         for (i, l) in self.links.iter().enumerate() {
@@ -172,7 +175,7 @@ impl<'a> System<'a> {
     /// Solves from the poses of `start` for the given driver values; `None` where Newton's method does not converge.
     ///
     /// Converged means that the last correction was as small as rounding makes it, or stopped shrinking below 1e-9.
-    pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<(Vec<Option<Pose>>, Vec<Option<Point>>)> {
+    pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<Solved> {
         let mut x = self.pack(start)?;
         let mut last = f64::INFINITY;
         for _ in 0..60 {
@@ -225,7 +228,7 @@ pub(super) fn along(path: Path, at: Point) -> f64 {
 }
 
 /// The values that the drivers have in a configuration.
-pub fn driver_values(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -> DriverValues {
+pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
     let value = |d: usize| -> Option<f64> {
         match &scene.drivers[d].kind {
@@ -241,7 +244,6 @@ pub fn driver_values(scene: &Scene, mechanism: &Mechanism, at: &Configuration) -
             DriverKind::Cylinder { a, b, .. } => Some(at.points[a.0]?.distance(at.points[b.0]?)),
         }
     };
-    debug_assert!(mechanism.groups.len() <= scene.links.len() + scene.points.len());
     DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())
 }
 

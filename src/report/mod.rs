@@ -1,3 +1,7 @@
-//! What is said about a run: diagnostics as text.
+//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics.
 
+pub mod answers;
+pub mod construction;
 pub mod diagnostics;
+pub mod phrase;
+pub mod plan;

@@ -66,7 +66,7 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for (key, node) in entries(f.get("side"), "\"side\"", faults) {
         raw.sides.extend(word(node, &format!("side of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
-    raw.find = words(f.get("find"), "\"find\"", faults);
+    raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
     if let Some(node) = f.get("paper") {
         raw.paper = paper(node, faults);
     }

@@ -101,7 +101,8 @@ pub(super) struct RawScene {
     pub drivers: Vec<RawDriver>,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,
     pub sides: Vec<(Word, Word)>,
-    pub find: Vec<Word>,
+    /// `None` where the file has no such key: everything is asked.
+    pub find: Option<Vec<Word>>,
     pub paper: RawPaper,
     pub language: Option<Word>,
     pub notation: Option<Word>,

@@ -157,7 +157,7 @@ fn all_that_can_be_asked() {
             Asked::Coriolis(b3, b2),
             Asked::RelativeOmega(LinkId(2), LinkId(1)),
             Asked::Alpha(LinkId(2)),
-            Asked::Position(PointId(3)),
+            Asked::Coordinate(PointId(3), Axis::X),
             Asked::LinkAngle(LinkId(1)),
             Asked::Distance(PointId(0), PointId(2)),
             Asked::RelativeVelocity(b3, b2),

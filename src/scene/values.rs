@@ -94,6 +94,11 @@ impl<'a> Values<'a> {
             .collect()
     }
 
+    /// Whether the `units` table says what bare numbers of a kind are.
+    pub fn has_unit(&self, wanted: Wanted) -> bool {
+        wanted.key().is_some_and(|k| self.units.contains_key(k))
+    }
+
     /// A quantity in SI units.
     pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
         let (text, value) = self.value(quantity, wanted, faults)?;

@@ -36,12 +36,12 @@ const DEMANDS: &[(&str, &[&str])] = &[
     ("contradictory-lengths", &["252.", "250"]),
     ("not-assemblable", &["164.6", "link 2", "link 3"]),
     ("dead-centre", &["link 1", "link 2", "B", "drive"]),
-    ("two-drivers-too-many", &["2 more", "1 freedom", "3 drivers"]),
+    ("two-drivers-too-many", &["2 conditions", "F = 1", "3 drivers"]),
     ("no-driver", &["driver"]),
     ("wrong-unit", &["kg", "rad/s", "mm/s"]),
     ("several-faults", &["100", "CE", "7", "w_3", "colour"]),
     ("negative-length", &["-250"]),
-    ("mobility-zero", &["driver", "no freedom"]),
+    ("mobility-zero", &["driver", "F = 0"]),
 ];
 
 #[test]

@@ -183,7 +183,7 @@ const STEPS: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 impl Motion {
     fn of(c: &Case, h: f64) -> Option<Motion> {
         let (scene, w) = (&c.scene, &c.worked);
-        let now = newton::driver_values(scene, &w.mechanism, &w.configuration);
+        let now = newton::driver_values(scene, &w.configuration);
         let at = STEPS.map(|k| {
             let t = k * h;
             let mut values = now.clone();

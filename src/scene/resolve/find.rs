@@ -21,7 +21,8 @@ const QUANTITIES: [(&str, &str); 13] = [
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
-    for word in &c.raw.find {
+    let Some(words) = &c.raw.find else { return everything(c) };
+    for word in words {
         let Some(what) = note(asked(c, word), faults) else { continue };
         if out.iter().any(|f| f.text == word.text) {
             let d = Diagnostic::warning("given-twice", format!("`{}` is asked twice", word.text)).at(word.span);
@@ -29,6 +30,30 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
             continue;
         }
         out.push(Find { what, text: word.text.clone(), span: word.span });
+    }
+    out
+}
+
+/// A scene that asks nothing in particular wants it all: every moving point's v and a, every moving link's ω and α.
+fn everything(c: &Context) -> Vec<Find> {
+    let (points, links) = (c.names.points, c.names.links);
+    let mut out = Vec::new();
+    let mut ask = |symbol: &str, name: &str, span, what| out.push(Find { what, text: format!("{symbol}_{name}"), span });
+    for (i, p) in points.iter().enumerate() {
+        let id = PointId(i);
+        if !c.carries(c.ground, id) {
+            let on = OnLink { point: id, link: None };
+            ask("v", &p.name, p.span, Asked::Velocity(on));
+            ask("a", &p.name, p.span, Asked::Acceleration(on));
+        }
+    }
+    for (i, l) in links.iter().enumerate() {
+        let id = LinkId(i);
+        let carries_guide = c.raw.guides.iter().any(|g| g.on.as_ref().is_some_and(|w| w.text == l.name));
+        if id != c.ground && (l.points.len() >= 2 || carries_guide) {
+            ask("omega", &l.name, l.span, Asked::Omega(id));
+            ask("alpha", &l.name, l.span, Asked::Alpha(id));
+        }
     }
     out
 }

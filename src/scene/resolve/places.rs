@@ -147,12 +147,27 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
     let mut out = vec![None; c.names.points.len()];
     for (word, xy) in &c.raw.sketch {
         let point = note(c.names.point(word), faults);
-        let xy = c.values.two_lengths(xy, faults);
+        // A sketch is rough: its bare numbers need no unit of their own.
+        let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(Wanted::Length)) {
+            (true, false) => RawQuantity { text: format!("{} {}", q.text, sketch_unit(c)), ..q.clone() },
+            _ => q.clone(),
+        };
+        let xy = c.values.two_lengths(&[rough(&xy[0]), rough(&xy[1])], faults);
         if let (Some(point), Some([x, y])) = (point, xy) {
             out[point.0] = Some([x.value, y.value]);
         }
     }
     out
+}
+
+/// The unit in which the scene writes its lengths: that of the first length (or parameter) that shows one.
+fn sketch_unit(c: &Context) -> &'static str {
+    let lengths = c.raw.lengths.iter().map(|(_, q)| q);
+    let unit_of = |q: &RawQuantity| {
+        let word = q.text.trim_end().rsplit(|c: char| !c.is_ascii_alphabetic()).next()?;
+        ["mm", "cm", "m", "in", "ft", "km"].into_iter().find(|u| *u == word)
+    };
+    lengths.chain(c.raw.parameters.iter().map(|(_, q)| q)).find_map(unit_of).unwrap_or("m")
 }
 
 /// `"C": "left of BD"`.

@@ -1,0 +1,73 @@
+//! Each stage of a scene's way to the sheet, and the whole command.
+//!
+//! `cargo bench --bench stages` prints medians; the README's table is made from it.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use hodograph::construct::scale::Boxes;
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::mechanism::{Demand, Mechanism};
+use hodograph::plan::notation::Notation;
+use hodograph::render::{png, svg};
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+use hodograph::{analytic, construct, plan, position};
+use std::hint::black_box;
+
+fn stages(c: &mut Criterion) {
+    for name in ["crank-rocker", "shaper", "jansen-leg"] {
+        let text = templates::get(name).unwrap();
+        let scene = scene::read(text).unwrap().value;
+        let mechanism = Mechanism::new(&scene).unwrap().value;
+        let demand = Demand::of(&scene, &mechanism);
+        let at = position::configure(&scene, &mechanism, &demand).unwrap().value;
+        let planned = plan::plan(&scene, &mechanism, &demand);
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let options = Options { lang: Lang::En, notation: Notation::of_language(Lang::En) };
+        let figure = sheet(&scene, &worked, &options).unwrap();
+        let drawn = svg::write(&figure).unwrap().value;
+        let mut g = c.benchmark_group(name);
+        g.bench_function("1 read", |b| b.iter(|| scene::read(black_box(text))));
+        g.bench_function("2 mechanism", |b| b.iter(|| Mechanism::new(black_box(&scene))));
+        g.bench_function("3 positions", |b| b.iter(|| position::configure(black_box(&scene), &mechanism, &demand)));
+        g.bench_function("4 plan", |b| b.iter(|| plan::plan(black_box(&scene), &mechanism, &demand)));
+        g.bench_function("5 construction", |b| {
+            b.iter(|| construct::construct(black_box(&scene), &mechanism, &at, &planned, &Boxes::default()))
+        });
+        g.bench_function("6 loop equations", |b| b.iter(|| analytic::solve(black_box(&scene), &mechanism, &at, &demand)));
+        g.bench_function("7 figure", |b| b.iter(|| sheet(black_box(&scene), &worked, &options)));
+        g.bench_function("8 svg", |b| b.iter(|| svg::write(black_box(&figure))));
+        g.bench_function("9 png 150 dpi", |b| b.iter(|| png::render(black_box(&drawn), 150.0)));
+        g.bench_function("scene to svg", |b| {
+            b.iter(|| {
+                let scene = scene::read(black_box(text)).unwrap().value;
+                let worked = work(&scene, Scope::Figure).unwrap().value;
+                svg::write(&sheet(&scene, &worked, &options).unwrap())
+            })
+        });
+        g.finish();
+    }
+}
+
+fn command(c: &mut Criterion) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("shaper.json");
+    std::fs::write(&file, templates::get("shaper").unwrap()).unwrap();
+    let mut g = c.benchmark_group("whole command, shaper");
+    for (name, extra) in [("svg", vec!["--format", "svg"]), ("png 150 dpi", vec!["--format", "png", "--dpi", "150"])] {
+        g.bench_function(name, |b| {
+            b.iter(|| {
+                let status = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
+                    .args(["draw", file.to_str().unwrap(), "-o", folder.path().to_str().unwrap()])
+                    .args(&extra)
+                    .stderr(std::process::Stdio::null())
+                    .status()
+                    .unwrap();
+                assert!(status.success());
+            })
+        });
+    }
+    g.finish();
+}
+
+criterion_group!(benches, stages, command);
+criterion_main!(benches);

@@ -1,0 +1,120 @@
+//! The arguments.
+
+use crate::scene::Lang;
+use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+
+/// Solves planar mechanisms the way they are solved at the drawing board.
+#[derive(Parser, Debug)]
+#[command(
+    name = "hodograph",
+    version,
+    about,
+    max_term_width = 110,
+    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/"
+)]
+pub struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG and PNG)
+    Draw(Draw),
+    /// Answer the scene's questions: values, units, senses, drawing against analysis
+    Solve(Solve),
+    /// Write the vector equations in solving order, and why each effect is in or out
+    Plan(Plan),
+    /// Write a template's scene, with other parameters if wanted
+    New {
+        /// Name of the template (see `hodograph templates`)
+        template: String,
+        /// Give a parameter another value: NAME=VALUE; a bare number keeps the unit
+        #[arg(long, value_name = "NAME=VALUE")]
+        set: Vec<String>,
+        /// Write to this file instead of standard output
+        #[arg(short, long, value_name = "FILE")]
+        output: Option<String>,
+    },
+    /// List the templates with their parameters
+    Templates,
+    /// Print the JSON Schema of the scene format
+    Schema,
+}
+
+/// What all commands on a scene take.
+#[derive(ClapArgs, Debug)]
+pub struct Common {
+    /// The scene file; `-` reads standard input
+    #[arg(value_name = "SCENE")]
+    pub scene: String,
+    /// Language of the output (default: the scene's, else en)
+    #[arg(long, value_enum)]
+    pub lang: Option<Language>,
+    /// Notation profile: en (pole o, superscripts c, rel) or cn (pole p, superscripts k, r)
+    #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(["en", "cn"]))]
+    pub notation: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Draw {
+    #[command(flatten)]
+    pub common: Common,
+    /// Folder for the files, or one file ending in .svg or .png
+    #[arg(short, long, value_name = "PATH", default_value = ".")]
+    pub output: String,
+    /// Which files to write into a folder
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
+    pub format: Vec<Format>,
+    /// Resolution of the PNG in dots per inch
+    #[arg(long, default_value_t = 200.0, value_parser = dpi)]
+    pub dpi: f64,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Solve {
+    #[command(flatten)]
+    pub common: Common,
+    /// Answers as JSON, in SI, with both ways and their difference
+    #[arg(long)]
+    pub json: bool,
+    /// The construction too, step by step, with the lengths measured on paper
+    #[arg(long, conflicts_with = "json")]
+    pub steps: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Plan {
+    #[command(flatten)]
+    pub common: Common,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    Svg,
+    Png,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    En,
+    Zh,
+}
+
+impl From<Language> for Lang {
+    fn from(l: Language) -> Lang {
+        match l {
+            Language::En => Lang::En,
+            Language::Zh => Lang::Zh,
+        }
+    }
+}
+
+/// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
+fn dpi(s: &str) -> Result<f64, String> {
+    match s.parse::<f64>() {
+        Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
+        Ok(v) => Err(format!("{v} is not between 20 and 1200")),
+        Err(_) => Err("not a number".into()),
+    }
+}

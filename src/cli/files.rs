@@ -1,0 +1,90 @@
+//! Files: read with a bound, written whole or not at all.
+
+use super::Failure;
+use super::args::{Draw, Format};
+use crate::diag::Diagnostic;
+use crate::plan::notation::Notation;
+use crate::scene::{Lang, Scene};
+use crate::worked::Worked;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
+/// for files between its own limit and this one.
+const LARGEST: u64 = 16 << 20;
+
+/// Reads a file, or standard input for `-`. Returns the name to show.
+pub fn read(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
+    let mut bytes = Vec::new();
+    let (name, result) = if path == "-" {
+        ("standard input".to_string(), std::io::stdin().lock().take(LARGEST).read_to_end(&mut bytes))
+    } else {
+        (path.to_string(), std::fs::File::open(path).and_then(|f| f.take(LARGEST).read_to_end(&mut bytes)))
+    };
+    match result {
+        Ok(_) => Ok((name, bytes)),
+        Err(e) => Err(Diagnostic::error("cannot-read", format!("{path} cannot be read: {e}"))
+            .help("name a scene file; `hodograph new crank-rocker -o scene.json` writes one")),
+    }
+}
+
+/// Prints; a reader that closed its end (`| head`) ends the run quietly.
+pub fn print(text: &str) -> Result<ExitCode, Failure> {
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
+        _ => Ok(ExitCode::SUCCESS),
+    }
+}
+
+/// Writes a file whole: beside it first, then renamed.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
+    let folder = match path.parent() {
+        Some(p) if !p.as_os_str().is_empty() => p,
+        _ => Path::new("."),
+    };
+    std::fs::create_dir_all(folder).map_err(fail)?;
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    {
+        // A temporary file is private by default; a figure is as readable as any file the user writes.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o644));
+    }
+    let mut file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
+    file.write_all(bytes).and_then(|()| file.flush()).map_err(fail)?;
+    file.persist(path).map_err(|e| fail(e.error))?;
+    Ok(())
+}
+
+/// Draws the sheet into the files that were asked for.
+pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
+    let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
+    let figure =
+        crate::figure::sheet::sheet(scene, worked, &crate::figure::sheet::Options { lang, notation: notation.clone() }).map_err(input)?;
+    let svg = crate::render::svg::write(&figure).map_err(input)?.value;
+    let out = Path::new(&a.output);
+    let single = match out.extension().and_then(|e| e.to_str()) {
+        Some("svg") => Some(Format::Svg),
+        Some("png") => Some(Format::Png),
+        _ => None,
+    };
+    let targets: Vec<(Format, PathBuf)> = match single {
+        Some(f) => vec![(f, out.to_path_buf())],
+        None => {
+            let stem = Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or("sheet");
+            a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", if *f == Format::Svg { "svg" } else { "png" })))).collect()
+        }
+    };
+    for (format, path) in targets {
+        match format {
+            Format::Svg => write(&path, svg.as_bytes())?,
+            Format::Png => {
+                let png = crate::render::png::render(&svg, a.dpi).map_err(|d| input(d.into()))?;
+                write(&path, &png)?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,180 @@
+//! The command line: the only place that reads arguments and files, prints, and decides exit codes.
+//!
+//! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
+//! ours.
+
+mod args;
+mod files;
+
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::report::{answers, construction, diagnostics, plan as plan_text};
+use crate::scene::{self, Lang, Scene, templates};
+use crate::worked::{Scope, Worked, work};
+use args::{Args, Command, Common};
+use clap::Parser;
+use std::process::ExitCode;
+
+/// Runs the program.
+pub fn main() -> ExitCode {
+    let args = Args::parse();
+    let result = match args.command {
+        Command::Draw(a) => draw(a),
+        Command::Solve(a) => solve(a),
+        Command::Plan(a) => plan(a),
+        Command::New { template, set, output } => new(&template, &set, output.as_deref()),
+        Command::Templates => list_templates(),
+        Command::Schema => files::print(scene::schema::schema()),
+    };
+    match result {
+        Ok(code) => code,
+        Err(Failure::Input(faults, name, source)) => {
+            eprint!("{}", diagnostics::render(&faults, &name, &source));
+            ExitCode::from(2)
+        }
+        Err(Failure::Output(message)) => {
+            eprintln!("error: {message}");
+            ExitCode::from(1)
+        }
+    }
+}
+
+/// Why a run ended early.
+enum Failure {
+    /// Faults in a scene: the faults, the file's name, its text.
+    Input(Faults, String, String),
+    /// A file could not be written.
+    Output(String),
+}
+
+type Run = Result<ExitCode, Failure>;
+
+/// A scene file, read.
+struct Input {
+    name: String,
+    source: String,
+    scene: Scene,
+    notes: Vec<Diagnostic>,
+}
+
+impl Input {
+    fn read(path: &str) -> Result<Input, Failure> {
+        let (name, bytes) = files::read(path).map_err(|d| Failure::Input(d.into(), path.into(), String::new()))?;
+        let source = String::from_utf8_lossy(&bytes).into_owned();
+        match scene::read(&bytes) {
+            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes }),
+            Err(faults) => Err(Failure::Input(faults, name, source)),
+        }
+    }
+
+    /// The scene worked through, its notes added.
+    fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
+        match work(&self.scene, scope) {
+            Ok(Warned { value, notes }) => {
+                self.notes.extend(notes);
+                Ok(value)
+            }
+            Err(faults) => Err(Failure::Input(faults, self.name.clone(), self.source.clone())),
+        }
+    }
+
+    fn say_notes(&self) {
+        if !self.notes.is_empty() {
+            eprint!("{}", diagnostics::render(&Faults { list: self.notes.clone() }, &self.name, &self.source));
+        }
+    }
+}
+
+/// Language and notation: the command line's, else the scene's, else English and its profile.
+fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
+    let lang = common.lang.map(Lang::from).or(scene.language).unwrap_or_default();
+    let notation = common.notation.as_deref().or(scene.notation.as_deref()).and_then(Notation::named);
+    (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
+}
+
+/// 3 where drawing and analysis disagree, else 0.
+fn verdict(worked: &Worked) -> ExitCode {
+    if worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) { ExitCode::SUCCESS } else { ExitCode::from(3) }
+}
+
+fn draw(a: args::Draw) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    let worked = input.work(Scope::Figure)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    files::draw(&input.scene, &worked, lang, &notation, &input.name, &a)?;
+    input.say_notes();
+    Ok(verdict(&worked))
+}
+
+fn solve(a: args::Solve) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    let worked = input.work(Scope::Questions)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    if a.json {
+        let value = answers::json(&input.scene, &worked, &input.notes);
+        files::print(&format!("{value:#}\n"))?;
+        return Ok(verdict(&worked));
+    }
+    files::print(&answers::text(&input.scene, &worked, lang))?;
+    if a.steps {
+        let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
+        files::print(&format!("\n{}", construction::text(&w, &worked.construction)))?;
+    }
+    input.say_notes();
+    Ok(verdict(&worked))
+}
+
+fn plan(a: args::Plan) -> Run {
+    let input = Input::read(&a.common.scene)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
+        Ok(Warned { value, notes }) => (value, notes),
+        Err(faults) => return Err(Failure::Input(faults, input.name, input.source)),
+    };
+    let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
+    let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
+    let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
+    files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
+    notes.extend(input.notes);
+    if !notes.is_empty() {
+        eprint!("{}", diagnostics::render(&Faults { list: notes }, &input.name, &input.source));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
+    let bad = |faults: Faults| Failure::Input(faults, template.to_string(), String::new());
+    let mut values = Vec::new();
+    let mut faults = Faults::default();
+    for s in set {
+        match s.split_once('=') {
+            Some((name, value)) => values.push((name.trim(), value.trim())),
+            None => faults
+                .push(Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120")),
+        }
+    }
+    if faults.has_errors() {
+        return Err(bad(faults));
+    }
+    let text = templates::instantiate(template, &values).map_err(bad)?;
+    match output {
+        Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
+        None => {
+            files::print(&text)?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn list_templates() -> Run {
+    let mut out = String::new();
+    for t in templates::list() {
+        out.push_str(&format!("{}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
+        let parameters: Vec<String> = t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
+        if !parameters.is_empty() {
+            out.push_str(&format!("    {}\n", parameters.join("  ")));
+        }
+    }
+    files::print(&out)
+}

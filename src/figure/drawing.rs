@@ -1,0 +1,168 @@
+//! A part of a sheet in the making: items, what labels keep off, and the labels that still want a place.
+//!
+//! Decided here: that every item has a name of its own, and when labels are placed (once, when all lines are there).
+//! Not decided here: what is drawn, and where the part stands on the sheet.
+
+use std::collections::HashSet;
+
+use crate::geom::{Point, Vec2};
+
+use super::extent::{Rect, bounds, translate};
+use super::item::{Item, Shape, tag};
+use super::label::Label;
+use super::place::{LabelRequest, Obstacles, Placement, place};
+use super::style::Style;
+
+/// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
+const LABEL_ROOM_MM: f64 = 20.0;
+
+/// A finished part: items in coordinates of its own, and the box around them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// What is drawn.
+    pub items: Vec<Item>,
+    /// The box around all ink.
+    pub bounds: Rect,
+    /// Where the labels found their places, and what it cost.
+    pub placements: Vec<Placement>,
+}
+
+impl Part {
+    /// A part of finished items; an empty one takes no room.
+    pub fn of(items: Vec<Item>) -> Part {
+        let bounds = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
+        Part { items, bounds, placements: Vec::new() }
+    }
+
+    /// Moves the part so that its box begins at `corner`, its upper left one.
+    pub fn stand_at(&mut self, corner: Point) {
+        let by = corner - Point::new(self.bounds.min.x, self.bounds.max.y);
+        self.translate(by);
+    }
+
+    /// Moves the part.
+    pub fn translate(&mut self, by: Vec2) {
+        translate(&mut self.items, by);
+        self.bounds = Rect::new(self.bounds.min + by, self.bounds.max + by);
+        for p in &mut self.placements {
+            p.at = p.at + by;
+            p.bounds = Rect::new(p.bounds.min + by, p.bounds.max + by);
+        }
+    }
+}
+
+/// A part in the making.
+#[derive(Debug)]
+pub struct Drawing {
+    kind: &'static str,
+    style: Style,
+    items: Vec<Item>,
+    obstacles: Obstacles,
+    wanted: Vec<(LabelRequest, String, String)>,
+    names: HashSet<String>,
+    owners: u32,
+}
+
+impl Drawing {
+    /// An empty drawing; `kind` is the first word of every class and name in it.
+    pub fn new(kind: &'static str, style: Style) -> Drawing {
+        let (obstacles, names) = (Obstacles::default(), HashSet::new());
+        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, owners: 0 }
+    }
+
+    /// Draws a thing of one or more items, named after `name`; returns its owner for labels.
+    pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
+        self.owners += 1;
+        self.obstacles.add(&items, Some(self.owners));
+        tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
+        for item in &mut items {
+            item.id = self.name(name);
+        }
+        self.items.extend(items);
+        self.owners
+    }
+
+    /// Draws one item.
+    pub fn shape(&mut self, name: &str, class: &str, shape: Shape) -> u32 {
+        self.draw(name, class, vec![Item::new("", shape)])
+    }
+
+    /// Asks for a label; it is placed when the drawing is finished.
+    pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) {
+        let id = self.name(&format!("label-{name}"));
+        self.wanted.push((request, id, format!("{} {class} label", self.kind)));
+    }
+
+    /// A label at a point.
+    pub fn label_at(&mut self, name: &str, class: &str, text: &str, at: Point, clear_mm: f64, prefer: Option<Vec2>) {
+        let request = LabelRequest::at_point(Label::math(text), self.style.label_mm, at, clear_mm);
+        self.label(name, class, LabelRequest { prefer, ..request });
+    }
+
+    /// A label along a line that has been drawn.
+    pub fn label_along(&mut self, name: &str, class: &str, text: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
+        let request = LabelRequest::along(Label::math(text), self.style.label_mm, ends.0, ends.1, clear_mm);
+        self.label(name, class, request.owned(owner));
+    }
+
+    /// A name not used before: `velocity-edge-v_CB`, then `velocity-edge-v_CB-2`.
+    fn name(&mut self, wish: &str) -> String {
+        let base = format!("{}-{}", self.kind, plain(wish));
+        let free = (1..).map(|k| if k == 1 { base.clone() } else { format!("{base}-{k}") }).find(|n| !self.names.contains(n));
+        let free = free.expect("numbers do not run out");
+        self.names.insert(free.clone());
+        free
+    }
+
+    /// Places the labels.
+    pub fn finish(mut self) -> Part {
+        let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
+        let requests: Vec<LabelRequest> = self.wanted.iter().map(|(r, ..)| r.clone()).collect();
+        let placements = place(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM));
+        for (p, (request, id, class)) in placements.iter().zip(&self.wanted) {
+            for (k, item) in p.items(request, class, self.style.thin).into_iter().rev().enumerate() {
+                // The label comes first in this order and keeps the name; its leader line is named after it.
+                self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
+            }
+        }
+        let mut part = Part::of(self.items);
+        part.placements = placements;
+        part
+    }
+}
+
+/// A symbol as a name in a document: no braces, no backslashes, no spaces.
+fn plain(symbol: &str) -> String {
+    symbol
+        .replace('\'', "′")
+        .chars()
+        .filter(|c| !matches!(c, '{' | '}' | '\\' | '"' | '<' | '>' | '&' | ',') && !c.is_whitespace())
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::symbols as sym;
+
+    #[test]
+    fn names_are_unique_and_classes_begin_with_the_kind() {
+        let mut d = Drawing::new("mechanism", Style::TEXTBOOK);
+        d.draw("pivot-A", "", sym::fixed_pivot(&Style::TEXTBOOK, Point::ORIGIN, Vec2::new(0.0, -1.0)));
+        d.draw("pivot-A", "", sym::pin(&Style::TEXTBOOK, Point::new(20.0, 0.0)));
+        d.label_at("A", "point", "A", Point::ORIGIN, 1.3, None);
+        let part = d.finish();
+        let names: HashSet<&str> = part.items.iter().map(|i| i.id.as_str()).collect();
+        assert_eq!(names.len(), part.items.len());
+        assert!(part.items.iter().all(|i| i.class.starts_with("mechanism ")), "{:?}", part.items);
+        assert_eq!(part.placements.len(), 1);
+    }
+
+    #[test]
+    fn a_part_stands_where_it_is_put() {
+        let mut part = Part::of(sym::pin(&Style::TEXTBOOK, Point::new(3.0, 4.0)));
+        part.stand_at(Point::new(10.0, 100.0));
+        assert_eq!((part.bounds.min.x, part.bounds.max.y), (10.0, 100.0));
+        assert_eq!(bounds(&part.items), Some(part.bounds));
+    }
+}

@@ -1,0 +1,162 @@
+//! The drivers: arrows of given rates, given angles.
+
+use std::f64::consts::TAU;
+
+use crate::figure::item::Shape;
+use crate::figure::label::Label;
+use crate::figure::place::LabelRequest;
+use crate::figure::symbols as sym;
+use crate::geom::{Point, Vec2};
+use crate::scene::{Driver, DriverKind, GuideId, LinkId, PointId};
+
+use super::Draft;
+
+/// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
+const ANGLE_PART: f64 = 0.5;
+const ANGLE_MM: [f64; 2] = [8.5, 13.0];
+/// Radius of the arrow of a rotation; it clears the support's triangle (6.2 mm with its hatching).
+const ROTATION_PART: f64 = 0.4;
+const ROTATION_MM: [f64; 2] = [7.0, 9.5];
+/// Where the arrow of a rotation begins and ends, seen from the crank.
+const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
+/// How much farther out a second driver's arrows are: its label fits between.
+const NEXT_MM: f64 = 6.0;
+/// A given angle smaller than this has no room for its arrow.
+const ANGLE_LEAST_RAD: f64 = 0.12;
+/// Length of a straight arrow, and its distance from the thing that moves.
+const ARROW_MM: f64 = 12.0;
+const ARROW_OFF_MM: f64 = 3.0;
+
+impl Draft<'_> {
+    /// All drivers.
+    pub(super) fn drivers(&mut self) {
+        let mut centres: Vec<Point> = Vec::new();
+        for k in 0..self.scene.drivers.len() {
+            let driver = &self.scene.drivers[k];
+            match driver.kind {
+                DriverKind::Turn { link, against, .. } => {
+                    let Some(centre) = self.shared(link, against) else { continue };
+                    // A second driver at the same joint has its arrows around those of the first.
+                    let before = centres.iter().filter(|c| c.distance(centre) < super::SAME_MM).count();
+                    centres.push(centre);
+                    self.turning(driver, centre, before as f64 * NEXT_MM);
+                }
+                DriverKind::Slide { guide, .. } => self.sliding(guide, driver),
+                DriverKind::Cylinder { a, b, .. } => self.stretching(a, b, driver),
+            }
+        }
+    }
+
+    /// Given angles whose arcs are around a point: where they begin and how far they go.
+    pub(super) fn given_angles(&self, p: PointId) -> Vec<(f64, f64)> {
+        let at_point = |d: &Driver| match d.kind {
+            DriverKind::Turn { link, against, line, angle: Some(ref angle), .. } if against == self.scene.ground => {
+                let vertex = line.map(|l| l.0).or_else(|| self.scene.links[link.0].points.first().copied());
+                (vertex == Some(p)).then(|| (0.0, angle.value.radians() % TAU))
+            }
+            _ => None,
+        };
+        self.scene.drivers.iter().filter_map(at_point).filter(|(_, sweep)| sweep.abs() > ANGLE_LEAST_RAD).collect()
+    }
+
+    fn turning(&mut self, driver: &Driver, centre: Point, wider_mm: f64) {
+        let DriverKind::Turn { link, against, line, against_line, ref angle } = driver.kind else { return };
+        let first_two = |l: LinkId| match self.scene.links[l.0].points[..] {
+            [a, b, ..] => Some((a, b)),
+            _ => None,
+        };
+        let Some((at, to)) = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?))) else { return };
+        let Some(u) = (to - at).unit() else { return };
+        let crank = at.distance(to);
+        let grounded = against == self.scene.ground;
+        let index = if grounded {
+            self.scene.link_name(link).to_owned()
+        } else {
+            format!("{}/{}", self.scene.link_name(link), self.scene.link_name(against))
+        };
+        let mut side = 1.0;
+        let written = angle.as_ref().map(|a| a.value.radians() % TAU);
+        if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD) {
+            side = sweep.signum();
+            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]) + wider_mm;
+            let reference = match against_line.or_else(|| first_two(against)) {
+                Some((a, b)) if !grounded || against_line.is_some() => {
+                    self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
+                }
+                _ => 0.0,
+            };
+            let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
+            self.arc_label(&format!("\\varphi_{{{index}}}"), "angle", at, radius, [reference, reference + sweep], owner);
+        }
+        let rate = driver.rate.value;
+        if rate == 0.0 {
+            return;
+        }
+        let radius = (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm;
+        let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };
+        let angles = ROTATION_RAD.map(|a| outward.angle() + side * a);
+        // The head is at the end that the link turns to.
+        let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
+        let symbol = match &driver.acceleration {
+            Some(a) if a.value != 0.0 => format!("\\omega_{{{index}}}, \\alpha_{{{index}}}"),
+            _ => format!("\\omega_{{{index}}}"),
+        };
+        self.arc_label(&symbol, "rotation", centre, radius, [from, to], owner);
+    }
+
+    fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
+        let request =
+            LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
+        self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
+    }
+
+    /// The joint of two links.
+    fn shared(&self, a: LinkId, b: LinkId) -> Option<Point> {
+        self.scene.links[a.0].points.iter().find(|p| self.scene.links[b.0].points.contains(p)).and_then(|p| self.point(*p))
+    }
+
+    fn sliding(&mut self, g: GuideId, driver: &Driver) {
+        let Some((at, tangent)) = self.runner(g) else { return };
+        let guide = &self.scene.guides[g.0];
+        let name = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.scene.point_name(p).to_owned(),
+            (None, Some(s)) => self.scene.link_name(s).to_owned(),
+            (None, None) => return,
+        };
+        // Above the block, as the hatching is below.
+        let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
+        let symbol = if driver.acceleration.as_ref().is_some_and(|a| a.value != 0.0) {
+            format!("v_{{{name}}}, a_{{{name}}}")
+        } else {
+            format!("v_{{{name}}}")
+        };
+        let ahead = tangent * driver.rate.value.signum();
+        let from = match guide.pin {
+            // Beyond the end of a slot with hatching on both sides.
+            Some(p) if self.in_fixed_slot(p) => at + ahead * (super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM),
+            _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
+        };
+        self.straight_arrow(from, tangent, driver.rate.value, &symbol);
+    }
+
+    fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {
+        let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { return };
+        let Some(u) = (tip - base).unit() else { return };
+        let (na, nb) = (self.scene.point_name(a), self.scene.point_name(b));
+        // Beside the rod; the arrow goes the way the rod goes.
+        let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
+        let from = if driver.rate.value > 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
+        self.straight_arrow(from, u, driver.rate.value, &format!("v_{{{nb}{na}}}"));
+    }
+
+    fn straight_arrow(&mut self, from: Point, along: Vec2, rate: f64, symbol: &str) {
+        if rate == 0.0 {
+            return;
+        }
+        let to = from + along * (ARROW_MM * rate.signum());
+        let shape = Shape::Arrow { from, to, stroke: self.style.vector, head: self.style.head };
+        let owner = self.d.shape(&format!("driver-{symbol}"), "driver", shape);
+        self.d.label_along(symbol, "driver", symbol, (from, to), self.style.vector.width_mm / 2.0, owner);
+    }
+}

@@ -1,0 +1,268 @@
+//! The kinematic diagram to scale μ_l, from topology and positions alone.
+//!
+//! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
+//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads,
+//! [`letters`] numbers and letters.
+//! Links and points without a place are left out.
+
+mod form;
+mod letters;
+mod marks;
+mod slides;
+mod special;
+
+use crate::geom::{Point, Vec2};
+use crate::position::Path;
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Through};
+use crate::worked::Worked;
+
+use super::drawing::{Drawing, Part};
+use super::item::Shape;
+use super::style::Style;
+use super::symbols as sym;
+use form::Form;
+
+/// Two places nearer than this on paper are one: a tenth of a link's width.
+const SAME_MM: f64 = 0.07;
+/// A link this near to the direction of a support's triangle (cosine) would be drawn over it.
+const OVER_SUPPORT: f64 = 0.6;
+/// What speaks against a side for a support, most gravely first: a link over the triangle, a plate behind it, a given
+/// angle's arc across it, and that it is not below, where readers look for the ground.
+const LINK_COST: f64 = 4.0;
+const PLATE_COST: f64 = 3.0;
+const ANGLE_COST: f64 = 2.0;
+const OTHER_COST: f64 = 1.0;
+
+/// Draws the mechanism; the diagram's origin lies in the origin.
+pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked) -> Part {
+    let mut draft = Draft::new(style, scene, worked);
+    draft.ground_guides();
+    draft.plates(true);
+    draft.carriers();
+    draft.blocks();
+    draft.plates(false);
+    draft.bars();
+    draft.cylinders();
+    draft.joints();
+    draft.drivers();
+    draft.special_points();
+    draft.numbers();
+    draft.letters();
+    draft.d.finish()
+}
+
+/// The diagram in the making.
+struct Draft<'a> {
+    style: &'a Style,
+    scene: &'a Scene,
+    worked: &'a Worked,
+    d: Drawing,
+    /// What each link looks like; `None` for ground and what has no place.
+    forms: Vec<Option<Form>>,
+    /// Where each link's number goes.
+    number_at: Vec<Option<letters::NumberPlace>>,
+    /// For each guide on the ground with hatching at one side, that side.
+    hatched: Vec<Option<Vec2>>,
+}
+
+impl<'a> Draft<'a> {
+    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked) -> Self {
+        let d = Drawing::new("mechanism", *style);
+        let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
+        let mut draft = Draft { style, scene, worked, d, forms: Vec::new(), number_at, hatched };
+        draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
+        draft
+    }
+
+    /// From the plane (m) to paper (mm).
+    fn paper(&self, p: Point) -> Point {
+        let diagram = &self.worked.construction.diagram;
+        ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point()
+    }
+
+    /// A point's place on paper.
+    fn point(&self, p: PointId) -> Option<Point> {
+        self.worked.configuration.points[p.0].map(|p| self.paper(p))
+    }
+
+    /// A guide on paper.
+    fn guide(&self, g: GuideId) -> Option<Path> {
+        let mu = self.worked.construction.diagram.mu_l;
+        Some(match self.worked.configuration.guides[g.0]? {
+            Path::Line { through, direction } => Path::Line { through: self.paper(through), direction },
+            Path::Arc { centre, radius } => Path::Arc { centre: self.paper(centre), radius: radius / mu },
+        })
+    }
+
+    /// Where a guide's pin or block stands, and the tangent there.
+    fn runner(&self, g: GuideId) -> Option<(Point, Vec2)> {
+        let guide = &self.scene.guides[g.0];
+        let path = self.guide(g)?;
+        let at = match guide.pin {
+            Some(p) => self.point(p)?,
+            None => match path {
+                Path::Line { through, .. } => through,
+                Path::Arc { .. } => return None,
+            },
+        };
+        Some((at, path.tangent_at(at)))
+    }
+
+    fn is_pin(&self, p: PointId) -> bool {
+        self.worked.mechanism.pins.contains(&p)
+    }
+
+    fn on_ground(&self, p: PointId) -> bool {
+        self.scene.links[self.scene.ground.0].points.contains(&p)
+    }
+
+    /// Whether the point is a revolute joint on the ground.
+    fn is_fixed_pivot(&self, p: PointId) -> bool {
+        let cylinder_end = |k: &DriverKind| matches!(k, DriverKind::Cylinder { a, b, .. } if *a == p || *b == p);
+        let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || self.scene.drivers.iter().any(|d| cylinder_end(&d.kind));
+        self.on_ground(p) && joined
+    }
+
+    /// Whether a point of the ground is named by a guide: then it is shown as a dot.
+    fn is_reference(&self, p: PointId) -> bool {
+        self.scene.guides.iter().any(|g| match &g.path {
+            GuidePath::Line { through, .. } => *through == Through::Point(p),
+            GuidePath::Arc { centre, .. } => *centre == p,
+        })
+    }
+
+    /// Whether the point runs, as a bare pin, in a slot of the ground.
+    fn in_fixed_slot(&self, p: PointId) -> bool {
+        self.scene.guides.iter().any(|g| g.pin == Some(p) && g.slider.is_none() && g.on == self.scene.ground)
+    }
+
+    /// The guide whose block stands around the point.
+    fn block_at(&self, p: PointId) -> Option<GuideId> {
+        self.scene.guides.iter().position(|g| g.pin == Some(p) && g.slider.is_some()).map(GuideId)
+    }
+
+    /// Directions in which links leave a point (unit vectors).
+    fn leaving(&self, p: PointId) -> Vec<Vec2> {
+        let Some(at) = self.point(p) else { return Vec::new() };
+        let mut out = Vec::new();
+        for l in self.scene.carriers(p).filter(|l| *l != self.scene.ground) {
+            let Some(form) = &self.forms[l.0] else { continue };
+            for (a, b) in form.segments() {
+                if a.distance(at) < SAME_MM {
+                    out.extend((b - at).unit());
+                } else if b.distance(at) < SAME_MM {
+                    out.extend((a - at).unit());
+                } else if form::on_segment(at, a, b, SAME_MM) {
+                    out.extend([(a - at).unit(), (b - at).unit()].into_iter().flatten());
+                }
+            }
+        }
+        for d in &self.scene.drivers {
+            if let DriverKind::Cylinder { a, b, .. } = d.kind {
+                let other = if a == p {
+                    Some(b)
+                } else if b == p {
+                    Some(a)
+                } else {
+                    None
+                };
+                out.extend(other.and_then(|q| (self.point(q)? - at).unit()));
+            }
+        }
+        out
+    }
+
+    /// From a fixed pivot to its ground: down, unless something is in the way and another side is freer.
+    fn support_side(&self, p: PointId) -> Vec2 {
+        let down = Vec2::new(0.0, -1.0);
+        let Some(at) = self.point(p) else { return down };
+        let leaving = self.leaving(p);
+        let given = self.given_angles(p);
+        let cost = |u: &Vec2| {
+            let link = leaving.iter().any(|v| v.dot(*u) > OVER_SUPPORT);
+            let foot = at + *u * self.style.pivot_height_mm;
+            let plate = self.forms.iter().flatten().any(|f| form::inside(foot, &f.plate));
+            let angle = given.iter().any(|(from, sweep)| form::sweeps(*from, *sweep, u.angle()));
+            [(link, LINK_COST), (plate, PLATE_COST), (angle, ANGLE_COST), (*u != down, OTHER_COST)]
+                .iter()
+                .filter(|c| c.0)
+                .map(|c| c.1)
+                .sum::<f64>()
+        };
+        let sides = [down, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
+        sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(down)
+    }
+
+    /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.
+    fn plates(&mut self, with_guides: bool) {
+        for l in 0..self.forms.len() {
+            let Some(Form { plate, .. }) = &self.forms[l] else { continue };
+            if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
+                continue;
+            }
+            let items = sym::plate(self.style, plate);
+            self.d.draw(&self.link_id(l), "", items);
+        }
+    }
+
+    /// Bars that are not guides, and the marks of their rigid corners.
+    fn bars(&mut self) {
+        for l in 0..self.forms.len() {
+            let Some(form) = self.forms[l].clone() else { continue };
+            let id = self.link_id(l);
+            for (a, b) in &form.bars {
+                self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
+            }
+            for (corner, one, other) in &form.corners {
+                self.d.draw(&format!("{id}-corner"), "", sym::weld(self.style, *corner, *one, *other));
+            }
+        }
+    }
+
+    fn link_id(&self, l: usize) -> String {
+        format!("link-{}", self.scene.links[l].name)
+    }
+
+    /// Supports, pins and dots, over everything else.
+    fn joints(&mut self) {
+        for p in (0..self.scene.points.len()).map(PointId) {
+            let Some(at) = self.point(p) else { continue };
+            let name = self.scene.point_name(p).to_owned();
+            if self.is_fixed_pivot(p) {
+                let items = sym::fixed_pivot(self.style, at, self.support_side(p));
+                self.d.draw(&format!("pivot-{name}"), "", items);
+            } else if self.is_pin(p) {
+                self.d.draw(&format!("pin-{name}"), "", sym::pin(self.style, at));
+            } else if self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some()) {
+                self.d.draw(&format!("point-{name}"), "point", sym::dot(self.style, at));
+            }
+            if self.is_pin(p) {
+                self.through_bars(p, at, &name);
+            }
+        }
+    }
+
+    /// A bar that goes on through a joint in its middle is one link: it is drawn across the joint's circle.
+    fn through_bars(&mut self, p: PointId, at: Point, name: &str) {
+        let others = self.scene.carriers(p).filter(|l| *l != self.scene.ground).count();
+        let supported = self.is_fixed_pivot(p);
+        if others + usize::from(supported) < 2 || self.block_at(p).is_some() {
+            return;
+        }
+        let mut across = Vec::new();
+        for l in self.scene.carriers(p) {
+            let Some(form) = &self.forms[l.0] else { continue };
+            let through =
+                |(a, b): &&(Point, Point)| form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM;
+            if form.plate.is_empty() {
+                across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).copied());
+            }
+        }
+        // Two bars that both go on would look welded: then the circle stays empty.
+        if let [(a, b)] = across[..] {
+            let u = (b - a).unit().unwrap_or(Vec2::ZERO) * self.style.pin_radius_mm;
+            let shape = Shape::Line { from: at - u, to: at + u, stroke: self.style.link.flat() };
+            self.d.shape(&format!("through-{name}"), "link through", shape);
+        }
+    }
+}

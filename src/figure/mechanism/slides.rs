@@ -1,0 +1,193 @@
+//! Guides, slots, blocks, rods of yokes, and cylinders.
+
+use crate::figure::item::{Dash, Shape};
+use crate::figure::symbols as sym;
+use crate::geom::{Point, Vec2, cross_lines};
+use crate::position::Path;
+use crate::scene::{DriverKind, GuideId, GuidePath, PointId, Through};
+
+use super::Draft;
+use super::letters::NumberPlace;
+
+/// Length of a fixed guide: three blocks and a little.
+pub(super) const GUIDE_MM: f64 = 26.0;
+/// From a yoke's slot to the bushing of its rod.
+const BUSHING_MM: f64 = 20.0;
+/// Length of a bushing.
+const BUSHING_LENGTH_MM: f64 = 11.0;
+/// How far the slotted bar of a yoke goes on beyond its rod.
+const BEYOND_ROD_MM: f64 = 8.0;
+/// Part of a cylinder's length that is its barrel: the rod shows also when it is far in.
+const BARREL_PART: f64 = 0.5;
+/// A link that leaves the block more steeply than this (sine) decides on which side the guide is hatched.
+const STEEP: f64 = 0.35;
+/// Half of a fixed curved slot's length.
+const FIXED_SLOT_HALF_MM: f64 = 13.0;
+
+impl Draft<'_> {
+    fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
+        (0..self.scene.guides.len()).map(GuideId)
+    }
+
+    /// Guides on the ground: hatched lines along the block, or a slot for a bare pin.
+    pub(super) fn ground_guides(&mut self) {
+        for g in self.guides() {
+            let guide = &self.scene.guides[g.0];
+            if guide.on != self.scene.ground {
+                continue;
+            }
+            let (pin, slider) = (guide.pin, guide.slider);
+            let Some(path) = self.guide(g) else { continue };
+            match (pin, slider, path) {
+                (Some(p), Some(_), Path::Line { direction, .. }) => self.hatched_line(g, p, direction),
+                (None, Some(_), Path::Line { direction, .. }) => self.bushing(g, direction),
+                (Some(p), None, Path::Line { direction, .. }) => self.fixed_slot(p, direction),
+                (Some(p), _, Path::Arc { centre, radius }) => {
+                    let Some(at) = self.point(p) else { continue };
+                    let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
+                    let items = sym::slot_arc(self.style, centre, radius.max(self.style.slot_width_mm), middle - half, middle + half);
+                    self.d.draw(&format!("guide-{}", self.scene.point_name(p).to_owned()), "ground", items);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn hatched_line(&mut self, g: GuideId, p: PointId, direction: Vec2) {
+        let Some(at) = self.point(p) else { return };
+        self.axis(g, p, at, direction);
+        // Hatched at the right-hand side of its direction: below, or away from a link that comes from there.
+        let rightward = direction.x > 1e-9 || direction.x.abs() <= 1e-9 && direction.y > 0.0;
+        let mut u = if rightward { direction } else { -direction };
+        let pull: f64 = self.leaving(p).iter().map(|v| u.cross(*v)).sum();
+        if pull < -STEEP {
+            u = -u;
+        }
+        self.hatched[g.0] = Some(-u.perp());
+        let items = sym::guide(self.style, at, u.angle(), GUIDE_MM, sym::Guide::OneSided);
+        self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
+    }
+
+    /// The line from a named point of the ground on which the block moves.
+    fn axis(&mut self, g: GuideId, p: PointId, at: Point, direction: Vec2) {
+        let GuidePath::Line { through: Through::Point(q), offset, .. } = &self.scene.guides[g.0].path else { return };
+        let (Some(from), None) = (self.point(*q), offset) else { return };
+        let Some(u) = (at - from).unit() else { return };
+        if u.cross(direction).abs() > 1e-6 {
+            return;
+        }
+        let shape = Shape::Line { from, to: at + u * (GUIDE_MM / 2.0 + 4.0), stroke: self.style.thin.dashed(Dash::DashDot) };
+        self.d.shape(&format!("axis-{}", self.scene.point_name(p)), "centre", shape);
+    }
+
+    fn fixed_slot(&mut self, p: PointId, direction: Vec2) {
+        let Some(at) = self.point(p) else { return };
+        let (u, n) = (direction * (GUIDE_MM / 2.0), direction.perp() * (self.style.slot_width_mm / 2.0));
+        let id = format!("guide-{}", self.scene.point_name(p));
+        self.d.draw(&id, "", sym::ground_line(self.style, at - u - n, at + u - n));
+        self.d.draw(&id, "", sym::ground_line(self.style, at + u + n, at - u + n));
+    }
+
+    /// A slider without a pin (a yoke): a rod through a hatched bushing.
+    fn bushing(&mut self, g: GuideId, u: Vec2) {
+        let Some(slider) = self.scene.guides[g.0].slider else { return };
+        let Some(root) = self.rod_root(slider.0, g, u) else { return };
+        // Away from the fixed pivots, so that the crank does not run into the bushing.
+        let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).filter_map(|p| self.point(p));
+        let away: f64 = pivots.map(|p| (root - p).dot(u)).sum();
+        let u = if away < 0.0 { -u } else { u };
+        let centre = root + u * (BUSHING_MM + BUSHING_LENGTH_MM / 2.0);
+        let end = centre + u * (BUSHING_LENGTH_MM / 2.0 + 8.0);
+        let name = self.scene.links[slider.0].name.clone();
+        let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::Guide::TwoSided);
+        self.d.draw(&format!("guide-{name}"), "", items);
+        let owner = self.d.draw(&format!("link-{name}"), "", sym::link(self.style, &[root, end]));
+        self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * BUSHING_MM, owner));
+    }
+
+    /// Where the rod of a yoke begins: on its slot, level with a fixed pivot; at a point of it; or where its guide lies.
+    fn rod_root(&self, slider: usize, g: GuideId, u: Vec2) -> Option<Point> {
+        let link = &self.scene.links[slider];
+        let slot = self.forms[slider].as_ref().and_then(|f| f.guide_bars.first().copied());
+        if let Some((a, b)) = slot {
+            let pivot = (0..self.scene.points.len()).map(PointId).find(|p| self.is_fixed_pivot(*p)).and_then(|p| self.point(p));
+            let middle = a + (b - a) * 0.5;
+            let crossing = cross_lines(a, b - a, pivot.unwrap_or(middle), u);
+            return Some(if crossing.at.is_finite() && crossing.sine.abs() > 0.1 { crossing.at } else { middle });
+        }
+        link.points.iter().find_map(|p| self.point(*p)).or_else(|| self.runner(g).map(|(at, _)| at))
+    }
+
+    /// Guides carried by moving links: bars, and slots over them.
+    pub(super) fn carriers(&mut self) {
+        for l in 0..self.forms.len() {
+            let Some(mut form) = self.forms[l].take() else { continue };
+            let id = self.link_id(l);
+            if self.scene.links[l].points.is_empty() {
+                self.extend_yoke(l, &mut form);
+            }
+            for (a, b) in &form.guide_bars {
+                self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
+            }
+            for (a, b) in &form.slots {
+                self.d.draw(&format!("{id}-slot"), "", sym::slot(self.style, *a, *b));
+            }
+            for (centre, radius, [from, to]) in &form.arcs {
+                let r = radius.max(self.style.slot_width_mm);
+                self.d.draw(&format!("{id}-slot"), "", sym::slot_arc(self.style, *centre, r, *from, *to));
+                let middle = *centre + Vec2::from_angle((from + to) / 2.0) * r;
+                let shape = Shape::Line { from: *centre, to: middle, stroke: self.style.thin.dashed(Dash::DashDot) };
+                self.d.shape(&format!("{id}-radius"), "centre", shape);
+            }
+            self.forms[l] = Some(form);
+        }
+    }
+
+    /// The slotted bar of a yoke reaches its rod.
+    fn extend_yoke(&self, l: usize, form: &mut super::Form) {
+        let glides = |g: &GuideId| self.scene.guides[g.0].slider.is_some_and(|s| s.0 == l) && self.scene.guides[g.0].pin.is_none();
+        let Some(g) = self.guides().find(glides) else { return };
+        let Some(Path::Line { direction, .. }) = self.guide(g) else { return };
+        let [(a, b)] = form.guide_bars[..] else { return };
+        let Some(u) = (b - a).unit() else { return };
+        let crossing = {
+            let pivot = (0..self.scene.points.len()).map(PointId).find(|p| self.is_fixed_pivot(*p)).and_then(|p| self.point(p));
+            cross_lines(a, u, pivot.unwrap_or(a + (b - a) * 0.5), direction)
+        };
+        if !crossing.at.is_finite() || crossing.sine.abs() < 0.1 {
+            return;
+        }
+        let t = (crossing.at - a).dot(u);
+        form.guide_bars[0] = (a + u * (t - BEYOND_ROD_MM).min(0.0), a + u * (t + BEYOND_ROD_MM).max(a.distance(b)));
+    }
+
+    /// Blocks of numbered sliders that have a pin.
+    pub(super) fn blocks(&mut self) {
+        for g in self.guides() {
+            let guide = &self.scene.guides[g.0];
+            let (Some(_), Some(slider)) = (guide.pin, guide.slider) else { continue };
+            let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
+            let Some((at, tangent)) = self.runner(g) else { continue };
+            let items = sym::block(self.style, at, tangent.angle(), through);
+            self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
+            self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
+        }
+    }
+
+    /// Cylinders: barrel at their first point, rod at their second.
+    pub(super) fn cylinders(&mut self) {
+        for k in 0..self.scene.drivers.len() {
+            let DriverKind::Cylinder { a, b, links, .. } = &self.scene.drivers[k].kind else { continue };
+            let (links, name) = (links.clone(), format!("cylinder-{}{}", self.scene.point_name(*a), self.scene.point_name(*b)));
+            let (Some(base), Some(tip)) = (self.point(*a), self.point(*b)) else { continue };
+            let length = base.distance(tip);
+            let items = sym::cylinder(self.style, base, tip, BARREL_PART * length);
+            let owner = self.d.draw(&name, "", items);
+            let at = |t: f64| base + (tip - base) * t;
+            let off = self.style.block_width_mm / 2.0;
+            for (l, (from, to, wide)) in links.iter().zip([(0.1, 0.6, off), (0.65, 0.95, 0.0)]) {
+                self.number_at[l.0] = Some(NumberPlace::Wide(at(from), at(to), wide, owner));
+            }
+        }
+    }
+}

@@ -1,0 +1,301 @@
+//! A velocity or acceleration polygon, from the drawing board's actions to ink.
+//!
+//! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. The places are
+//! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
+//! can show the polygon as it grows.
+
+use crate::construct::{Action, Mark, Polygon};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::plan::text::Writer;
+use crate::plan::{Spot, Step, TermKind, VertexId};
+use crate::scene::Asked;
+
+use super::drawing::{Drawing, Part};
+use super::item::Shape;
+use super::label::Label;
+use super::place::LabelRequest;
+use super::style::Style;
+use super::symbols as sym;
+
+/// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
+const ZERO_MM: f64 = 0.05;
+/// Two ends nearer than half a line's width are one point on paper.
+const SAME_MM: f64 = 0.1;
+/// How far a construction line goes on beyond its crossing: to be seen past an arrowhead's barbs.
+const BEYOND_MM: f64 = 4.0;
+/// A part of a vector shorter than this has no room for its name.
+const LABEL_ROOM_MM: f64 = 5.0;
+
+/// A vector to be drawn, with all names that it has.
+struct Arrow {
+    from: Point,
+    to: Point,
+    /// All its names; the last is that of a whole vector, if it is one.
+    symbols: Vec<String>,
+    class: &'static str,
+    /// The actions that draw it; two vectors of one place are one arrow.
+    steps: Vec<usize>,
+}
+
+/// A point to be marked, with all letters that it has.
+struct Letter {
+    at: Point,
+    letters: Vec<String>,
+    step: usize,
+}
+
+struct Draft<'a> {
+    w: &'a Writer<'a>,
+    p: &'a Polygon,
+    arrows: Vec<Arrow>,
+    letters: Vec<Letter>,
+    zeros: Vec<(Point, String, usize)>,
+    lines: Vec<(Point, Point, usize)>,
+    copies: Vec<([VertexId; 3], usize)>,
+}
+
+/// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
+const MANY_ARROWS: usize = 16;
+
+/// Draws a polygon; its pole lies in the origin.
+pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
+    let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
+    draft.letter(Point::ORIGIN, w.pole(p.level), 0);
+    draft.follow();
+    let mut style = *style;
+    if draft.arrows.len() > MANY_ARROWS {
+        let needed = draft.needed();
+        draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
+        style.label_mm = style.small_mm;
+    }
+    draft.draw(style)
+}
+
+impl Draft<'_> {
+    /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
+    fn needed(&self) -> Vec<String> {
+        let (w, level) = (self.w, self.p.level);
+        let asked = w.scene.find.iter().filter_map(|f| match (f.what, level) {
+            (Asked::Velocity(p), Level::Velocity) | (Asked::Acceleration(p), Level::Acceleration) => {
+                w.plan.find_vertex(w.scene, p.point, p.link)
+            }
+            _ => None,
+        });
+        let starts = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).flat_map(|s| match s {
+            Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
+            Step::Image { .. } | Step::Same { .. } => Vec::new(),
+        });
+        asked.chain(starts).map(|v| w.vector(level, v)).collect()
+    }
+
+    /// Goes through the board's actions.
+    fn follow(&mut self) {
+        let p = self.p;
+        let mut open: Vec<(Point, Vec2, usize)> = Vec::new();
+        for (step, action) in p.actions.iter().enumerate() {
+            match action {
+                Action::LayOff(e) => self.edge(*e, step),
+                Action::Line { through, direction, .. } => open.push((*through, *direction, step)),
+                Action::Cross { target, edges, .. } => {
+                    for ((through, direction, at), e) in open.drain(..).zip(edges) {
+                        let end = p.edges[*e].to.1;
+                        // Without a length the direction itself is shown, both ways.
+                        let along = (end - through).unit().filter(|_| end.distance(through) > ZERO_MM);
+                        let (from, out) = along.map_or((through - direction * BEYOND_MM, direction), |u| (through, u));
+                        self.lines.push((from, end + out * BEYOND_MM, at));
+                        self.edge(*e, step);
+                    }
+                    self.image(*target, step);
+                }
+                Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
+                Action::Copy { target, from } => {
+                    self.image(*target, step);
+                    self.copies.push(([from.0, from.1, *target], step));
+                }
+                Action::Rate(_) => {}
+            }
+        }
+    }
+
+    fn edge(&mut self, index: usize, step: usize) {
+        let edge = &self.p.edges[index];
+        let symbols: Vec<String> = edge.terms.iter().map(|t| self.w.symbol(self.p.level, t)).collect();
+        let symbol = symbols.join(" + ");
+        if edge.from.1.distance(edge.to.1) < ZERO_MM {
+            self.zeros.push((edge.to.1, format!("{symbol} = 0"), step));
+        } else {
+            self.arrow(edge.from.1, edge.to.1, symbol, if edge.known { "edge known" } else { "edge unknown" }, step);
+        }
+        match edge.to.0 {
+            Mark::Image(v) if edge.known => self.image(v, step),
+            Mark::Part(t)
+                if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
+                    && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
+            {
+                self.letter(edge.to.1, self.w.part(self.p.level, &t), step);
+            }
+            _ => {}
+        }
+    }
+
+    fn arrow(&mut self, from: Point, to: Point, symbol: String, class: &'static str, step: usize) {
+        let same = |a: &&mut Arrow| a.from.distance(from) < SAME_MM && a.to.distance(to) < SAME_MM;
+        match self.arrows.iter_mut().find(same) {
+            Some(a) => {
+                if !a.symbols.contains(&symbol) {
+                    a.symbols.push(symbol);
+                }
+                if !a.steps.contains(&step) {
+                    a.steps.push(step);
+                }
+            }
+            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, steps: vec![step] }),
+        }
+    }
+
+    fn letter(&mut self, at: Point, letter: String, step: usize) {
+        match self.letters.iter_mut().find(|l| l.at.distance(at) < SAME_MM) {
+            Some(l) if l.letters.contains(&letter) => {}
+            Some(l) => l.letters.push(letter),
+            None => self.letters.push(Letter { at, letters: vec![letter], step }),
+        }
+    }
+
+    /// Marks an image and draws its vector from the pole, if it is not there already.
+    fn image(&mut self, v: VertexId, step: usize) {
+        let vertex = self.w.plan.vertex(v);
+        let Some(at) = self.p.images[v.0] else { return };
+        if vertex.fixed {
+            return;
+        }
+        self.letter(at, self.w.image(self.p.level, v), step);
+        // The special point belongs to the construction: its vector answers nothing.
+        if matches!(vertex.spot, Spot::Special { .. }) {
+            return;
+        }
+        let symbol = self.w.vector(self.p.level, v);
+        if at.distance(Point::ORIGIN) >= ZERO_MM {
+            self.arrow(Point::ORIGIN, at, symbol, "absolute", step);
+        } else if !self.zeros.iter().any(|(_, note, _)| note.starts_with(&symbol)) {
+            self.zeros.push((at, format!("{symbol} = 0"), step));
+        }
+    }
+
+    /// Where the part of a vector begins that no shorter one covers: there its name belongs.
+    fn own_part(&self, a: &Arrow) -> Point {
+        let inside = |b: &&Arrow| b.from.distance(a.from) < SAME_MM && b.to.distance(a.to) > LABEL_ROOM_MM && covers((a.from, a.to), b.to);
+        let far = self.arrows.iter().filter(inside).max_by(|b, c| a.from.distance(b.to).total_cmp(&a.from.distance(c.to)));
+        far.map_or(a.from, |b| b.to)
+    }
+
+    fn draw(self, style: Style) -> Part {
+        let kind = match self.p.level {
+            Level::Acceleration => "acceleration",
+            _ => "velocity",
+        };
+        let mut d = Drawing::new(kind, style);
+        let middle = middle(self.letters.iter().map(|l| l.at));
+        for (from, to, step) in &self.lines {
+            d.shape("line", &format!("construction step-{step}"), Shape::Line { from: *from, to: *to, stroke: style.thin });
+        }
+        let mut drawn: Vec<(Point, Point)> = self.arrows.iter().map(|a| (a.from, a.to)).collect();
+        for ([a, b, c], step) in &self.copies {
+            let corners = [*a, *b, *c].map(|v| self.p.images[v.0]);
+            let [Some(a), Some(b), Some(c)] = corners else { continue };
+            for (from, to) in [(a, b), (b, c), (a, c)] {
+                if from.distance(to) > SAME_MM && !drawn.iter().any(|s| covers(*s, from) && covers(*s, to)) {
+                    d.shape("image", &format!("image step-{step}"), Shape::Line { from, to, stroke: style.thin });
+                    drawn.push((from, to));
+                }
+            }
+        }
+        // The small vectors last, so that their heads lie over the large ones.
+        let mut order: Vec<&Arrow> = self.arrows.iter().collect();
+        order.sort_by(|a, b| b.from.distance(b.to).total_cmp(&a.from.distance(a.to)));
+        for a in order {
+            // A normal part that is all there is bears the name of the whole.
+            let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
+            let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
+            let class = a.steps.iter().fold(a.class.to_owned(), |class, step| format!("{class} step-{step}"));
+            let word = a.class.split(' ').next().unwrap_or_default();
+            let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
+            let owner = d.shape(&format!("{word}-{}", a.symbols[0]), &class, shape);
+            let from = self.own_part(a);
+            let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, a.to, style.vector.width_mm / 2.0);
+            let outward = (a.from + (a.to - a.from) * 0.5) - middle;
+            d.label(&a.symbols[0], &class, request.owned(owner).towards(outward));
+        }
+        for (at, note, step) in &self.zeros {
+            let class = format!("zero step-{step}");
+            d.draw("zero", &class, sym::dot(&style, *at));
+            d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
+        }
+        for (k, l) in self.letters.iter().enumerate() {
+            let (class, clear) = if k == 0 { ("pole".to_owned(), style.dot_radius_mm) } else { (format!("point step-{}", l.step), 0.3) };
+            if k == 0 {
+                d.draw("pole", "pole", sym::dot(&style, l.at));
+            }
+            d.label_at(&l.letters[0], &class, &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
+        }
+        d.finish()
+    }
+}
+
+fn middle(points: impl Iterator<Item = Point> + Clone) -> Point {
+    let n = points.clone().count().max(1) as f64;
+    points.fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n))
+}
+
+/// Whether a point lies on a segment.
+fn covers((a, b): (Point, Point), p: Point) -> bool {
+    let d = b - a;
+    let t = ((p - a).dot(d) / d.norm2()).clamp(0.0, 1.0);
+    p.distance(a + d * t) < SAME_MM
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::notation::Notation;
+    use crate::scene::{Lang, read, templates};
+    use crate::worked::{Scope, work};
+
+    fn drawn(name: &str, level: Level) -> Vec<(String, Shape)> {
+        let scene = read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let notation = Notation::of_language(Lang::En);
+        let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+        let part = polygon(&Style::TEXTBOOK, &w, worked.construction.polygon(level).unwrap());
+        part.items.into_iter().map(|i| (i.id, i.shape)).collect()
+    }
+
+    fn arrows(items: &[(String, Shape)]) -> Vec<&str> {
+        items.iter().filter(|(_, s)| matches!(s, Shape::Arrow { .. })).map(|(id, _)| id.as_str()).collect()
+    }
+
+    #[test]
+    fn a_vector_that_is_an_edge_is_drawn_once() {
+        let mut names = drawn("offset-slider-crank", Level::Velocity);
+        names.sort_by(|a, b| a.0.cmp(&b.0));
+        // v_B and v_C are edges from the pole; v_S is found by an image and has its arrow from the pole.
+        assert_eq!(arrows(&names), ["velocity-absolute-v_S", "velocity-edge-v_B", "velocity-edge-v_C", "velocity-edge-v_CB"]);
+    }
+
+    #[test]
+    fn vectors_of_no_length_are_noted() {
+        let items = drawn("parallelogram", Level::Velocity);
+        let note = |s: &Shape| matches!(s, Shape::Label { label, .. } if label.source() == "v_{CB} = 0");
+        assert!(items.iter().any(|(_, s)| note(s)));
+        assert!(!arrows(&items).iter().any(|a| a.contains("CB")));
+        let dots = items.iter().filter(|(id, _)| id.starts_with("velocity-zero")).count();
+        assert_eq!(dots, 1);
+    }
+
+    #[test]
+    fn three_points_of_a_link_show_their_image() {
+        let items = drawn("crank-rocker", Level::Velocity);
+        // b–c is an edge already: the triangle needs two more lines.
+        assert_eq!(items.iter().filter(|(id, _)| id.starts_with("velocity-image")).count(), 2);
+    }
+}

@@ -1,0 +1,228 @@
+//! The whole sheet: title, mechanism, polygons, equations and results, arranged by their measured sizes.
+//!
+//! Decided here: which parts there are and what stands under them. [`super::arrange`] decides where they stand.
+
+use crate::construct::Polygon;
+use crate::diag::{Diagnostic, Faults};
+use crate::geom::Point;
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::quantity::shortest;
+use crate::scene::{Lang, Scene};
+use crate::worked::Worked;
+
+use super::arrange::{Pieces, arrange};
+use super::drawing::Part;
+use super::item::{Anchor, Colour, Figure, Item, Shape};
+use super::label::Label;
+use super::style::Style;
+use super::tables::Tables;
+use super::words::{Words, words};
+use super::{mechanism, polygon, results};
+
+/// How a sheet is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Language of all words.
+    pub lang: Lang,
+    /// Marks.
+    pub notation: Notation,
+}
+
+/// Weights and sizes of all sheets.
+const STYLE: &Style = &Style::TEXTBOOK;
+
+impl Options {
+    /// The usual look of a language's textbooks.
+    pub fn of_language(lang: Lang) -> Options {
+        Options { lang, notation: Notation::of_language(lang) }
+    }
+
+    /// The language and notation that a scene asks for.
+    ///
+    /// # Errors
+    /// `unknown-notation` when the scene names a profile that there is not.
+    pub fn of_scene(scene: &Scene) -> Result<Options, Diagnostic> {
+        let base = Options::of_language(scene.language.unwrap_or_default());
+        match &scene.notation {
+            None => Ok(base),
+            Some(name) => match Notation::named(name) {
+                Some(notation) => Ok(Options { notation, ..base }),
+                None => Err(Diagnostic::error("unknown-notation", format!("there is no notation `{name}`"))
+                    .help(format!("the notations are {}", Notation::names().join(", ")))),
+            },
+        }
+    }
+}
+
+/// A drawing of a sheet that can stand alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Single {
+    /// The mechanism.
+    Mechanism,
+    /// A polygon.
+    Polygon(Level),
+}
+
+/// Border of a sheet: what a printer cannot reach on most paper.
+const MARGIN_MM: f64 = 8.0;
+/// From a drawing to its caption's baseline.
+const CAPTION_MM: f64 = 8.0;
+/// From the caption's baseline to the scale's.
+const SCALE_MM: f64 = 5.6;
+
+/// The whole sheet.
+///
+/// # Errors
+/// `paper-too-small` when the scene fixes a size of paper on which the parts do not fit.
+pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure, Faults> {
+    let maker = Maker { scene, worked, options };
+    let title = maker.title();
+    let drawings = maker.drawings(true);
+    let levels = [Level::Velocity, Level::Acceleration];
+    let tables = maker.tables();
+    let equations = levels.map(|l| (maker.heading(l), tables.parts(l)));
+    let results = results::results(STYLE, scene, worked, &options.notation, maker.words());
+    let pieces = Pieces { title, drawings, equations: equations.into(), results };
+    let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
+    Ok(maker.figure(items, size))
+}
+
+/// One drawing alone, with its scale; `None` where the scene does not call for it.
+pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) -> Option<Figure> {
+    let maker = Maker { scene, worked, options };
+    let part = match which {
+        Single::Mechanism => maker.mechanism(),
+        Single::Polygon(level) => maker.polygon(worked.construction.polygon(level)?),
+    };
+    let (words, mu) = maker.caption(which);
+    let mut part = maker.captioned(part, "", words, &mu);
+    let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
+    part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+    Some(maker.figure(part.items, size))
+}
+
+struct Maker<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    options: &'a Options,
+}
+
+impl Maker<'_> {
+    fn words(&self) -> &'static Words {
+        words(self.options.lang)
+    }
+
+    fn writer(&self) -> Writer<'_> {
+        Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
+    }
+
+    fn tables(&self) -> TablesOwner<'_> {
+        TablesOwner { maker: self, writer: self.writer() }
+    }
+
+    fn mechanism(&self) -> Part {
+        mechanism::mechanism(STYLE, self.scene, self.worked)
+    }
+
+    fn polygon(&self, p: &Polygon) -> Part {
+        polygon::polygon(STYLE, &self.writer(), p)
+    }
+
+    /// The drawings with their captions.
+    fn drawings(&self, lettered: bool) -> Vec<Part> {
+        let mut all = vec![(Single::Mechanism, self.mechanism())];
+        for level in [Level::Velocity, Level::Acceleration] {
+            if let Some(p) = self.worked.construction.polygon(level) {
+                all.push((Single::Polygon(level), self.polygon(p)));
+            }
+        }
+        let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
+        all.into_iter()
+            .map(|(which, part)| {
+                let (words, mu) = self.caption(which);
+                let letter = letters.next().filter(|_| lettered).unwrap_or_default();
+                self.captioned(part, letter, words, &mu)
+            })
+            .collect()
+    }
+
+    fn caption(&self, which: Single) -> (&'static str, String) {
+        let paper = &self.worked.construction;
+        let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
+        match which {
+            Single::Mechanism => (self.words().diagram, format!("\\mu_l = {} m/mm", scale(paper.diagram.mu_l))),
+            Single::Polygon(Level::Acceleration) => {
+                (self.words().acceleration_polygon, format!("\\mu_a = {} (m/s^2)/mm", scale(mu(Level::Acceleration))))
+            }
+            Single::Polygon(_) => (self.words().velocity_polygon, format!("\\mu_v = {} (m/s)/mm", scale(mu(Level::Velocity)))),
+        }
+    }
+
+    fn captioned(&self, mut part: Part, letter: &str, words: &str, mu: &str) -> Part {
+        let x = part.bounds.centre().x;
+        let y = part.bounds.min.y - CAPTION_MM;
+        let name = mu.chars().skip(1).take_while(|c| *c != ' ').collect::<String>();
+        let text = |at: Point, label: Label, size_mm: f64, what: &str| {
+            let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
+            Item::new(what, shape).with_id(format!("{what}-{name}"))
+        };
+        part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), STYLE.caption_mm, "caption"));
+        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), STYLE.small_mm, "scale"));
+        let placements = part.placements;
+        Part { placements, ..Part::of(part.items) }
+    }
+
+    fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {
+        let shape = Shape::Label { at: Point::ORIGIN, label: Label::text(text), size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+        Part::of(vec![Item::new(id, shape).with_id(id)])
+    }
+
+    fn title(&self) -> Option<Part> {
+        let title = self.scene.title.get(self.options.lang);
+        // A third larger than the captions: a heading without a bold face.
+        (!title.is_empty()).then(|| self.line("title", title, STYLE.caption_mm * 4.0 / 3.0))
+    }
+
+    fn heading(&self, level: Level) -> Part {
+        let id = if level == Level::Acceleration { "heading-acceleration" } else { "heading-velocity" };
+        self.line(id, self.words().equations(level), STYLE.caption_mm)
+    }
+
+    fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
+        let words = self.words();
+        let title = self.scene.title.get(self.options.lang);
+        let title = if title.is_empty() { words.diagram } else { title };
+        let found = results::sentence(self.scene, self.worked, &self.options.notation, words);
+        Figure {
+            width_mm: size[0],
+            height_mm: size[1],
+            title: title.into(),
+            desc: format!("{} {found}", words.described.replace("{}", title)),
+            lang: words.tag.into(),
+            items,
+        }
+    }
+}
+
+struct TablesOwner<'a> {
+    maker: &'a Maker<'a>,
+    writer: Writer<'a>,
+}
+
+impl TablesOwner<'_> {
+    fn parts(&self, level: Level) -> Vec<Part> {
+        let worked = self.maker.worked;
+        let tables = Tables { style: STYLE, writer: &self.writer, mechanism: &worked.mechanism, construction: &worked.construction };
+        tables.parts(level)
+    }
+}
+
+/// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
+fn scale(mu: f64) -> String {
+    match shortest(mu).split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{}}}", exponent.replace('-', "−")),
+        None => shortest(mu),
+    }
+}

@@ -1,0 +1,244 @@
+//! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
+//! everything else.
+
+use crate::construct::{Action, Construction, Polygon};
+use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::plan::text::Writer;
+use crate::plan::{Chain, Spot, Step, VertexId};
+use crate::report::phrase::Phrase;
+use crate::scene::PointId;
+
+use super::drawing::Part;
+use super::grid::{self, Cell, Row};
+use super::item::{Anchor, Item};
+use super::label::Label;
+use super::results::{DIGITS, number};
+use super::style::Style;
+use super::words::{Words, words};
+
+/// From a symbol's baseline to the row below it, and between rows.
+const ROW_MM: f64 = 7.2;
+/// From the top of a table to its symbols' baseline: superscripts go this high.
+const TOP_MM: f64 = 5.6;
+/// Below the last baseline: subscripts go this low.
+const BOTTOM_MM: f64 = 1.8;
+/// Between the columns of a table: a binary operator's space.
+const GAP_MM: f64 = 2.6;
+/// A statement in one line.
+const LINE_MM: f64 = 6.6;
+
+/// What the tables are made from.
+#[derive(Clone, Copy)]
+pub struct Tables<'a> {
+    /// Sizes.
+    pub style: &'a Style,
+    /// Names and symbols.
+    pub writer: &'a Writer<'a>,
+    /// Legs of triads.
+    pub mechanism: &'a Mechanism,
+    /// The alternatives that were drawn.
+    pub construction: &'a Construction,
+}
+
+impl Tables<'_> {
+    /// One part for each step of a level, in the order of solving.
+    pub fn parts(&self, level: Level) -> Vec<Part> {
+        let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
+        let mut parts = Vec::new();
+        for group in self.writer.plan.steps(level) {
+            let chosen = self.construction.chosen[group.group].min(group.alternatives.len().saturating_sub(1));
+            for step in group.steps(chosen) {
+                let step_class = step_class(polygon, target(step));
+                match step {
+                    Step::Equation { target, chains, .. } => {
+                        if let Spot::Special { group, legs } = self.writer.plan.vertex(*target).spot {
+                            parts.extend(self.special(level, group, legs, &step_class));
+                        }
+                        parts.extend(self.equation(level, *target, chains, &step_class));
+                    }
+                    Step::Image { target, from, .. } => parts.push(self.image(level, *target, *from, &step_class)),
+                    Step::Same { target, from, link } => {
+                        let w = self.writer;
+                        let formula = format!("{} = {}", w.vector(level, *target), w.vector(level, *from));
+                        let why = self.words().no_turning.replace("{}", w.scene.link_name(*link));
+                        parts.push(self.line(level, &formula, Some(Label::text(why)), &step_class));
+                    }
+                }
+            }
+        }
+        parts
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.writer.lang)
+    }
+
+    fn cell(&self, label: Label, size_mm: f64, anchor: Anchor, id: String, class: &str) -> Cell {
+        Cell { label, size_mm, anchor, class: class.into(), id }
+    }
+
+    fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Option<Part> {
+        let w = self.writer;
+        if let [chain] = chains {
+            let [term] = chain.known[..] else {
+                // Nothing is added: the point moves as one known before.
+                if chain.known.is_empty() {
+                    let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
+                    let formula = format!("{} = {start}", w.vector(level, target));
+                    return (chain.start != target).then(|| self.line(level, &formula, None, step));
+                }
+                return Some(self.table(level, target, chains, step));
+            };
+            if w.plan.vertex(chain.start).fixed {
+                let (whole, part) = (w.vector(level, target), w.symbol(level, &term));
+                // On the drawing it is the whole vector that is named.
+                let head = if whole == part { whole } else { format!("{whole} = {part}") };
+                // What a driver gives is a number, not a formula.
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                    (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
+                    (formula, _) => formula,
+                };
+                let formula = format!("{head} = {magnitude}");
+                return Some(self.line(level, &formula, Some(Label::math(w.direction(&term))), step));
+            }
+        }
+        Some(self.table(level, target, chains, step))
+    }
+
+    fn table(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Part {
+        let (w, style, words) = (self.writer, self.style, self.words());
+        let columns = w.columns(level, target, chains);
+        let name = format!("{}-{}", kind(level), id_of(&w.vector(level, target)));
+        let class = |what: &str| format!("{} table {what} {step}", kind(level));
+        let mut symbols = vec![None];
+        let mut magnitudes =
+            vec![Some(self.cell(heading(words.magnitude), style.caption_mm, Anchor::End, format!("{name}-magnitude"), &class("heading")))];
+        let mut directions =
+            vec![Some(self.cell(heading(words.direction), style.caption_mm, Anchor::End, format!("{name}-direction"), &class("heading")))];
+        for (k, c) in columns.iter().enumerate() {
+            let cell = |text: &str, size: f64, what: &str| {
+                Some(self.cell(Label::math(text), size, Anchor::Middle, format!("{name}-{what}-{k}"), &class(what)))
+            };
+            symbols.push(if c.joint.is_empty() { None } else { cell(c.joint, style.label_mm, "joint") });
+            symbols.push(cell(&c.symbol, style.label_mm, "symbol"));
+            magnitudes.extend([None, cell(&c.magnitude, style.caption_mm, "magnitude")]);
+            directions.extend([None, cell(&c.direction, style.caption_mm, "direction")]);
+        }
+        let mut rows = vec![Row { cells: symbols, height_mm: TOP_MM }];
+        let both = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        rows.extend(both.map(|cells| Row { cells, height_mm: ROW_MM }));
+        self.boxed(grid::set(&rows, GAP_MM), TOP_MM + 2.0 * ROW_MM + BOTTOM_MM)
+    }
+
+    /// A part whose box is as high as its rows, whatever stands in them, so that stacked tables keep their rhythm.
+    fn boxed(&self, items: Vec<Item>, height_mm: f64) -> Part {
+        let mut part = Part::of(items);
+        part.bounds.max.y = part.bounds.max.y.max(0.0);
+        part.bounds.min.y = part.bounds.min.y.min(-height_mm);
+        part
+    }
+
+    fn line(&self, level: Level, formula: &str, why: Option<Label>, step: &str) -> Part {
+        let name = format!("{}-statement-{}", kind(level), id_of(formula.split(' ').next().unwrap_or(formula)));
+        let class = format!("{} statement {step}", kind(level));
+        let mut cells = vec![Some(self.cell(Label::math(formula), self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if let Some(why) = why {
+            // A quad keeps formula and reason apart.
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+    }
+
+    fn image(&self, level: Level, target: VertexId, from: (VertexId, VertexId), step: &str) -> Part {
+        let w = self.writer;
+        let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, target));
+        let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
+        // No embedded font has the sign △; a capital delta has its shape. Three points in line make no triangle.
+        let sign = if self.in_line([from.0, from.1, target]) { "" } else { "Δ" };
+        let similar = Label::math(format!("{}: \\quad", w.vector(level, target)))
+            .then(Label::text(sign))
+            .then(Label::math(images))
+            .then(Label::text(format!(" ∽ {sign}")))
+            .then(Label::math(points));
+        let name = format!("{}-statement-{}", kind(level), id_of(&w.vector(level, target)));
+        let class = format!("{} statement image {step}", kind(level));
+        let cells = vec![
+            Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class)),
+            Some(self.cell(Label::text(self.words().image), self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)),
+        ];
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
+    }
+
+    fn in_line(&self, vertices: [VertexId; 3]) -> bool {
+        let [Some(a), Some(b), Some(c)] = vertices.map(|v| self.construction.diagram.spots[v.0]) else { return false };
+        // A tenth of a millimetre on paper is no triangle.
+        (b - a).unit().is_none_or(|u| u.cross(c - a).abs() < 0.1)
+    }
+
+    /// What the special point of a triad is.
+    fn special(&self, level: Level, group: usize, legs: (usize, usize), step: &str) -> Option<Part> {
+        let Core::Link { link, legs: all } = &self.mechanism.groups[group].core else { return None };
+        let lines = [legs.0, legs.1].map(|k| all.get(k).map(|leg| self.constraint_line(leg)));
+        let [Some(a), Some(b)] = lines else { return None };
+        let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.writer.scene.link_name(*link));
+        let class = format!("{} statement special {step}", kind(level));
+        let cells = vec![Some(self.cell(
+            Phrase::new(&text).label(),
+            self.style.caption_mm,
+            Anchor::Start,
+            format!("{}-special-{group}", kind(level)),
+            &class,
+        ))];
+        Some(self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM))
+    }
+
+    fn constraint_line(&self, leg: &Leg) -> String {
+        let name = |p: PointId| crate::plan::text::point_label(self.writer.scene.point_name(p));
+        match *leg {
+            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
+            Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
+                self.words().square_to_guide.replace("{}", &name(pin))
+            }
+            _ => String::new(),
+        }
+    }
+}
+
+/// A row's heading, with the air that parts it from the first column.
+fn heading(word: &str) -> Label {
+    Label::text(word).then(Label::math("\\quad"))
+}
+
+fn kind(level: Level) -> &'static str {
+    match level {
+        Level::Acceleration => "acceleration",
+        _ => "velocity",
+    }
+}
+
+fn unit(level: Level) -> &'static str {
+    match level {
+        Level::Acceleration => "m/s^2",
+        _ => "m/s",
+    }
+}
+
+fn id_of(symbol: &str) -> String {
+    symbol.chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^')).collect()
+}
+
+fn target(step: &Step) -> VertexId {
+    match step {
+        Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
+    }
+}
+
+/// The class word of the action that finds a vertex.
+fn step_class(p: &Polygon, v: VertexId) -> String {
+    let finds = |a: &Action| match a {
+        Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
+        Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
+        Action::Line { .. } | Action::Rate(_) => false,
+    };
+    p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
+}

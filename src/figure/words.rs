@@ -1,0 +1,138 @@
+//! All words on figures, in both languages: one table.
+
+use crate::mechanism::Level;
+use crate::scene::Lang;
+
+/// The words of one language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// Language tag.
+    pub tag: &'static str,
+    /// Caption of the mechanism.
+    pub diagram: &'static str,
+    /// Caption of the velocity polygon.
+    pub velocity_polygon: &'static str,
+    /// Caption of the acceleration polygon.
+    pub acceleration_polygon: &'static str,
+    /// Heading of the velocity equations.
+    pub velocities: &'static str,
+    /// Heading of the acceleration equations.
+    pub accelerations: &'static str,
+    /// Heading of the results.
+    pub results: &'static str,
+    /// Row of magnitudes.
+    pub magnitude: &'static str,
+    /// Row of directions.
+    pub direction: &'static str,
+    /// Sense of a positive turning.
+    pub counter_clockwise: &'static str,
+    /// Sense of a negative turning.
+    pub clockwise: &'static str,
+    /// Before a similarity.
+    pub image: &'static str,
+    /// After a vector taken over; `{}` is the link.
+    pub no_turning: &'static str,
+    /// What the special point of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
+    pub special_point: &'static str,
+    /// A line square to a guide; `{}` is the point.
+    pub square_to_guide: &'static str,
+    /// How far drawing and analysis are apart; `{}` is the number.
+    pub agreement: &'static str,
+    /// Instead of a measurement: a result that is not drawn.
+    pub computed: &'static str,
+    /// Begins the description of a figure; `{}` is the title.
+    pub described: &'static str,
+}
+
+const EN: Words = Words {
+    tag: "en",
+    diagram: "Kinematic diagram",
+    velocity_polygon: "Velocity polygon",
+    acceleration_polygon: "Acceleration polygon",
+    velocities: "Velocities",
+    accelerations: "Accelerations",
+    results: "Results",
+    magnitude: "Magnitude",
+    direction: "Direction",
+    counter_clockwise: "counter-clockwise",
+    clockwise: "clockwise",
+    image: "image",
+    no_turning: "link {} does not turn",
+    special_point: "$S$: point of link {} where {1} and {2} meet",
+    square_to_guide: "the normal to the guide at ${}$",
+    agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
+    computed: "from the loop equations",
+    described: "{}: kinematic diagram to scale with the polygons of its motion.",
+};
+
+const ZH: Words = Words {
+    tag: "zh",
+    diagram: "机构运动简图",
+    velocity_polygon: "速度多边形",
+    acceleration_polygon: "加速度多边形",
+    velocities: "速度分析",
+    accelerations: "加速度分析",
+    results: "结果",
+    magnitude: "大小",
+    direction: "方向",
+    counter_clockwise: "逆时针",
+    clockwise: "顺时针",
+    image: "影像法",
+    no_turning: "构件 {} 作平动",
+    special_point: "特殊点 $S$：构件 {} 上 {1} 与 {2} 的交点",
+    square_to_guide: "过 ${}$ 的导路垂线",
+    agreement: "图解与解析的相对差不超过 ${}$。",
+    computed: "由解析法求得",
+    described: "{}：按比例绘制的机构运动简图及其运动多边形。",
+};
+
+/// The words of a language.
+pub const fn words(lang: Lang) -> &'static Words {
+    match lang {
+        Lang::En => &EN,
+        Lang::Zh => &ZH,
+    }
+}
+
+impl Words {
+    /// The sense of a turning; nothing for zero.
+    pub fn sense(&self, value: f64) -> &'static str {
+        if value > 0.0 {
+            self.counter_clockwise
+        } else if value < 0.0 {
+            self.clockwise
+        } else {
+            ""
+        }
+    }
+
+    /// Caption of a level's polygon.
+    pub fn polygon(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceleration => self.acceleration_polygon,
+            _ => self.velocity_polygon,
+        }
+    }
+
+    /// Heading of a level's equations.
+    pub fn equations(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceleration => self.accelerations,
+            _ => self.velocities,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::{label::Label, text};
+
+    #[test]
+    fn every_word_has_its_letters() {
+        for lang in [Lang::En, Lang::Zh] {
+            let debug = format!("{:?}Δ∽°·×", words(lang));
+            assert_eq!(text::set(&Label::text(debug)).faults, [], "{lang:?}");
+        }
+    }
+}

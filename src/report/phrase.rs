@@ -1,0 +1,82 @@
+//! Sentences that mix words and formulas, in one of the two languages.
+
+use crate::figure::label::Label;
+use crate::scene::Lang;
+
+/// A sentence: words as they stand, formulas in the label language.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Phrase {
+    pieces: Vec<Piece>,
+}
+
+/// A piece of a sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Piece {
+    /// Words.
+    Words(String),
+    /// A formula.
+    Formula(String),
+}
+
+impl Phrase {
+    /// A sentence with formulas between dollar signs: `through $b$ draw a line $\perp BC$`.
+    pub fn new(source: &str) -> Phrase {
+        let pieces = source
+            .split('$')
+            .enumerate()
+            .filter(|(_, s)| !s.is_empty())
+            .map(|(i, s)| if i % 2 == 0 { Piece::Words(s.into()) } else { Piece::Formula(s.into()) })
+            .collect();
+        Phrase { pieces }
+    }
+
+    /// Its pieces.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// As a label for figures.
+    pub fn label(&self) -> Label {
+        self.pieces.iter().fold(Label::text(""), |l, p| {
+            l.then(match p {
+                Piece::Words(w) => Label::text(w.clone()),
+                Piece::Formula(f) => Label::math(f.clone()),
+            })
+        })
+    }
+
+    /// In plain characters, for terminals and golden texts.
+    pub fn plain(&self) -> String {
+        self.pieces
+            .iter()
+            .map(|p| match p {
+                Piece::Words(w) => w.clone(),
+                Piece::Formula(f) => formula(f),
+            })
+            .collect()
+    }
+}
+
+/// A formula in plain characters: `ω_1^2 l_AB`.
+pub fn formula(source: &str) -> String {
+    Label::math(source).plain().trim().to_string()
+}
+
+/// One of two texts by language.
+pub fn tr(lang: Lang, en: &'static str, zh: &'static str) -> &'static str {
+    match lang {
+        Lang::En => en,
+        Lang::Zh => zh,
+    }
+}
+
+/// The words for a sense of turning.
+pub fn sense(lang: Lang, value: f64) -> &'static str {
+    if value > 0.0 {
+        tr(lang, "counter-clockwise", "逆时针")
+    } else if value < 0.0 {
+        tr(lang, "clockwise", "顺时针")
+    } else {
+        tr(lang, "zero", "为零")
+    }
+}

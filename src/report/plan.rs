@@ -1,0 +1,297 @@
+//! The plan as text: groups, effects, equations in solving order.
+
+use super::phrase::{formula, tr};
+use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::plan::text::{Column, Writer};
+use crate::plan::{Effect, GroupSteps, Method, Rate, Reason, Spot, Step};
+use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use unicode_width::UnicodeWidthStr;
+
+/// The whole plan.
+pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
+    let mut out = String::new();
+    let mut line = |s: String| {
+        out.push_str(s.trim_end());
+        out.push('\n');
+    };
+    let lang = w.lang;
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        line(title.to_string());
+    }
+    let f = &m.mobility;
+    line(format!(
+        "{}: F = 3·{} − 2·{} − {} = {}; {}",
+        tr(lang, "mobility", "自由度"),
+        f.moving,
+        f.lower,
+        f.higher,
+        f.freedom,
+        match (lang, scene.drivers.len()) {
+            (Lang::En, 1) => "1 driver".to_string(),
+            (Lang::En, n) => format!("{n} drivers"),
+            (Lang::Zh, n) => format!("原动件 {n} 个"),
+        }
+    ));
+    line(String::new());
+    line(tr(lang, "groups in solving order", "杆组（按求解顺序）").into());
+    let mut number = 0;
+    for g in &m.groups {
+        if matches!(&g.core, Core::Pin { legs, .. } if matches!(legs[..], [Leg::Carried { .. }])) {
+            continue;
+        }
+        number += 1;
+        line(format!("  {number}. {}", group_words(scene, m, g, lang)));
+    }
+    line(String::new());
+    line(tr(lang, "effects", "考虑的因素").into());
+    for (effect, included, reason) in &w.plan.effects {
+        line(format!(
+            "  {} {}: {}",
+            if *included { tr(lang, "in ", "计入") } else { tr(lang, "out", "不计") },
+            effect_words(scene, m, *effect, lang),
+            reason_words(*reason, lang)
+        ));
+    }
+    let mut equation = 0;
+    for level in [Level::Velocity, Level::Acceleration] {
+        let steps = w.plan.steps(level);
+        if steps.is_empty() {
+            continue;
+        }
+        line(String::new());
+        line(match level {
+            Level::Acceleration => tr(lang, "accelerations", "加速度").into(),
+            _ => tr(lang, "velocities", "速度").into(),
+        });
+        for group in steps {
+            for text in group_lines(w, level, group, &mut equation) {
+                line(format!("  {text}"));
+            }
+        }
+    }
+    for g in &w.plan.undrawable {
+        let names: Vec<_> = m.groups[*g].links.iter().map(|l| scene.link_name(*l)).collect();
+        line(format!(
+            "{} {}: {}",
+            tr(lang, "links", "构件"),
+            names.join(", "),
+            tr(
+                lang,
+                "in or behind a group higher than class III, not drawn; `solve` answers from the loop equations",
+                "属于Ⅳ级以上杆组或在其后，不能作图；solve 由解析法给出结果"
+            )
+        ));
+    }
+    out
+}
+
+fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
+    let mut links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
+    // A block belongs to the group that holds its guide or its pin.
+    for l in (0..scene.links.len()).map(LinkId) {
+        if let Some(crate::mechanism::Passive::Block(guide)) = m.passive[l.0]
+            && (g.links.contains(&scene.guides[guide.0].on) || scene.guides[guide.0].pin.is_some_and(|p| g.pins.contains(&p)))
+        {
+            links.push(scene.link_name(l));
+        }
+    }
+    let at: Vec<&str> = match &g.core {
+        Core::Pin { pin, .. } => vec![scene.point_name(*pin)],
+        Core::Link { legs, .. } => legs
+            .iter()
+            .filter_map(|l| match l {
+                Leg::InSlot { pin, .. } | Leg::OnGuide { pin, .. } => Some(*pin),
+                Leg::Bar { near, .. } | Leg::Cylinder { near, .. } => Some(*near),
+                _ => None,
+            })
+            .map(|p| scene.point_name(p))
+            .collect(),
+        Core::Higher => Vec::new(),
+    };
+    let what = match (g.class(), lang) {
+        (None, Lang::En) => g.kind(),
+        (None, Lang::Zh) => match g.kind().as_str() {
+            "driven slider" => "原动滑块".into(),
+            _ => "原动件".into(),
+        },
+        (Some(class), Lang::En) => format!("class {class}, {}", g.kind()),
+        (Some(class), Lang::Zh) => format!(
+            "{}级杆组 {}",
+            match class {
+                "II" => "Ⅱ",
+                "III" => "Ⅲ",
+                _ => "Ⅳ级以上",
+            },
+            match g.kind().as_str() {
+                "triad" | "higher group" => String::new(),
+                dyad => dyad.to_string(),
+            }
+        ),
+    };
+    let links = match links.len() {
+        0 => String::new(),
+        1 => format!("{} {}: ", tr(lang, "link", "构件"), links[0]),
+        _ => format!("{} {}: ", tr(lang, "links", "构件"), links.join(", ")),
+    };
+    let at = if at.is_empty() || g.class().is_none() { String::new() } else { format!("{} {}", tr(lang, ", at", "，"), at.join(", ")) };
+    format!("{links}{what}{at}")
+}
+
+fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
+    match e {
+        Effect::Velocities => tr(lang, "velocities", "速度").into(),
+        Effect::Accelerations => tr(lang, "accelerations", "加速度").into(),
+        Effect::DriverAcceleration(d) => {
+            let name = match &scene.drivers[d].kind {
+                DriverKind::Turn { link, .. } => format!("{} {}", tr(lang, "link", "构件"), scene.link_name(*link)),
+                DriverKind::Slide { guide, .. } => {
+                    let g = &scene.guides[guide.0];
+                    match (g.pin, g.slider) {
+                        (Some(p), _) => format!("{} {}", tr(lang, "slider", "滑块"), scene.point_name(p)),
+                        (None, Some(s)) => format!("{} {}", tr(lang, "slider", "滑块"), scene.link_name(s)),
+                        (None, None) => String::new(),
+                    }
+                }
+                DriverKind::Cylinder { a, b, .. } => {
+                    format!("{} {}{}", tr(lang, "cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
+                }
+            };
+            match lang {
+                Lang::En => format!("acceleration of the driver ({name})"),
+                Lang::Zh => format!("原动件的（角）加速度（{name}）"),
+            }
+        }
+        Effect::Coriolis(g) => {
+            let guide = &scene.guides[g.0];
+            let on = scene.link_name(guide.on);
+            let at = guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))).unwrap_or_default();
+            match lang {
+                Lang::En => format!("Coriolis acceleration at {at} in the guide on link {on}"),
+                Lang::Zh => format!("{at} 相对构件 {on} 上导路的哥氏加速度"),
+            }
+        }
+        Effect::Group(g) => {
+            let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
+            if names.is_empty() {
+                let pins: Vec<_> = m.groups[g].pins.iter().map(|p| scene.point_name(*p)).collect();
+                return format!("{} {}", tr(lang, "joint", "运动副"), pins.join(", "));
+            }
+            format!("{} {}", tr(lang, if names.len() == 1 { "link" } else { "links" }, "构件"), names.join(", "))
+        }
+    }
+}
+
+fn reason_words(r: Reason, lang: Lang) -> &'static str {
+    match r {
+        Reason::Asked => tr(lang, "asked for", "题目要求"),
+        Reason::NotAsked => tr(lang, "no question calls for it", "题目未涉及"),
+        Reason::Accelerated => tr(lang, "it is given", "题目给出"),
+        Reason::ConstantRate => tr(lang, "its rate is constant", "速度恒定"),
+        Reason::GuideTurns => tr(lang, "the guide turns", "导路转动"),
+        Reason::GuideDoesNotTurn => tr(lang, "the guide does not turn", "导路不转动"),
+        Reason::GuideNotReached => tr(lang, "no question calls for this guide", "题目未涉及该导路"),
+    }
+}
+
+fn group_lines(w: &Writer, level: Level, group: &GroupSteps, equation: &mut usize) -> Vec<String> {
+    let lang = w.lang;
+    let mut out = Vec::new();
+    if group.alternatives.len() > 1 {
+        out.push(
+            tr(
+                lang,
+                "special point: whichever pair of legs crosses most squarely; here the first",
+                "特殊点：取交角最好的一对；此处列出第一对",
+            )
+            .into(),
+        );
+    }
+    for step in group.alternatives.first().into_iter().flatten() {
+        out.extend(step_lines(w, level, step, equation));
+    }
+    for (body, rate) in &group.rates {
+        let symbol = formula(&w.turning(level, *body));
+        out.push(match rate {
+            Rate::Zero => continue,
+            Rate::Given { .. } => format!("{symbol}: {}", tr(lang, "given by the driver", "由原动件给定")),
+            Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, crate::plan::Body::Link(*l)))),
+            Rate::Measured { of, to } => {
+                let v = if level == Level::Acceleration { "a^t" } else { "v" };
+                let sub = if w.plan.vertex(*to).fixed { w.name(*of) } else { format!("{}{}", w.name(*of), w.name(*to)) };
+                formula(&format!("{symbol} = {v}_{{{sub}}} / {}", w.length(*of, *to)))
+            }
+        });
+    }
+    for step in &group.further {
+        out.extend(step_lines(w, level, step, equation));
+    }
+    out
+}
+
+fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Vec<String> {
+    let lang = w.lang;
+    match step {
+        Step::Equation { target, chains, method } => {
+            *equation += 1;
+            let why = match method {
+                Method::Driven => tr(lang, "known", "已知"),
+                Method::SameLink => tr(lang, "points of one link", "基点法"),
+                Method::Coincident => tr(lang, "coincident points", "重合点法"),
+                Method::Special => tr(lang, "special point", "特殊点法"),
+            };
+            let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(level, *target)))];
+            if let Spot::Special { legs, .. } = w.plan.vertex(*target).spot {
+                out.push(format!(
+                    "    {}",
+                    match lang {
+                        Lang::En => format!("S: crossing of the constraint lines of legs {} and {}", legs.0 + 1, legs.1 + 1),
+                        Lang::Zh => format!("S：第 {} 与第 {} 条支链约束线的交点", legs.0 + 1, legs.1 + 1),
+                    }
+                ));
+            }
+            out.extend(table(w, &w.columns(level, *target, chains)).into_iter().map(|l| format!("    {l}")));
+            out
+        }
+        Step::Image { link, target, from } => {
+            let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+            let points = format!("{}{}", w.line(from.0, from.1), w.spot(*target));
+            vec![format!(
+                "{} — {} {}: △{} ∽ △{}",
+                formula(&w.vector(level, *target)),
+                tr(lang, "image, link", "影像法，构件"),
+                w.scene.link_name(*link),
+                formula(&images),
+                formula(&points)
+            )]
+        }
+        Step::Same { link, target, from } => vec![format!(
+            "{} = {} — {}",
+            formula(&w.vector(level, *target)),
+            formula(&w.vector(level, *from)),
+            match lang {
+                Lang::En => format!("link {} does not turn", w.scene.link_name(*link)),
+                Lang::Zh => format!("构件 {} 作平动", w.scene.link_name(*link)),
+            }
+        )],
+    }
+}
+
+/// An equation table in aligned characters: symbols, magnitudes, directions.
+fn table(w: &Writer, columns: &[Column]) -> Vec<String> {
+    let heads = ["", tr(w.lang, "magnitude", "大小"), tr(w.lang, "direction", "方向")];
+    let head = heads.iter().map(|h| h.width()).max().unwrap_or(0);
+    let mut lines: Vec<String> = heads.iter().map(|h| pad(h, head)).collect();
+    for c in columns {
+        let cells = [formula(&c.symbol), formula(&c.magnitude), formula(&c.direction)];
+        let wide = cells.iter().map(|x| x.width()).max().unwrap_or(0);
+        for (i, (line, cell)) in lines.iter_mut().zip(&cells).enumerate() {
+            line.push_str(&format!(" {} {}", if i == 0 { pad(c.joint, 1) } else { " ".into() }, pad(cell, wide)));
+        }
+    }
+    lines
+}
+
+fn pad(s: &str, to: usize) -> String {
+    format!("{s}{}", " ".repeat(to.saturating_sub(s.width())))
+}

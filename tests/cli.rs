@@ -1,0 +1,112 @@
+//! The program as its user meets it: exit codes, files, help, and the commands of the README.
+
+use assert_cmd::Command;
+use std::path::Path;
+
+fn hodograph() -> Command {
+    let mut c = Command::cargo_bin("hodograph").unwrap();
+    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    c
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn draws_svg_and_png_whole() {
+    let out = tempfile::tempdir().unwrap();
+    hodograph().args(["draw", "templates/shaper.json", "-o"]).arg(out.path()).assert().success();
+    let svg = std::fs::read_to_string(out.path().join("shaper.svg")).unwrap();
+    assert!(svg.trim_end().ends_with("</svg>"));
+    assert!(std::fs::read(out.path().join("shaper.png")).unwrap().starts_with(b"\x89PNG"));
+    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 2, "nothing else is left behind");
+}
+
+#[test]
+fn bad_scenes_exit_with_2_and_write_nothing() {
+    let out = tempfile::tempdir().unwrap();
+    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad")).unwrap() {
+        let path = file.unwrap().path();
+        if path.extension().is_none_or(|e| e != "json") {
+            continue;
+        }
+        let run = hodograph().arg("draw").arg(&path).arg("-o").arg(out.path()).assert().code(2);
+        assert!(!text(&run.get_output().stderr).is_empty(), "{}", path.display());
+    }
+    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
+    hodograph().args(["solve", "no-such-file.json"]).assert().code(2);
+}
+
+#[test]
+fn an_unwritable_place_exits_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("a-file");
+    std::fs::write(&file, "kept").unwrap();
+    // A folder is asked for where a file stands.
+    hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(file.join("inside")).assert().code(1);
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
+}
+
+#[test]
+fn scenes_come_from_standard_input_too() {
+    let scene = hodograph().args(["new", "crank-rocker", "--set", "l_AB=80"]).assert().success().get_output().stdout.clone();
+    assert!(text(&scene).contains("\"80 mm\""));
+    let solved = hodograph().args(["solve", "-", "--json"]).write_stdin(scene).assert().success().get_output().stdout.clone();
+    let json: serde_json::Value = serde_json::from_slice(&solved).unwrap();
+    assert!(json["answers"].as_array().unwrap().iter().all(|a| a["agrees"] == true || a["agrees"].is_null()));
+}
+
+#[test]
+fn unknown_template_and_parameter_are_told_with_the_nearest_name() {
+    let run = hodograph().args(["new", "shapper"]).assert().code(2);
+    assert!(text(&run.get_output().stderr).contains("shaper"));
+    let run = hodograph().args(["new", "shaper", "--set", "l_AC"]).assert().code(2);
+    assert!(text(&run.get_output().stderr).contains("NAME=VALUE"));
+}
+
+#[test]
+fn help_names_every_command() {
+    let help = text(&hodograph().arg("--help").assert().success().get_output().stdout);
+    for command in ["draw", "solve", "plan", "new", "templates", "schema"] {
+        assert!(help.contains(command), "{command}");
+        hodograph().args([command, "--help"]).assert().success();
+    }
+}
+
+/// Every command line in a `sh` block of the README runs as it stands, in order, in an empty folder.
+#[test]
+fn commands_of_the_readme_run() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let mut ran = 0;
+    for block in readme.split("```sh\n").skip(1) {
+        for line in block.split("```").next().unwrap().lines() {
+            let line = line.split('#').next().unwrap().trim();
+            let words: Vec<&str> = line.split_whitespace().collect();
+            let words = match words[..] {
+                ["cargo", "run", "--release", "--", ..] => &words[4..],
+                ["hodograph", ..] => &words[1..],
+                // The tests themselves, the benchmarks.
+                ["cargo", ..] | [] => continue,
+                _ => panic!("README has a command that nothing runs: {line}"),
+            };
+            let words: Vec<String> = words
+                .iter()
+                .map(|w| if w.starts_with("templates/") { root.join(w).display().to_string() } else { (*w).to_string() })
+                .collect();
+            Command::cargo_bin("hodograph").unwrap().current_dir(folder.path()).args(words).assert().success();
+            ran += 1;
+        }
+    }
+    assert!(ran >= 9, "only {ran} commands found");
+}
+
+/// The scene that the README shows is read and solved.
+#[test]
+fn the_scene_of_the_readme_is_solved() {
+    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_string();
+    hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
+}

@@ -1,0 +1,119 @@
+//! Golden files of every template: plan and construction as text, the sheet as SVG (outlines folded to a hash) and PNG.
+//!
+//! To accept what the program now makes, look at the new files and run `HODOGRAPH_ACCEPT=1 cargo test --test golden`.
+
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::render::{png as raster, svg};
+use hodograph::report::{construction, plan};
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+use std::path::{Path, PathBuf};
+
+const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
+
+fn accept() -> bool {
+    std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
+}
+
+/// Outlines as `#` and a hash: a changed letter still shows, and the file stays readable.
+fn folded(svg: &str) -> String {
+    let mut out = String::with_capacity(svg.len() / 3);
+    let mut rest = svg;
+    while let Some(i) = rest.find(" d=\"") {
+        let (head, tail) = rest.split_at(i + 4);
+        let end = tail.find('"').expect("an attribute ends");
+        out.push_str(head);
+        if end > 80 {
+            // FNV-1a: any stable hash will do.
+            let hash =
+                tail.as_bytes()[..end].iter().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3));
+            out.push_str(&format!("#{hash:016x}"));
+        } else {
+            out.push_str(&tail[..end]);
+        }
+        rest = &tail[end..];
+    }
+    out.push_str(rest);
+    out
+}
+
+fn check_text(path: &Path, now: &str, failures: &mut Vec<String>) {
+    if accept() {
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, now).unwrap();
+        return;
+    }
+    let was = std::fs::read_to_string(path).unwrap_or_default();
+    if was == now {
+        return;
+    }
+    let line = was.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(was.lines().count().min(now.lines().count()));
+    let at = |t: &str| t.lines().nth(line).unwrap_or("(nothing)").chars().take(160).collect::<String>();
+    failures.push(format!("{}:{}\n    expected: {}\n    actual:   {}\n    {HOW}", path.display(), line + 1, at(&was), at(now)));
+}
+
+fn pixels(bytes: &[u8]) -> Option<(u32, u32, png::ColorType, Vec<u8>)> {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().ok()?;
+    let mut buffer = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut buffer).ok()?;
+    buffer.truncate(info.buffer_size());
+    Some((info.width, info.height, info.color_type, buffer))
+}
+
+fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
+    if accept() {
+        std::fs::write(path, now).unwrap();
+        return;
+    }
+    let was = std::fs::read(path).unwrap_or_default();
+    let (Some(a), Some(b)) = (pixels(&was), pixels(now)) else {
+        failures.push(format!("{}: there is no golden picture\n    {HOW}", path.display()));
+        return;
+    };
+    if (a.0, a.1, a.2) != (b.0, b.1, b.2) {
+        failures.push(format!("{}: {}x{} expected, {}x{} drawn\n    {HOW}", path.display(), a.0, a.1, b.0, b.1));
+        return;
+    }
+    let off: Vec<u8> = a.3.iter().zip(&b.3).map(|(x, y)| x.abs_diff(*y)).collect();
+    let bad = off.iter().filter(|d| **d > 1).count();
+    if bad > 0 {
+        let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+        let name =
+            format!("{}-{}", path.parent().unwrap().file_name().unwrap().to_string_lossy(), path.file_name().unwrap().to_string_lossy());
+        let (actual, difference) = (folder.join(format!("actual-{name}")), folder.join(format!("difference-{name}")));
+        std::fs::write(&actual, now).unwrap();
+        let mut encoder = png::Encoder::new(std::fs::File::create(&difference).unwrap(), a.0, a.1);
+        encoder.set_color(a.2);
+        encoder.write_header().unwrap().write_image_data(&off.iter().map(|d| 255 - d.saturating_mul(4)).collect::<Vec<_>>()).unwrap();
+        failures.push(format!(
+            "{}: {bad} values differ by more than 1\n    actual:     {}\n    difference: {}\n    {HOW}",
+            path.display(),
+            actual.display(),
+            difference.display()
+        ));
+    }
+}
+
+#[test]
+fn templates_look_as_accepted() {
+    let mut failures = Vec::new();
+    for t in templates::list() {
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(t.name);
+        for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+            let notation = Notation::of_language(lang);
+            let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
+            check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
+            check_text(&folder.join(format!("construction.{suffix}.txt")), &construction::text(&w, &worked.construction), &mut failures);
+            let figure = sheet(&scene, &worked, &Options { lang, notation }).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let drawn = svg::write(&figure).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            assert!(drawn.notes.is_empty(), "{}: {:?}", t.name, drawn.notes);
+            check_text(&folder.join(format!("sheet.{suffix}.svg.txt")), &folded(&drawn.value), &mut failures);
+            check_png(&folder.join(format!("sheet.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+        }
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
