@@ -82,7 +82,8 @@ impl Mechanism {
     /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
     pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
         let passive = find_passive(scene);
-        let faults = curved_sliders(scene, &passive);
+        let mut faults = curved_sliders(scene, &passive);
+        cylinder_parts(scene, &passive, &mut faults);
         if faults.has_errors() {
             return Err(faults);
         }
@@ -248,6 +249,23 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
         );
     }
     faults
+}
+
+/// Barrel and rod of a cylinder only follow it: nothing else may be fixed by where they are.
+fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
+    let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
+    let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
+    let turns = scene.drivers.iter().filter_map(|d| match d.kind {
+        DriverKind::Turn { link, against, .. } => Some(([Some(link), Some(against)], d.span)),
+        _ => None,
+    });
+    for (links, span) in guides.chain(turns) {
+        for l in links.into_iter().flatten().filter(|l| part(*l)) {
+            let message = format!("link {} is a part of a cylinder: no guide and no other driver can rest on it", scene.link_name(l));
+            let d = Diagnostic::error("cylinder-part", message).at(span);
+            faults.push(d.help("describe barrel and rod as links with a guide between them, and drive the slide"));
+        }
+    }
 }
 
 fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {

@@ -95,8 +95,8 @@ pub fn scene(m: &Mech, style: &Style) -> String {
     let mut points = Map::new();
     let mut lengths = Map::new();
     let mut sketch = Map::new();
-    for p in 0..m.points.len() {
-        if told[p] {
+    for (p, &by_coordinates) in told.iter().enumerate() {
+        if by_coordinates {
             points.insert(pn(p), xy(at(p)));
         } else {
             sketch.insert(pn(p), xy(at(p)));

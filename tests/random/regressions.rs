@@ -149,3 +149,15 @@ fn a_link_on_a_curved_guide_is_a_pin_joint() {
     refused(&scene(r#""3": ["C", "D"]"#, r#"{"pin": "C", "slider": "3", "on": "0", "centre": "K"}"#), "curved-slider");
     solved(&scene(r#""3": ["K", "C", "D"]"#, ""));
 }
+
+/// A guide on the barrel of a cylinder was never placed: a panic on the board.
+#[test]
+fn a_cylinder_part_carries_nothing() {
+    refused(
+        r#"{"links": {"0": ["O", "Q"], "1": ["O", "A"], "4": ["Q", "B"]}, "ground": "0",
+        "points": {"O": ["0 m", "0 m"], "Q": ["3 m", "0.2 m"], "A": ["1 m", "0.5 m"], "B": ["2 m", "1.5 m"]},
+        "guides": [{"pin": "B", "on": "2", "angle": "20 deg"}],
+        "driver": {"cylinder": "Q,A", "rate": "1 m/s", "links": ["2", "3"]}, "find": ["omega_1", "omega_4"]}"#,
+        "cylinder-part",
+    );
+}
