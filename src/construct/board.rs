@@ -216,10 +216,10 @@ impl<'a> Board<'a> {
             }
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
-            }
-            // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-            for (body, rate) in &steps.rates {
-                self.turning(&mut polygon, *body, *rate);
+                // A block on a curved guide is measured from the guide's centre, which is one of the further points.
+                for (body, rate) in &steps.rates {
+                    self.turning(&mut polygon, *body, *rate);
+                }
             }
         }
         Ok(polygon)

@@ -82,6 +82,11 @@ impl Mechanism {
     /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
     pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
         let passive = find_passive(scene);
+        let mut faults = curved_sliders(scene, &passive);
+        cylinder_parts(scene, &passive, &mut faults);
+        if faults.has_errors() {
+            return Err(faults);
+        }
         let pins = find_pins(scene, &passive);
         let constraints = find_constraints(scene, &passive, &pins);
         let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
@@ -222,6 +227,45 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
         }
     }
     passive
+}
+
+/// On a curved guide only a block that carries nothing else is taken: any more of a link turns about the centre of
+/// curvature, which is a pin joint there and is to be written as one.
+fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
+    let mut faults = Faults::default();
+    for (i, guide) in scene.guides.iter().enumerate() {
+        let (Some(s), GuidePath::Arc { centre, .. }) = (guide.slider, &guide.path) else { continue };
+        if passive[s.0] == Some(Passive::Block(GuideId(i))) {
+            continue;
+        }
+        let (slider, on, centre) = (scene.link_name(s), scene.link_name(guide.on), scene.point_name(*centre));
+        faults.push(
+            Diagnostic::error(
+                "curved-slider",
+                format!("link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}"),
+            )
+            .at(guide.span)
+            .help(format!("make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide")),
+        );
+    }
+    faults
+}
+
+/// Barrel and rod of a cylinder only follow it: nothing else may be fixed by where they are.
+fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
+    let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
+    let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
+    let turns = scene.drivers.iter().filter_map(|d| match d.kind {
+        DriverKind::Turn { link, against, .. } => Some(([Some(link), Some(against)], d.span)),
+        _ => None,
+    });
+    for (links, span) in guides.chain(turns) {
+        for l in links.into_iter().flatten().filter(|l| part(*l)) {
+            let message = format!("link {} is a part of a cylinder: no guide and no other driver can rest on it", scene.link_name(l));
+            let d = Diagnostic::error("cylinder-part", message).at(span);
+            faults.push(d.help("describe barrel and rod as links with a guide between them, and drive the slide"));
+        }
+    }
 }
 
 fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {

@@ -241,6 +241,7 @@ impl Builder<'_> {
             [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);
+                self.source_of_curved_block(level, link);
                 if !self.turning_is_known(level, body) {
                     // The link belongs to a group that is not drawn.
                     return;

@@ -634,10 +634,19 @@ impl<'a> Assembly<'a> {
         })
     }
 
+    /// The pose that the sketch (or coordinates) of two of a link's points gives it.
+    fn sketched_pose(&self, link: LinkId) -> Option<(Point, Vec2)> {
+        let rough = |p: PointId| given_at(self.scene, p).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
+        let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((*local, rough(*p)?)));
+        let (a, b) = (known.next()?, known.next()?);
+        let pose = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1)?;
+        Some((pose.origin, pose.axis))
+    }
+
     fn poses_of_triad(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose>, Diagnostic> {
         let [a, b, c] = legs else { return Err(self.no_closure(link)) };
         let legs = [self.triad_leg(link, a)?, self.triad_leg(link, b)?, self.triad_leg(link, c)?];
-        let found = triad::assemblies(&legs);
+        let found = triad::assemblies(&legs, self.sketched_pose(link));
         if found.is_empty() {
             return Err(Diagnostic::error(
                 "cannot-assemble",
@@ -736,23 +745,38 @@ impl<'a> Assembly<'a> {
             }
         }
         for g in (0..self.scene.guides.len()).map(GuideId) {
-            let guide = &self.scene.guides[g.0];
-            let runner = match (guide.pin, guide.slider) {
-                (Some(p), _) => self.points[p.0].is_some(),
-                (None, s) => s.is_some_and(|s| self.poses[s.0].is_some()),
-            };
-            if runner
-                && self.poses[guide.on.0].is_some()
-                && self.guides[g.0].is_none()
-                && let Err(d) = self.need_guide(g)
-            {
-                self.faults.push(d);
-            }
+            self.check_placed(g);
+        }
+        if self.faults.has_errors() {
+            return Err(self.faults);
         }
         let shapes = Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() };
         let configuration = complete(self.scene, self.m, shapes, self.poses.clone(), self.points.clone());
         self.check(&configuration);
         if self.faults.has_errors() { Err(self.faults) } else { Ok(Warned { value: configuration, notes: self.notes }) }
+    }
+
+    /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
+    fn check_placed(&mut self, g: GuideId) {
+        let guide = &self.scene.guides[g.0];
+        let runner = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.points[p.0].is_some(),
+            (None, s) => s.is_some_and(|s| self.poses[s.0].is_some()),
+        };
+        if self.guides[g.0].is_some() || self.poses[guide.on.0].is_none() || !runner {
+            return;
+        }
+        let d = match &guide.path {
+            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => {
+                let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
+                self.degenerate(g, &format!("{a} and {b} coincide"))
+            }
+            _ => match self.need_guide(g) {
+                Err(d) => d,
+                Ok(_) => return,
+            },
+        };
+        self.faults.push(d);
     }
 
     /// Pins given by coordinates must lie on their guides and links, and driver angles must agree with the pose.

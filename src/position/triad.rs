@@ -65,17 +65,18 @@ const STEPS: usize = 1440;
 ///
 /// Each pair of legs takes its turn in giving the place: where two legs only just reach each other, their meeting point
 /// goes with the root of the angle, and a solution there is neither enclosed nor accurate; with another pair it is both.
-pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
+/// Near a fold two assemblies can lie within one step of the sweep: the sketched pose is refined as well, which finds the
+/// one meant.
+pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) -> Vec<(Point, Vec2)> {
     let scale = legs.iter().map(size).fold(0.0, f64::max);
     let mut found: Vec<(Point, Vec2)> = Vec::new();
     for order in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
         for rough in sweep(&order.map(|i| legs[i]), scale) {
-            let hit = polished(legs, rough, scale).unwrap_or(rough);
-            let same = |o: &(Point, Vec2)| (o.0 - hit.0).norm() < SAME * scale && (o.1 - hit.1).norm() < SAME;
-            if !found.iter().any(same) {
-                found.push(hit);
-            }
+            keep(&mut found, polished(legs, rough, scale, POLISH).unwrap_or(rough), scale);
         }
+    }
+    if let Some(hit) = sketched.and_then(|from| polished(legs, from, scale, SKETCH)) {
+        keep(&mut found, hit, scale);
     }
     found
 }
@@ -83,6 +84,19 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3]) -> Vec<(Point, Vec2)> {
 /// Polished solutions are good to a few units of 1e-16 times their condition number; two assemblies nearer to one another
 /// than this are at a fold, where they are one.
 const SAME: f64 = 1e-7;
+
+fn keep(found: &mut Vec<(Point, Vec2)>, hit: (Point, Vec2), scale: f64) {
+    let same = |o: &(Point, Vec2)| (o.0 - hit.0).norm() < SAME * scale && (o.1 - hit.1).norm() < SAME;
+    if !found.iter().any(same) {
+        found.push(hit);
+    }
+}
+
+/// A polish moves by rounding; whatever moves farther would find another assembly or none.
+const POLISH: f64 = 1e-2;
+
+/// A sketch may be off by a tenth of the mechanism; a longer step is a leap to another assembly.
+const SKETCH: f64 = 0.3;
 
 fn sweep(legs: &[TriadLeg; 3], scale: f64) -> Vec<(Point, Vec2)> {
     let eval = |angle: f64, branch: usize| -> Option<Sample> {
@@ -114,9 +128,9 @@ fn sweep(legs: &[TriadLeg; 3], scale: f64) -> Vec<(Point, Vec2)> {
 }
 
 /// Newton's method on the three legs; `None` where it does not settle near by.
-fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64) -> Option<(Point, Vec2)> {
+fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64) -> Option<(Point, Vec2)> {
     let (mut origin, mut axis) = from;
-    for _ in 0..8 {
+    for _ in 0..12 {
         let rows = legs.map(|l| l.gradient(origin, axis, scale));
         let rhs = legs.map(|l| -l.miss(origin, axis));
         let det = |c: [[f64; 3]; 3]| {
@@ -133,8 +147,7 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64) -> Option<(Po
         });
         let turn = step[2] / scale;
         let size = (step[0].abs() + step[1].abs()) / scale + turn.abs();
-        // A polish moves by rounding; whatever moves farther would find another assembly or none.
-        if !size.is_finite() || size > 1e-2 {
+        if !size.is_finite() || size > longest {
             return None;
         }
         origin = origin + Vec2::new(step[0], step[1]);

@@ -111,7 +111,7 @@ impl<'a> Values<'a> {
         if given.value > 0.0 {
             return Some(given);
         }
-        let d = Diagnostic::error("not-positive", format!("{what} is {} m; it must be greater than zero", given.value));
+        let d = Diagnostic::error("not-positive", format!("{what} is {}; it must be greater than zero", given.text));
         faults.push(d.at(quantity.span));
         None
     }

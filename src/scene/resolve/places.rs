@@ -129,7 +129,8 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mu
         };
         if !same(distance, length.value.value) {
             let (a, b) = (c.point_name(length.a), c.point_name(length.b));
-            let message = format!("{a} and {b} lie {} m apart by their coordinates, but {} is given", short(distance), length.value.text);
+            let message =
+                format!("{a} and {b} lie {} mm apart by their coordinates, but {} is given", short(distance * 1e3), length.value.text);
             let d = Diagnostic::error("contradiction", message).at(length.value.span);
             faults.push(d.help("leave the length or the coordinates away"));
         }

@@ -1,0 +1,78 @@
+//! The broken scenes of `tests/bad`: each is refused, in words that say what its README demands.
+
+use hodograph::report::diagnostics::render;
+use hodograph::scene;
+use hodograph::worked::{Scope, work};
+use std::fmt::Write;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad");
+
+fn messages() -> String {
+    let mut files: Vec<_> =
+        std::fs::read_dir(FOLDER).unwrap().map(|f| f.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "json")).collect();
+    files.sort();
+    let mut out = String::new();
+    for path in files {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(&path).unwrap();
+        let faults = match scene::read(&text) {
+            Err(f) => f,
+            Ok(s) => match work(&s.value, Scope::Figure) {
+                Err(f) => f,
+                Ok(_) => panic!("{name} is broken, and was solved all the same"),
+            },
+        };
+        assert!(faults.has_errors(), "{name}: refused without an error");
+        writeln!(out, "=== {name}\n{}", render(&faults, &name, &text)).unwrap();
+    }
+    out
+}
+
+/// What the README demands of each message, whatever its wording.
+const DEMANDS: &[(&str, &[&str])] = &[
+    ("misspelt-key", &["lenghts", "lengths"]),
+    ("unknown-point", &["F", "K"]),
+    ("missing-length", &["link 2", "BC"]),
+    ("contradictory-lengths", &["252.", "250"]),
+    ("not-assemblable", &["164.6", "link 2", "link 3"]),
+    ("dead-centre", &["link 1", "link 2", "B", "drive"]),
+    ("two-drivers-too-many", &["2 conditions", "F = 1", "3 drivers"]),
+    ("no-driver", &["driver"]),
+    ("wrong-unit", &["kg", "rad/s", "mm/s"]),
+    ("several-faults", &["100", "CE", "7", "w_3", "colour"]),
+    ("negative-length", &["-250"]),
+    ("mobility-zero", &["driver", "F = 0"]),
+];
+
+#[test]
+fn broken_scenes_are_explained() {
+    let now = messages();
+    let sections: Vec<&str> = now.split("=== ").skip(1).collect();
+    let mut missing = Vec::new();
+    for section in &sections {
+        let name = section.split('.').next().unwrap();
+        // The quoted source says the words too: only the messages and the advice count.
+        let said: String =
+            section.lines().filter(|l| !l.trim_start().starts_with(|c: char| c.is_ascii_digit())).collect::<Vec<_>>().join("\n");
+        match DEMANDS.iter().find(|d| d.0 == name) {
+            None => missing.push(format!("{name}: nothing is demanded of it; add it to DEMANDS")),
+            Some((_, words)) => missing.extend(words.iter().filter(|w| !said.contains(**w)).map(|w| format!("{name}: does not say {w:?}"))),
+        }
+    }
+    let file = format!("{FOLDER}/messages.txt");
+    if std::env::var("HODOGRAPH_ACCEPT").is_ok_and(|v| v == "1") {
+        std::fs::write(&file, &now).unwrap();
+    }
+    let golden = std::fs::read_to_string(&file).unwrap_or_default();
+    if golden != now {
+        let at = golden.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(golden.lines().count().min(now.lines().count()));
+        let line = |t: &str| t.lines().nth(at).unwrap_or("(end)").to_string();
+        panic!(
+            "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --test random broken_scenes",
+            at + 1,
+            line(&golden),
+            line(&now)
+        );
+    }
+    assert!(missing.is_empty(), "{}\nin\n{now}", missing.join("\n"));
+}

@@ -1,0 +1,13 @@
+//! Random mechanisms and hostile input: what must hold of every scene, not only of those that somebody thought of.
+//!
+//! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test --release
+//! --test random -- --nocapture` takes a hundred times as many.
+
+mod bad;
+mod emit;
+mod hostile;
+mod long;
+mod mech;
+mod properties;
+mod regressions;
+mod rng;
