@@ -33,10 +33,19 @@ pub fn significant(value: f64, digits: usize) -> String {
     if negative { format!("-{plain}") } else { plain }
 }
 
-/// The direction of a vector in degrees, rounded to a thousandth and in (−180, 180]: no −0, no −180.
+/// The direction of a vector in degrees, in (−180, 180].
+///
+/// What lies within rounding of the axis is on it (0 or 180): the sign of a last bit is no direction.
 pub fn direction_degrees(angle_rad: f64) -> f64 {
-    let rounded = libm::rint(angle_rad.to_degrees() * 1e3) / 1e3 + 0.0;
-    if rounded == -180.0 { 180.0 } else { rounded }
+    const ROUNDING: f64 = 1e-10;
+    let degrees = angle_rad.to_degrees();
+    if degrees.abs() < ROUNDING {
+        0.0
+    } else if 180.0 - degrees.abs() < ROUNDING {
+        180.0
+    } else {
+        degrees
+    }
 }
 
 /// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.

@@ -63,7 +63,7 @@ fn value_words(find: &Find, value: Value, lang: Lang) -> String {
     let unit = unit(&find.what);
     match value {
         Value::Vector(v) => {
-            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", shortest(direction_degrees(v.angle()))) } else { String::new() };
+            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", significant(direction_degrees(v.angle()), 5)) } else { String::new() };
             format!("{} {unit}{angle}", significant(v.norm(), DIGITS))
         }
         Value::Scalar(s) => match find.what {
