@@ -120,9 +120,11 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     if let Some(id) = r.by_link.get(&word.text) {
         return Some(*id);
     }
-    let pivots = implied_pivots(raw, r);
-    // A ground that nothing touches is a mistyped name, not a link without points of its own.
     let carries = raw.guides.iter().any(|g| g.on.as_ref().is_none_or(|on| on.text == word.text));
+    // Nothing else holds the mechanism: then points given by coordinates can only be its fixed pivots. Where the ground
+    // carries guides, they may as well be places of the pose.
+    let pivots = if carries { Vec::new() } else { implied_pivots(raw, r) };
+    // A ground that nothing touches is a mistyped name, not a link without points of its own.
     if !carries && pivots.is_empty() {
         let d = Diagnostic::error("unknown-link", format!("the ground `{}` is not among the links and carries no guide", word.text));
         let known = raw.links.iter().map(|l| l.name.text.as_str());
