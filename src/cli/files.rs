@@ -58,7 +58,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Draws the sheet into the files that were asked for.
+/// Draws the sheet into the files that were asked for, and prints their names.
 pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
     let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
     let figure =
@@ -85,6 +85,7 @@ pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, nam
                 write(&path, &png)?;
             }
         }
+        print(&format!("{}\n", path.display()))?;
     }
     Ok(())
 }

@@ -5,6 +5,9 @@
 //! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
 //! caller, never drawn as a box.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
 use std::sync::LazyLock;
 
 use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
@@ -57,6 +60,14 @@ static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!(".
 static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/stix-math-sub.ttf")));
 static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/song-gb1-cff.otf")));
 
+/// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
+const MOST_RUNS: usize = 2048;
+
+thread_local! {
+    /// Only looked up in, never iterated.
+    static RUNS: RefCell<HashMap<(Face, String), Rc<Run>>> = RefCell::default();
+}
+
 impl Face {
     fn loaded(self) -> &'static Loaded {
         match self {
@@ -78,7 +89,23 @@ impl Face {
     }
 
     /// Shapes a run of characters (kerning included) and returns its outline, first glyph's origin at 0, in em.
-    pub fn outline(self, run: &str) -> Run {
+    ///
+    /// A sheet measures the same few runs many times over while it looks for places: they are kept.
+    pub fn outline(self, run: &str) -> Rc<Run> {
+        RUNS.with_borrow_mut(|runs| {
+            if let Some(known) = runs.get(&(self, run.to_owned())) {
+                return Rc::clone(known);
+            }
+            if runs.len() >= MOST_RUNS {
+                runs.clear();
+            }
+            let shaped = Rc::new(self.shape(run));
+            runs.insert((self, run.to_owned()), Rc::clone(&shaped));
+            shaped
+        })
+    }
+
+    fn shape(self, run: &str) -> Run {
         let loaded = self.loaded();
         let em = f64::from(loaded.font.units_per_em());
         let mut buffer = Buffer::new();

@@ -12,6 +12,8 @@
 use crate::diag::Diagnostic;
 
 use super::font::Slant;
+use super::text::Typeset;
+use std::sync::{Arc, OnceLock};
 
 mod parse;
 
@@ -21,6 +23,17 @@ pub struct Label {
     source: String,
     row: Vec<Node>,
     faults: Vec<Diagnostic>,
+    kept: Kept,
+}
+
+/// The label set in type, once someone has asked; no part of what the label *is*.
+#[derive(Clone, Debug, Default)]
+struct Kept(OnceLock<Arc<Typeset>>);
+
+impl PartialEq for Kept {
+    fn eq(&self, _: &Kept) -> bool {
+        true
+    }
 }
 
 /// What an atom does to the space around it, as in TeX.
@@ -72,14 +85,14 @@ impl Label {
     pub fn math(source: impl Into<String>) -> Label {
         let source = source.into();
         let (row, faults) = parse::formula(&source);
-        Label { source, row, faults }
+        Label { source, row, faults, kept: Kept::default() }
     }
 
     /// A sentence: every character upright and as it stands.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
         let row = vec![Node::new(in_letters(&source), Slant::Upright, Role::Ordinary)];
-        Label { source, row, faults: Vec::new() }
+        Label { source, row, faults: Vec::new(), kept: Kept::default() }
     }
 
     /// This label followed by another, such as a caption's words followed by a formula.
@@ -87,7 +100,13 @@ impl Label {
         self.source.push_str(&other.source);
         self.row.extend(other.row);
         self.faults.extend(other.faults);
+        self.kept = Kept::default();
         self
+    }
+
+    /// Where [`super::text::set`] keeps its result.
+    pub(super) fn kept(&self) -> &OnceLock<Arc<Typeset>> {
+        &self.kept.0
     }
 
     /// What was written.

@@ -3,6 +3,8 @@
 //! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the
 //! label). The outline is in integers of 1/1000 em, y up, so that moving or scaling a label changes one attribute.
 
+use std::sync::Arc;
+
 use crate::diag::Diagnostic;
 
 use super::font::{Face, Segment, Slant};
@@ -55,7 +57,13 @@ pub struct Typeset {
 /// assert_eq!(text::set(&Label::math("3")).width_em, 0.5);
 /// assert_eq!(text::set(&Label::text("\u{1F600}")).faults[0].code, "missing-glyph");
 /// ```
-pub fn set(label: &Label) -> Typeset {
+///
+/// A label is measured many times while places are tried, and set once: it keeps the result, which its clones share.
+pub fn set(label: &Label) -> Arc<Typeset> {
+    Arc::clone(label.kept().get_or_init(|| Arc::new(set_anew(label))))
+}
+
+fn set_anew(label: &Label) -> Typeset {
     let mut setter = Setter { missing: Vec::new() };
     let line = setter.row(label.row());
     let mut faults = label.faults().to_vec();
@@ -200,7 +208,7 @@ impl Setter {
         if let (Some(face), false) = (face, run.is_empty()) {
             let set = face.outline(run);
             let at = line.advance;
-            line.append(&Line { segments: set.segments, advance: set.advance_em }, 1.0, at, 0.0);
+            line.append(&Line { segments: set.segments.clone(), advance: set.advance_em }, 1.0, at, 0.0);
             line.advance += set.advance_em;
         }
         run.clear();

@@ -1,15 +1,20 @@
 //! Where everything is at the instant: from lengths and driver angles, or from the coordinates that the scene gives.
 //!
-//! Group after group in solving order. Each dyad is closed in closed form ([`kernel`]), the closure chosen by what the
+//! Group after group in solving order ([`assemble`]: a pin on its loci, [`pins`]; a link on its legs, [`links`]). Each dyad is closed in closed form ([`kernel`]), the closure chosen by what the
 //! scene says (side, sketch) or by a stated default; a triad takes the assembly nearest its sketch ([`triad`]); a higher
-//! group is solved by Newton's method on its own equations ([`newton`]).
+//! group is solved by Newton's method on its own equations ([`higher`], [`newton`]). [`finish`] adds what only follows and
+//! checks what was given twice.
 //!
 //! The result is a [`Configuration`]: all that the drawing board and the loop equations share.
 
 mod assemble;
 mod branch;
+mod finish;
+mod higher;
 pub mod kernel;
+mod links;
 pub mod newton;
+mod pins;
 mod shape;
 mod triad;
 
@@ -82,6 +87,22 @@ impl Path {
         match self {
             Path::Line { through, direction } => Path::Line { through: pose.to_world(through), direction: pose.turn(direction) },
             Path::Arc { centre, radius } => Path::Arc { centre: pose.to_world(centre), radius },
+        }
+    }
+
+    /// The place at a coordinate along the path: metres from the start, of arc on a curved guide.
+    pub fn point_at(&self, s: f64) -> Point {
+        match *self {
+            Path::Line { through, direction } => through + direction * s,
+            Path::Arc { centre, radius } => centre + Vec2::from_angle(s / radius) * radius,
+        }
+    }
+
+    /// The coordinate of a place along the path, as [`Path::point_at`] counts it.
+    pub fn coordinate_of(&self, at: Point) -> f64 {
+        match *self {
+            Path::Line { through, direction } => direction.dot(at - through),
+            Path::Arc { centre, radius } => (at - centre).angle() * radius,
         }
     }
 

@@ -160,7 +160,7 @@ impl<'a> System<'a> {
                         None => pose(guide.slider.expect("a guide has a pin or a slider")).origin,
                     };
                     let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
-                    r.push((along(path, on.to_local(runner)) - drivers.0[d]) * s);
+                    r.push((path.coordinate_of(on.to_local(runner)) - drivers.0[d]) * s);
                 }
                 Constraint::Cylinder(d) => {
                     if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
@@ -219,14 +219,6 @@ impl<'a> System<'a> {
     }
 }
 
-/// Coordinate of a place along a path: metres from the start, of arc on a curved guide.
-pub(super) fn along(path: Path, at: Point) -> f64 {
-    match path {
-        Path::Line { through, direction } => direction.dot(at - through),
-        Path::Arc { centre, radius } => (at - centre).angle() * radius,
-    }
-}
-
 /// The values that the drivers have in a configuration.
 pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
@@ -239,7 +231,7 @@ pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
                     Some(p) => at.points[p.0]?,
                     None => pose(g.slider?)?.origin,
                 };
-                Some(along(at.shapes.guides[guide.0]?, pose(g.on)?.to_local(runner)))
+                Some(at.shapes.guides[guide.0]?.coordinate_of(pose(g.on)?.to_local(runner)))
             }
             DriverKind::Cylinder { a, b, .. } => Some(at.points[a.0]?.distance(at.points[b.0]?)),
         }
@@ -259,5 +251,5 @@ pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, driver
         .collect();
     let system = System::new(scene, mechanism, &start.shapes, start, &groups);
     let (poses, points) = system.solve(start, drivers)?;
-    Some(super::assemble::complete(scene, mechanism, start.shapes.clone(), poses, points))
+    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points))
 }

@@ -144,7 +144,7 @@ impl Writer {
                     .set("data-text", label.source());
                 named(&mut path, item);
                 painted(&mut path, None, Some(*colour));
-                self.faults.list.extend(set.faults);
+                self.faults.list.extend(set.faults.iter().cloned());
                 path.into()
             }
         }
@@ -241,7 +241,8 @@ fn scale(size_mm: f64) -> String {
 
 /// Path data of an outline in integers, relative commands, y turned over.
 fn outline_data(outline: &[Segment<i32>]) -> String {
-    let mut d = String::new();
+    let mut d = String::with_capacity(12 * outline.len());
+    let mut digits = itoa::Buffer::new();
     let (mut here, mut start) = ([0, 0], [0, 0]);
     for segment in outline {
         let origin = here;
@@ -253,11 +254,11 @@ fn outline_data(outline: &[Segment<i32>]) -> String {
                 if i > 0 && dx >= 0 {
                     d.push(' ');
                 }
-                let _ = write!(d, "{dx}");
+                d.push_str(digits.format(dx));
                 if dy >= 0 {
                     d.push(' ');
                 }
-                let _ = write!(d, "{dy}");
+                d.push_str(digits.format(dy));
             }
             here = points[points.len() - 1];
         };

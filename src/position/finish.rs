@@ -1,0 +1,183 @@
+//! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
+
+use super::assemble::Assembly;
+use super::{Configuration, Path, Pose, Shapes};
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::geom::Point;
+use crate::mechanism::{Mechanism, Passive};
+use crate::quantity::metres;
+use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Scene};
+
+impl Assembly<'_> {
+    pub(super) fn finish(mut self) -> Result<Warned<Configuration>, Faults> {
+        for l in (0..self.scene.links.len()).map(LinkId) {
+            let Some(pose) = self.poses[l.0] else { continue };
+            for (p, local) in self.shapes[l.0].points.clone() {
+                if self.points[p.0].is_none() {
+                    self.points[p.0] = Some(pose.to_world(local));
+                }
+            }
+        }
+        for g in (0..self.scene.guides.len()).map(GuideId) {
+            if self.guides[g.0].is_some() {
+                continue;
+            }
+            let on = self.scene.guides[g.0].on;
+            if let (Some(path), Some(pose)) = (self.guide_in_plane(g), self.poses[on.0]) {
+                self.guides[g.0] = Some(match path {
+                    Path::Line { through, direction } => {
+                        Path::Line { through: pose.to_local(through), direction: pose.turn_back(direction) }
+                    }
+                    Path::Arc { centre, radius } => Path::Arc { centre: pose.to_local(centre), radius },
+                });
+            }
+        }
+        for g in (0..self.scene.guides.len()).map(GuideId) {
+            self.check_placed(g);
+        }
+        if self.faults.has_errors() {
+            return Err(self.faults);
+        }
+        let shapes = Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() };
+        let configuration = complete(self.scene, self.m, shapes, self.poses.clone(), self.points.clone());
+        self.check(&configuration);
+        if self.faults.has_errors() { Err(self.faults) } else { Ok(Warned { value: configuration, notes: self.notes }) }
+    }
+
+    /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
+    pub(super) fn check_placed(&mut self, g: GuideId) {
+        let guide = &self.scene.guides[g.0];
+        let runner = match (guide.pin, guide.slider) {
+            (Some(p), _) => self.points[p.0].is_some(),
+            (None, s) => s.is_some_and(|s| self.poses[s.0].is_some()),
+        };
+        if self.guides[g.0].is_some() || self.poses[guide.on.0].is_none() || !runner {
+            return;
+        }
+        let d = match &guide.path {
+            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => {
+                let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
+                self.degenerate(g, &format!("{a} and {b} coincide"))
+            }
+            _ => match self.need_guide(g) {
+                Err(d) => d,
+                Ok(_) => return,
+            },
+        };
+        self.faults.push(d);
+    }
+
+    /// Pins given by coordinates must lie on their guides and links, and driver angles must agree with the pose.
+    pub(super) fn check(&mut self, c: &Configuration) {
+        let extent = c.extent();
+        for (g, guide) in self.scene.guides.iter().enumerate() {
+            let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            let Some(at) = c.points[p.0] else { continue };
+            let off = match path {
+                Path::Line { through, direction } => direction.cross(at - through).abs(),
+                Path::Arc { centre, radius } => (at.distance(centre) - radius).abs(),
+            };
+            if off > same_place(extent, at) {
+                self.faults.push(
+                    Diagnostic::error(
+                        "pin-off-guide",
+                        format!(
+                            "pin {} lies {} beside its guide on link {}",
+                            self.scene.point_name(p),
+                            metres(off),
+                            self.scene.link_name(guide.on)
+                        ),
+                    )
+                    .at(guide.span)
+                    .help("correct its coordinates or the guide, or leave out what can be derived"),
+                );
+            }
+        }
+        for (l, shape) in self.shapes.iter().enumerate() {
+            let Some(pose) = c.poses[l] else { continue };
+            for (p, local) in &shape.points {
+                let Some(at) = c.points[p.0] else { continue };
+                let off = at.distance(pose.to_world(*local));
+                if off > same_place(extent, at) {
+                    self.faults.push(
+                        Diagnostic::error(
+                            "pin-off-link",
+                            format!(
+                                "{} lies {} from where the data of link {} put it",
+                                self.scene.point_name(*p),
+                                metres(off),
+                                self.scene.links[l].name
+                            ),
+                        )
+                        .at(self.scene.points[p.0].span)
+                        .help("coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\""),
+                    );
+                }
+            }
+        }
+        for (d, driver) in self.scene.drivers.iter().enumerate() {
+            if let DriverKind::Turn { link, against, angle: Some(angle), .. } = &driver.kind
+                && let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(*link, *against, Some(d)))
+                && pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis)) > SAME_PLACE
+            {
+                self.faults.push(
+                    Diagnostic::error(
+                        "contradictory-angle",
+                        format!("the driver's angle {} contradicts the coordinates of link {}", angle.text, self.scene.link_name(*link)),
+                    )
+                    .at(angle.span)
+                    .help("leave one of the two out"),
+                );
+            }
+        }
+    }
+}
+
+/// Two descriptions of one place may differ by the rounding of what a person types (ten digits), relative to the size of
+/// the mechanism. Coarser contradictions would show as a disagreement between drawing and analysis.
+const SAME_PLACE: f64 = 1e-9;
+
+/// How far two descriptions of the place `at` may be apart: see [`SAME_PLACE`], and a few units in the last place of the
+/// coordinates themselves (a single point has no size of its own, and one far from the origin is rounded coarsely).
+fn same_place(extent: f64, at: Point) -> f64 {
+    SAME_PLACE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
+}
+
+/// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.
+pub(super) fn complete(
+    scene: &Scene,
+    m: &Mechanism,
+    shapes: Shapes,
+    mut poses: Vec<Option<Pose>>,
+    mut points: Vec<Option<Point>>,
+) -> Configuration {
+    poses[scene.ground.0] = Some(Pose::GROUND);
+    for (pose, carried) in poses.iter().zip(&shapes.points) {
+        let Some(pose) = pose else { continue };
+        for (p, local) in carried {
+            // Pins keep their own place; every other point follows its link.
+            if !m.pins.contains(p) || points[p.0].is_none() {
+                points[p.0] = Some(pose.to_world(*local));
+            }
+        }
+    }
+    let guides: Vec<Option<Path>> =
+        (0..scene.guides.len()).map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?))).collect();
+    for (l, passive) in m.passive.iter().enumerate() {
+        poses[l] = match *passive {
+            Some(Passive::Block(g)) => scene.guides[g.0]
+                .pin
+                .and_then(|p| points[p.0])
+                .zip(guides[g.0])
+                .map(|(origin, path)| Pose { origin, axis: path.tangent_at(origin) }),
+            Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => {
+                    points[a.0].zip(points[b.0]).and_then(|(a, b)| Some(Pose { origin: a, axis: (b - a).unit()? }))
+                }
+                _ => None,
+            },
+            None => poses[l],
+        };
+    }
+    Configuration { points, poses, guides, shapes }
+}

@@ -1,0 +1,75 @@
+//! Groups without a closed form: Newton's method on their own equations, from the sketch.
+
+use super::assemble::Assembly;
+use super::branch::Trial;
+use super::shape::given_at;
+use super::{Configuration, Pose, Shapes, newton};
+use crate::diag::Diagnostic;
+use crate::geom::Point;
+use crate::mechanism::Group;
+use crate::scene::{DriverKind, GuideId, PointId};
+
+impl Assembly<'_> {
+    /// A group for which only Newton's method from a sketch remains.
+    pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<Trial, Diagnostic> {
+        let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let lacking = |what: &str| {
+            Diagnostic::error("sketch-needed", format!("links {} can only be placed from a rough pose: {what}", names.join(", ")))
+                .at(self.scene.links[group.links[0].0].span)
+                .help("give rough coordinates of their joints in \"sketch\"")
+        };
+        let rough =
+            |p: PointId| self.points[p.0].or(given_at(self.scene, p)).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
+        let mut start = self.snapshot();
+        for &p in &group.pins {
+            start.points[p.0] = Some(rough(p).ok_or_else(|| lacking(&format!("{} is not sketched", self.scene.point_name(p))))?);
+        }
+        for &l in &group.links {
+            let known: Vec<(Point, Point)> =
+                self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (*local, at))).collect();
+            let [a, .., b] = known[..] else {
+                return Err(lacking(&format!("link {} has fewer than two placed points", self.scene.link_name(l))));
+            };
+            start.poses[l.0] = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1);
+            if start.poses[l.0].is_none() {
+                return Err(lacking(&format!("the sketched points of link {} coincide", self.scene.link_name(l))));
+            }
+        }
+        let drivers = self.driver_values(&start);
+        let system = newton::System::new(self.scene, self.m, &start.shapes, &start, &[index]);
+        let (poses, points) = system.solve(&start, &drivers).ok_or_else(|| {
+            Diagnostic::error("no-convergence", format!("links {} were not brought together from the sketch", names.join(", ")))
+                .at(self.scene.links[group.links[0].0].span)
+                .help("improve the sketch, or check whether the lengths can be assembled")
+        })?;
+        let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at))).collect();
+        let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose))).collect();
+        Ok(self.trial(pins, poses))
+    }
+
+    pub(super) fn driver_values(&self, start: &Configuration) -> newton::DriverValues {
+        let mut values = newton::driver_values(self.scene, start);
+        for (d, driver) in self.scene.drivers.iter().enumerate() {
+            match &driver.kind {
+                DriverKind::Turn { link, against, .. } => {
+                    if let (Ok(axis), Some(base)) = (self.axis_of(*link, *against, Some(d)), self.poses[against.0]) {
+                        values.0[d] = axis.divide_by(base.axis).angle();
+                    }
+                }
+                DriverKind::Slide { position: Some(s), .. } => values.0[d] = s.value,
+                DriverKind::Cylinder { length: Some(l), .. } => values.0[d] = l.value,
+                _ => {}
+            }
+        }
+        values
+    }
+
+    pub(super) fn snapshot(&self) -> Configuration {
+        Configuration {
+            points: self.points.clone(),
+            poses: self.poses.clone(),
+            guides: (0..self.guides.len()).map(|g| self.guide_in_plane(GuideId(g))).collect(),
+            shapes: Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() },
+        }
+    }
+}

@@ -1,0 +1,282 @@
+//! Poses of a link that its legs hold: at a given angle, as a lever over a pin, or on three legs.
+
+use super::assemble::Assembly;
+use super::kernel::{self, Locus, Miss};
+use super::shape::{Frame, given_at};
+use super::triad::{self, TriadLeg};
+use super::{Path, Pose};
+use crate::diag::Diagnostic;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Leg;
+use crate::quantity::metres;
+use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::trig;
+
+impl Assembly<'_> {
+    /// The possible poses of a core link.
+    pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose>, Diagnostic> {
+        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
+        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
+        match (pinned, angle) {
+            (Some(pin), Some((of, driver))) => {
+                if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
+                    return self.poses_of_lever(link, pin, runner, guide);
+                }
+                let axis = self.axis_of(link, of, driver)?;
+                let d = self.shapes[link.0].local(pin).expect("a link's points have local places");
+                Ok(vec![Pose { origin: self.known(pin) - d.to_vec2().rotate_by(axis), axis }])
+            }
+            (Some(pin), None) => {
+                let slot = legs.iter().find_map(|l| if let Leg::InSlot { pin, guide } = l { Some((*pin, *guide)) } else { None });
+                let (runner, guide) = slot.ok_or_else(|| self.no_closure(link))?;
+                self.poses_of_lever(link, pin, runner, guide)
+            }
+            (None, Some((of, driver))) => {
+                let axis = self.axis_of(link, of, driver)?;
+                let rest: Vec<&Leg> = legs.iter().filter(|l| !matches!(l, Leg::Angle { .. })).collect();
+                self.poses_at_angle(link, axis, &rest)
+            }
+            (None, None) => self.poses_of_triad(link, legs),
+        }
+    }
+
+    /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle.
+    pub(super) fn posed_by_runner(&self, link: LinkId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
+        let DriverKind::Turn { angle: None, .. } = &self.scene.drivers[driver?].kind else { return None };
+        (0..self.scene.guides.len())
+            .map(GuideId)
+            .filter(|g| self.scene.guides[g.0].on == link)
+            .find_map(|g| self.scene.guides[g.0].pin.filter(|p| given_at(self.scene, *p).is_some()).map(|p| (p, g)))
+    }
+
+    pub(super) fn no_closure(&self, link: LinkId) -> Diagnostic {
+        Diagnostic::error(
+            "no-closed-form",
+            format!("link {} is held in a way for which a rough pose is needed", self.scene.link_name(link)),
+        )
+        .at(self.scene.links[link.0].span)
+        .help("give the coordinates of its joints at the instant in \"points\"")
+    }
+
+    /// Direction of a link's frame, from the link whose turning it shares or against which a driver turns it.
+    pub(super) fn axis_of(&self, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<Vec2, Diagnostic> {
+        let name = self.scene.link_name(link);
+        let shape = &self.shapes[link.0];
+        let Some(d) = driver else {
+            return if shape.frame == Frame::Body {
+                Err(Diagnostic::error(
+                    "angle-not-given",
+                    format!("link {name} keeps its direction, but its angle against the guide is not given"),
+                )
+                .at(self.scene.links[link.0].span)
+                .help("give the coordinates of two of its points at the instant in \"points\""))
+            } else {
+                Ok(Vec2::new(1.0, 0.0))
+            };
+        };
+        let DriverKind::Turn { line, against_line, angle, .. } = &self.scene.drivers[d].kind else {
+            unreachable!("an angle comes from a turning driver or a slider")
+        };
+        let Some(angle) = angle else {
+            return Err(self.driver_without_value(d, "angle", &format!("at which angle link {name} stands")));
+        };
+        let own = match line {
+            Some((a, b)) => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
+            None => match &self.scene.links[link.0].points[..] {
+                [a, b, ..] => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
+                _ => Some(Vec2::new(1.0, 0.0)),
+            },
+        };
+        let base = if let Some((a, b)) = against_line {
+            self.points[a.0].zip(self.points[b.0]).map(|(a, b)| b - a)
+        } else if of == self.scene.ground {
+            Some(Vec2::new(1.0, 0.0))
+        } else {
+            match &self.scene.links[of.0].points[..] {
+                [a, b, ..] => self.points[a.0].zip(self.points[b.0]).map(|(a, b)| b - a),
+                _ => self.poses[of.0].map(|p| p.axis),
+            }
+        };
+        let (s, c) = trig::sin_cos(angle.value);
+        own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
+            Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
+                .at(angle.span)
+                .help("name two different points of the link with \"line\" (and \"against_line\")")
+        })
+    }
+
+    /// A link on a known pivot whose slot runs over a known pin.
+    pub(super) fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose>, Diagnostic> {
+        let (pivot_at, pin_at) = (self.known(pivot), given_at(self.scene, runner).unwrap_or_else(|| self.known(runner)));
+        let d = self.shapes[link.0].local(pivot).expect("a link's points have local places");
+        let to_pin = pin_at - pivot_at;
+        let Some(path) = self.guides[guide.0] else {
+            // The guide's direction is given at the instant, or it runs through the pin where that is.
+            return if self.shapes[link.0].frame == Frame::Loose {
+                Ok(vec![Pose { origin: pivot_at - d.to_vec2(), axis: Vec2::new(1.0, 0.0) }])
+            } else {
+                Err(Diagnostic::error(
+                    "guide-not-placed",
+                    format!(
+                        "the guide on link {} is given at the instant only, which does not fix it in that link",
+                        self.scene.link_name(link)
+                    ),
+                )
+                .at(self.scene.guides[guide.0].span)
+                .help("give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates"))
+            };
+        };
+        let places = match path {
+            // A link that is nothing but its pivot and its slot has no front: pin ahead or behind is the same thing.
+            Path::Line { through, direction } if self.shapes[link.0].frame == Frame::Loose && through == d => {
+                let mut places = kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                places.truncate(1);
+                places
+            }
+            Path::Line { through, direction } => {
+                kernel::lever(d, through, direction, to_pin).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?
+            }
+            Path::Arc { centre, radius } => {
+                let k = Locus::Circle { centre: pivot_at, radius: d.distance(centre) };
+                let places =
+                    kernel::meet(k, Locus::Circle { centre: pin_at, radius }).map_err(|miss| self.lever_miss(link, pivot, runner, miss))?;
+                return places
+                    .into_iter()
+                    .map(|at| {
+                        Pose::from_point_and_direction(d, centre - d, pivot_at, at - pivot_at)
+                            .ok_or_else(|| self.degenerate(guide, "its centre lies on the pivot"))
+                    })
+                    .collect();
+            }
+        };
+        places
+            .into_iter()
+            .map(|local| {
+                Pose::from_point_and_direction(d, local - d, pivot_at, to_pin).ok_or_else(|| {
+                    self.degenerate(
+                        guide,
+                        &format!("pin {} lies on the pivot {}", self.scene.point_name(runner), self.scene.point_name(pivot)),
+                    )
+                })
+            })
+            .collect()
+    }
+
+    pub(super) fn lever_miss(&self, link: LinkId, pivot: PointId, runner: PointId, miss: Miss) -> Diagnostic {
+        let (p, r) = (self.scene.point_name(pivot), self.scene.point_name(runner));
+        let by = match miss {
+            Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => metres(x),
+        };
+        Diagnostic::error(
+            "cannot-assemble",
+            format!(
+                "the slot of link {} cannot reach pin {r}: {p}{r} is {by} short of the slot's distance from {p}",
+                self.scene.link_name(link)
+            ),
+        )
+        .at(self.scene.links[link.0].span)
+        .help("change the slot's offset, a length, or the driver's position")
+    }
+
+    pub(super) fn poses_at_angle(&self, link: LinkId, axis: Vec2, legs: &[&Leg]) -> Result<Vec<Pose>, Diagnostic> {
+        if let [Leg::DrivenGlide { guide, driver, .. }] = legs[..] {
+            let path = self.need_guide(*guide)?;
+            let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
+                return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
+            };
+            return Ok(vec![Pose { origin: path.point_at(s.value), axis }]);
+        }
+        // A point with given coordinates shows the place of a link whose direction is known.
+        let shape = &self.shapes[link.0];
+        if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_at(self.scene, *p)?))) {
+            return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
+        }
+        // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
+        // only translates its place changes no vector: its first point is put at the pin.
+        let met = legs.iter().find_map(|l| match l {
+            Leg::InSlot { guide, pin } if self.guides[guide.0].is_none() => Some(*pin),
+            _ => None,
+        });
+        if let Some(pin) = met
+            && (shape.points.is_empty() || self.m.never_turns[link.0])
+        {
+            let origin = if shape.points.is_empty() { Point::ORIGIN } else { self.known(pin) };
+            return Ok(vec![Pose { origin, axis }]);
+        }
+        let [a, b] = legs[..] else { return Err(self.no_closure(link)) };
+        let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
+        let origins = kernel::meet(la, lb).map_err(|miss| {
+            let how = match miss {
+                Miss::Parallel(0.0) => "its two guides run parallel".to_string(),
+                Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => format!("its two joints miss each other by {}", metres(x)),
+            };
+            Diagnostic::error("cannot-assemble", format!("link {} cannot be placed: {how}", self.scene.link_name(link)))
+                .at(self.scene.links[link.0].span)
+        })?;
+        Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect())
+    }
+
+    pub(super) fn triad_leg(&self, link: LinkId, leg: &Leg) -> Result<TriadLeg, Diagnostic> {
+        let local = |p: PointId| self.shapes[link.0].local(p).ok_or_else(|| self.not_placed(p, link));
+        Ok(match *leg {
+            Leg::Bar { link: bar, near, far } => {
+                let s = &self.shapes[bar.0];
+                let (Some(a), Some(b)) = (s.local(near), s.local(far)) else { return Err(self.not_placed(near, bar)) };
+                TriadLeg::Circle { near: local(near)?, far: self.known(far), radius: a.distance(b) }
+            }
+            Leg::Cylinder { driver, near, far } => {
+                TriadLeg::Circle { near: local(near)?, far: self.known(far), radius: self.cylinder_length(driver)? }
+            }
+            Leg::OnGuide { pin, guide } => match self.need_guide(guide)? {
+                Path::Line { through, direction } => TriadLeg::Line { near: local(pin)?, through, direction },
+                Path::Arc { centre, radius } => TriadLeg::Circle { near: local(pin)?, far: centre, radius },
+            },
+            Leg::InSlot { pin, guide } => match self.guides[guide.0] {
+                Some(Path::Line { through, direction }) => TriadLeg::Slot { through, direction, pin: self.known(pin) },
+                Some(Path::Arc { centre, radius }) => TriadLeg::Circle { near: centre, far: self.known(pin), radius },
+                None => return Err(self.no_closure(link)),
+            },
+            Leg::Glide { guide, other } => {
+                let on = self.scene.guides[guide.0].on;
+                let direction = match (self.guide_in_plane(guide), on == other) {
+                    (Some(Path::Line { direction, .. }), true) => direction,
+                    _ => match self.guides[guide.0] {
+                        Some(Path::Line { direction, .. }) => direction,
+                        _ => return Err(self.no_closure(link)),
+                    },
+                };
+                // How far the link's own origin lies beside the guide is nobody's concern: it lies on it.
+                let through = match self.guide_in_plane(guide) {
+                    Some(Path::Line { through, .. }) => through,
+                    _ => Point::ORIGIN,
+                };
+                TriadLeg::Line { near: Point::ORIGIN, through, direction }
+            }
+            _ => return Err(self.no_closure(link)),
+        })
+    }
+
+    /// The pose that the sketch (or coordinates) of two of a link's points gives it.
+    pub(super) fn sketched_pose(&self, link: LinkId) -> Option<(Point, Vec2)> {
+        let rough = |p: PointId| given_at(self.scene, p).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
+        let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((*local, rough(*p)?)));
+        let (a, b) = (known.next()?, known.next()?);
+        let pose = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1)?;
+        Some((pose.origin, pose.axis))
+    }
+
+    pub(super) fn poses_of_triad(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose>, Diagnostic> {
+        let [a, b, c] = legs else { return Err(self.no_closure(link)) };
+        let legs = [self.triad_leg(link, a)?, self.triad_leg(link, b)?, self.triad_leg(link, c)?];
+        let found = triad::assemblies(&legs, self.sketched_pose(link));
+        if found.is_empty() {
+            return Err(Diagnostic::error(
+                "cannot-assemble",
+                format!("link {} cannot be placed on its three legs in any position", self.scene.link_name(link)),
+            )
+            .at(self.scene.links[link.0].span)
+            .help("change a length of the group or the driver's position"));
+        }
+        Ok(found.into_iter().map(|(origin, axis)| Pose { origin, axis }).collect())
+    }
+}

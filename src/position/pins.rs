@@ -1,0 +1,97 @@
+//! Places of a pin that its legs hold: on two loci, on a known link, or at a given place of a guide.
+
+use super::Path;
+use super::assemble::Assembly;
+use super::kernel::{self, Locus, Miss};
+use crate::diag::Diagnostic;
+use crate::geom::Point;
+use crate::mechanism::Leg;
+use crate::quantity::metres;
+use crate::scene::{DriverKind, LinkId, PointId};
+
+impl Assembly<'_> {
+    /// The possible places of a pin on its two loci.
+    pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point>, Diagnostic> {
+        match legs {
+            [Leg::Carried { link }] => Ok(vec![self.world(*link, pin).ok_or_else(|| self.not_placed(pin, *link))?]),
+            [Leg::Driven { guide, driver, .. }] => {
+                let path = self.need_guide(*guide)?;
+                let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
+                    return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
+                };
+                Ok(vec![path.point_at(s.value)])
+            }
+            [first, second] => {
+                let (a, b) = (self.locus_of_pin(pin, first)?, self.locus_of_pin(pin, second)?);
+                kernel::meet(a, b).map_err(|miss| self.cannot_meet(pin, first, second, miss))
+            }
+            _ => unreachable!("a pin has one leg that takes both freedoms, or two legs"),
+        }
+    }
+
+    pub(super) fn not_placed(&self, pin: PointId, link: LinkId) -> Diagnostic {
+        Diagnostic::error("not-placed", format!("{} is not placed on link {}", self.scene.point_name(pin), self.scene.link_name(link)))
+            .at(self.scene.points[pin.0].span)
+            .help("give a length, or its coordinates in \"points\"")
+    }
+
+    pub(super) fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus, Diagnostic> {
+        Ok(match *leg {
+            Leg::Bar { link, far, .. } => {
+                let s = &self.shapes[link.0];
+                let (a, b) = (s.local(far), s.local(pin));
+                let (Some(a), Some(b)) = (a, b) else { return Err(self.not_placed(pin, link)) };
+                Locus::Circle { centre: self.known(far), radius: a.distance(b) }
+            }
+            Leg::OnGuide { guide, .. } => match self.need_guide(guide)? {
+                Path::Line { through, direction } => Locus::Line { through, direction },
+                Path::Arc { centre, radius } => Locus::Circle { centre, radius },
+            },
+            Leg::Cylinder { driver, far, .. } => Locus::Circle { centre: self.known(far), radius: self.cylinder_length(driver)? },
+            Leg::Ram { link, far, guide, driver, .. } => {
+                let runner = self.runner_in_link(link, guide, driver)?;
+                let d = self.shapes[link.0].local(far).expect("a link's points have local places");
+                Locus::Circle { centre: self.known(far), radius: d.distance(runner) }
+            }
+            _ => unreachable!("only these legs hold a pin"),
+        })
+    }
+
+    pub(super) fn cylinder_length(&self, driver: usize) -> Result<f64, Diagnostic> {
+        match &self.scene.drivers[driver].kind {
+            DriverKind::Cylinder { length: Some(l), .. } => Ok(l.value),
+            _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
+        }
+    }
+
+    pub(super) fn cannot_meet(&self, pin: PointId, a: &Leg, b: &Leg, miss: Miss) -> Diagnostic {
+        let (wa, wb) = (self.leg_words(pin, a), self.leg_words(pin, b));
+        let p = self.scene.point_name(pin);
+        let how = match miss {
+            Miss::TooFar(x) => format!("they end {} apart", metres(x)),
+            Miss::TooNear(x) => format!("one is {} too long for the other", metres(x)),
+            Miss::Parallel(0.0) => "they coincide, so that the joint's place is undetermined".to_string(),
+            Miss::Parallel(x) => format!("they run parallel, {} apart", metres(x)),
+        };
+        let d = Diagnostic::error("cannot-assemble", format!("{wa} and {wb} cannot meet at {p}: {how}")).at(self.scene.points[pin.0].span);
+        d.help("change a length, the driver's position, or a pivot")
+    }
+
+    pub(super) fn leg_words(&self, pin: PointId, leg: &Leg) -> String {
+        let p = self.scene.point_name(pin);
+        match *leg {
+            Leg::Bar { link, far, .. } => {
+                let s = &self.shapes[link.0];
+                let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b));
+                format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), metres(l))
+            }
+            Leg::OnGuide { guide, .. } => format!("the guide on link {}", self.scene.link_name(self.scene.guides[guide.0].on)),
+            Leg::Cylinder { driver, far, .. } => {
+                let l = self.cylinder_length(driver).unwrap_or(0.0);
+                format!("the cylinder {}{p} ({})", self.scene.point_name(far), metres(l))
+            }
+            Leg::Ram { link, .. } => format!("link {}", self.scene.link_name(link)),
+            _ => format!("the joint at {p}"),
+        }
+    }
+}
