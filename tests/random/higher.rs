@@ -1,0 +1,63 @@
+//! A group of class IV: named, not drawn, answered from the loop equations, which differences of positions confirm.
+
+use hodograph::answer::Value;
+use hodograph::position::newton::{driver_values, moved};
+use hodograph::scene::{self, PointId, Scene};
+use hodograph::worked::{Scope, Worked, work};
+
+const LINKS: &str = r#""links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","G"], "6": ["O","G"]}, "ground": "6",
+  "find": ["v_D", "a_D", "omega_5", "v_A"]"#;
+
+fn by_coordinates() -> String {
+    format!(
+        r#"{{{LINKS}, "units": {{"length": "m"}}, "driver": {{"link": "1", "omega": "2 rad/s"}},
+        "points": {{"O": [0,0], "A": [1,2], "B": [3,4], "C": [4,1.5], "D": [6,5], "E": [7,2], "G": [9,1]}}}}"#
+    )
+}
+
+fn by_lengths() -> String {
+    format!(
+        r#"{{{LINKS}, "units": {{"length": "m"}}, "driver": {{"link": "1", "angle": "atan(2)", "omega": "2 rad/s"}},
+        "points": {{"O": [0,0], "G": [9,1]}},
+        "lengths": {{"OA": "sqrt(5)", "AB": "sqrt(8)", "BC": "sqrt(7.25)", "AC": "sqrt(9.25)", "BD": "sqrt(10)", "CE": "sqrt(9.25)",
+          "DE": "sqrt(10)", "EG": "sqrt(5)", "DG": 5}},
+        "sketch": {{"A": [1,2], "B": [3.1,4], "C": [4,1.4], "D": [6,5.2], "E": [7,2]}}}}"#
+    )
+}
+
+fn worked(text: &str) -> (Scene, Worked) {
+    let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}")).value;
+    let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}"));
+    assert!(done.notes.iter().any(|d| d.code == "higher-group" && d.message.contains("2, 3, 4, 5")), "{:?}", done.notes);
+    (scene, done.value)
+}
+
+#[test]
+fn a_higher_group_is_answered_though_not_drawn() {
+    let (scene, done) = worked(&by_coordinates());
+    let (_, again) = worked(&by_lengths());
+    assert!(!done.plan.undrawable.is_empty());
+    let d = PointId(scene.points.iter().position(|p| p.name == "D").unwrap());
+    let place = |h: f64| {
+        let mut drivers = driver_values(&scene, &done.configuration);
+        drivers.0[0] += h * 2.0;
+        moved(&scene, &done.mechanism, &done.configuration, &drivers).unwrap().point(d)
+    };
+    let h = 1e-4;
+    let velocity = (place(h) - place(-h)) * (0.5 / h);
+    let acceleration = ((place(h) - place(0.0)) - (place(0.0) - place(-h))) * (1.0 / (h * h));
+    for (o, p) in done.results.iter().zip(&again.results) {
+        let drawn = scene.find[o.find].text == "v_A";
+        assert_eq!(o.drawn.is_some(), drawn, "{}", scene.find[o.find].text);
+        let off = match (o.computed, p.computed) {
+            (Value::Vector(a), Value::Vector(b)) => (a - b).norm() / a.norm(),
+            (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs() / a.abs(),
+            _ => panic!("the same question has the same kind of answer"),
+        };
+        assert!(off < 1e-11, "{}: the two poses differ by {off:e}", scene.find[o.find].text);
+    }
+    let Value::Vector(v) = done.results[0].computed else { panic!("v_D is a vector") };
+    let Value::Vector(a) = done.results[1].computed else { panic!("a_D is a vector") };
+    assert!((v - velocity).norm() < 1e-6 * v.norm(), "{v:?} {velocity:?}");
+    assert!((a - acceleration).norm() < 1e-4 * a.norm(), "{a:?} {acceleration:?}");
+}
