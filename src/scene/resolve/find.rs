@@ -69,6 +69,13 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
         let d = fault(format!("`{}` is not a quantity that can be asked", word.text));
         return Err(d.help("write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2"));
     };
+    // As the figures write them.
+    let symbol = match symbol {
+        "ω" => "omega",
+        "α" => "alpha",
+        "φ" => "phi",
+        other => other,
+    };
     if !QUANTITIES.iter().any(|(s, _)| *s == symbol) {
         let d = fault(format!("`{symbol}` in `{}` is not a quantity that can be asked", word.text));
         return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), "the quantities are")));
