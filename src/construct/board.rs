@@ -444,7 +444,7 @@ impl<'a> Board<'a> {
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
                 let v = self.slide_velocity(term);
-                let (Spot::Point(pin), ()) = (self.plan.vertex(term.of).spot, ()) else { unreachable!("a runner is a point") };
+                let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
                 let inward = (centre - self.at.point(pin)) * (1.0 / radius);
                 inward * (v.norm2() / radius * if self.reversed(term) { -1.0 } else { 1.0 })
             }

@@ -3,7 +3,7 @@
 //! Decided here: which parts there are and what stands under them. [`super::arrange`] decides where they stand.
 
 use crate::construct::Polygon;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::Faults;
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -37,22 +37,6 @@ impl Options {
     /// The usual look of a language's textbooks.
     pub fn of_language(lang: Lang) -> Options {
         Options { lang, notation: Notation::of_language(lang) }
-    }
-
-    /// The language and notation that a scene asks for.
-    ///
-    /// # Errors
-    /// `unknown-notation` when the scene names a profile that there is not.
-    pub fn of_scene(scene: &Scene) -> Result<Options, Diagnostic> {
-        let base = Options::of_language(scene.language.unwrap_or_default());
-        match &scene.notation {
-            None => Ok(base),
-            Some(name) => match Notation::named(name) {
-                Some(notation) => Ok(Options { notation, ..base }),
-                None => Err(Diagnostic::error("unknown-notation", format!("there is no notation `{name}`"))
-                    .help(format!("the notations are {}", Notation::names().join(", ")))),
-            },
-        }
     }
 }
 

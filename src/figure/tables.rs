@@ -94,7 +94,7 @@ impl Tables<'_> {
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
-                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
+                let magnitude = match (w.magnitude(&term), self.construction.vector(level, target)) {
                     (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
                     (formula, _) => formula,
                 };

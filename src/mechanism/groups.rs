@@ -451,7 +451,6 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
             _ => {}
         }
     }
-    // Legs in the order of the scene, whatever their kind, so that the plan does not depend on how they were found.
     let freedoms: usize = legs.iter().map(|l| if matches!(l, Leg::Pinned { .. } | Leg::DrivenGlide { .. }) { 2 } else { 1 }).sum();
     (used == cs.len() && freedoms == 3).then_some(legs)
 }

@@ -157,11 +157,6 @@ impl Mechanism {
             Node::Pin(p) => self.group_of_pin[p.0],
         }
     }
-
-    /// The guides in which a pin runs.
-    pub fn guides_of<'a>(&self, scene: &'a Scene, p: PointId) -> impl Iterator<Item = GuideId> + 'a {
-        scene.guides.iter().enumerate().filter(move |(_, g)| g.pin == Some(p)).map(|(i, _)| GuideId(i))
-    }
 }
 
 pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {

@@ -203,7 +203,7 @@ impl Writer<'_> {
             }
             Step::Image { .. } | Step::Same { .. } => false,
         });
-        let to = if shared && !self.plan.vertex(t.to).fixed { self.name(t.to).to_lowercase() } else { String::new() };
+        let to = if shared && !self.is_absolute(t) { self.name(t.to).to_lowercase() } else { String::new() };
         format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
     }
 
@@ -282,7 +282,7 @@ impl Writer<'_> {
     }
 
     /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, or the sign for unknown.
-    pub fn magnitude(&self, level: Level, t: &Term) -> String {
+    pub fn magnitude(&self, t: &Term) -> String {
         if !t.known {
             return self.notation.unknown.clone();
         }
@@ -305,10 +305,7 @@ impl Writer<'_> {
                     if sup.is_empty() { format!("v^2_{{{}}}", self.subscript(t)) } else { format!("(v{sup}_{{{}}})^2", self.subscript(t)) };
                 format!("{v}/\\rho")
             }
-            _ => {
-                let _ = level;
-                self.notation.known.clone()
-            }
+            _ => self.notation.known.clone(),
         }
     }
 
@@ -327,15 +324,15 @@ impl Writer<'_> {
                 term: None,
             });
         }
-        for chain in chains {
+        for (i, chain) in chains.iter().enumerate() {
+            // The first chain stands left of the equals sign unless the point itself does.
+            let leads = i == 0 && !absolute_left;
             let mut first = true;
             let mut joint = || {
-                let j = if first && !out_is_empty(absolute_left, chain, chains) {
-                    "="
-                } else if first {
-                    ""
-                } else {
-                    "+"
+                let j = match (first, leads) {
+                    (true, true) => "",
+                    (true, false) => "=",
+                    (false, _) => "+",
                 };
                 first = false;
                 j
@@ -349,7 +346,7 @@ impl Writer<'_> {
                     joint: joint(),
                     symbol: self.symbol(level, t),
                     direction: self.direction(t),
-                    magnitude: self.magnitude(level, t),
+                    magnitude: self.magnitude(t),
                     term: Some(*t),
                 });
             }
@@ -367,7 +364,7 @@ impl Writer<'_> {
             && self.plan.vertex(c.start).fixed
             && let [t] = c.known[..]
         {
-            return (self.direction(&t), self.magnitude(level, &t));
+            return (self.direction(&t), self.magnitude(&t));
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }
@@ -375,8 +372,4 @@ impl Writer<'_> {
 
 fn prime(level: Level) -> &'static str {
     if level == Level::Acceleration { "'" } else { "" }
-}
-
-fn out_is_empty(absolute_left: bool, chain: &Chain, chains: &[Chain]) -> bool {
-    !absolute_left && std::ptr::eq(chain, &chains[0])
 }

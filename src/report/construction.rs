@@ -76,7 +76,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action) -> String
             let e = &p.edges[*i];
             let t = &e.terms[0];
             let (from, to) = (mark(w, level, &e.from.0), mark(w, level, &e.to.0));
-            let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(level, t), w.direction(t));
+            let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
             match w.lang {
                 Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$; it ends in ${to}$.", length(e)),
