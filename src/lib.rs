@@ -59,6 +59,7 @@ pub mod diag;
 pub mod figure;
 pub mod geom;
 pub mod mechanism;
+pub mod number;
 pub mod plan;
 pub mod position;
 pub mod quantity;
