@@ -5,16 +5,17 @@
 
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::number::Real;
 use crate::position::Configuration;
 use crate::scene::{Asked, Axis, GuideId, LinkId, OnLink, PointId, Scene};
 
 /// The value of an answer, in SI.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
+pub enum Value<N = f64> {
     /// A vector.
-    Vector(Vec2),
+    Vector(Vec2<N>),
     /// A number (ω, α, an angle, a distance); counter-clockwise plus.
-    Scalar(f64),
+    Scalar(N),
 }
 
 impl Value {
@@ -28,11 +29,11 @@ impl Value {
 }
 
 /// Where both ways of solving look a question up: the drawing in its polygons, the analysis in its solution.
-pub trait Source {
+pub trait Source<N = f64> {
     /// Vector of the point of a link (or of the pin itself).
-    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2>;
+    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>>;
     /// Turning rate.
-    fn turning(&self, level: Level, link: LinkId) -> Option<f64>;
+    fn turning(&self, level: Level, link: LinkId) -> Option<N>;
 }
 
 /// The level of a question.
@@ -47,7 +48,7 @@ pub fn level_of(what: &Asked) -> Level {
 }
 
 /// Evaluates a question on any source of vectors and rates.
-pub fn evaluate(scene: &Scene, at: &Configuration, source: &impl Source, what: &Asked) -> Option<Value> {
+pub fn evaluate<N: Real>(scene: &Scene, at: &Configuration<N>, source: &impl Source<N>, what: &Asked) -> Option<Value<N>> {
     use Level::{Acceleration, Velocity};
     let vector = |level, p: &OnLink| source.vector(level, p.point, p.link);
     let relative = |level, a: &OnLink, b: &OnLink| Some(vector(level, a)? - vector(level, b)?);
@@ -79,10 +80,10 @@ pub fn evaluate(scene: &Scene, at: &Configuration, source: &impl Source, what: &
 }
 
 /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
-fn coriolis(scene: &Scene, source: &impl Source, a: &OnLink, b: &OnLink) -> Option<Vec2> {
+fn coriolis<N: Real>(scene: &Scene, source: &impl Source<N>, a: &OnLink, b: &OnLink) -> Option<Vec2<N>> {
     let v = source.vector(Level::Velocity, a.point, a.link)? - source.vector(Level::Velocity, b.point, b.link)?;
     let carrier = guide_between(scene, a, b).map(|g| scene.guides[g.0].on).or(b.link)?;
-    Some(v.perp() * (2.0 * source.turning(Level::Velocity, carrier)?))
+    Some(v.perp() * (N::from_f64(2.0) * source.turning(Level::Velocity, carrier)?))
 }
 
 /// The guide along which one of two coincident points slides against the other.

@@ -5,167 +5,219 @@
 //! the names there. Nothing here knows of tolerances: parallel lines are judged by the sine that [`cross_lines`]
 //! hands back, not by a test inside.
 
+use crate::number::Real;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// A place in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Point {
+pub struct Point<N = f64> {
     /// To the right.
-    pub x: f64,
+    pub x: N,
     /// Up.
-    pub y: f64,
+    pub y: N,
 }
 
 /// A displacement, velocity or acceleration in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vec2 {
+pub struct Vec2<N = f64> {
     /// To the right.
-    pub x: f64,
+    pub x: N,
     /// Up.
-    pub y: f64,
+    pub y: N,
 }
 
 impl Point {
     /// The origin.
     pub const ORIGIN: Point = Point { x: 0.0, y: 0.0 };
+}
 
+impl<N: Copy> Point<N> {
     /// The point (x, y).
-    pub const fn new(x: f64, y: f64) -> Self {
+    pub const fn new(x: N, y: N) -> Self {
         Point { x, y }
     }
 
     /// The vector from the origin to this point.
-    pub const fn to_vec2(self) -> Vec2 {
+    pub const fn to_vec2(self) -> Vec2<N> {
         Vec2::new(self.x, self.y)
+    }
+}
+
+impl<N: Real> Point<N> {
+    /// The origin.
+    pub fn origin() -> Self {
+        Vec2::zero().to_point()
     }
 
     /// Distance to another point.
-    pub fn distance(self, other: Point) -> f64 {
+    pub fn distance(self, other: Point<N>) -> N {
         (other - self).norm()
     }
 
-    /// Whether both coordinates are finite.
+    /// Whether both coordinates have a value.
     pub fn is_finite(self) -> bool {
-        self.x.is_finite() && self.y.is_finite()
+        self.x.is_decided() && self.y.is_decided()
+    }
+
+    /// The nearest point of `f64` coordinates.
+    pub fn approx(self) -> Point {
+        Point::new(self.x.approx(), self.y.approx())
     }
 }
 
 impl Vec2 {
     /// The zero vector.
     pub const ZERO: Vec2 = Vec2 { x: 0.0, y: 0.0 };
+}
 
+impl<N: Copy> Vec2<N> {
     /// The vector (x, y).
-    pub const fn new(x: f64, y: f64) -> Self {
+    pub const fn new(x: N, y: N) -> Self {
         Vec2 { x, y }
     }
 
-    /// The unit vector at `angle` radians, counter-clockwise from the x axis.
-    pub fn from_angle(angle_rad: f64) -> Self {
-        Vec2::new(libm::cos(angle_rad), libm::sin(angle_rad))
+    /// The point that this vector leads to from the origin.
+    pub const fn to_point(self) -> Point<N> {
+        Point::new(self.x, self.y)
+    }
+}
+
+impl<N: Real> Vec2<N> {
+    /// The zero vector.
+    pub fn zero() -> Self {
+        Vec2::new(N::from_f64(0.0), N::from_f64(0.0))
     }
 
-    /// The point that this vector leads to from the origin.
-    pub const fn to_point(self) -> Point {
-        Point::new(self.x, self.y)
+    /// The unit vector of the x axis.
+    pub fn unit_x() -> Self {
+        Vec2::new(N::from_f64(1.0), N::from_f64(0.0))
+    }
+
+    /// The unit vector at `angle` radians, counter-clockwise from the x axis.
+    pub fn from_angle(angle_rad: N) -> Self {
+        let (s, c) = angle_rad.sin_cos();
+        Vec2::new(c, s)
     }
 
     /// Scalar product.
-    pub fn dot(self, other: Vec2) -> f64 {
+    #[inline]
+    pub fn dot(self, other: Vec2<N>) -> N {
         self.x * other.x + self.y * other.y
     }
 
     /// Cross product's z component: positive when `other` lies counter-clockwise of `self`.
-    pub fn cross(self, other: Vec2) -> f64 {
+    #[inline]
+    pub fn cross(self, other: Vec2<N>) -> N {
         self.x * other.y - self.y * other.x
     }
 
     /// Length, without overflow for large components.
-    pub fn norm(self) -> f64 {
-        libm::hypot(self.x, self.y)
+    pub fn norm(self) -> N {
+        self.x.hypot(self.y)
     }
 
     /// Square of the length.
-    pub fn norm2(self) -> f64 {
+    pub fn norm2(self) -> N {
         self.dot(self)
     }
 
     /// Turned by +90° (counter-clockwise): ω k × r = ω · r.perp().
-    pub const fn perp(self) -> Vec2 {
+    pub fn perp(self) -> Vec2<N> {
         Vec2::new(-self.y, self.x)
     }
 
     /// Angle from the x axis, in (−π, π].
-    pub fn angle(self) -> f64 {
-        libm::atan2(self.y, self.x)
+    pub fn angle(self) -> N {
+        self.y.atan2(self.x)
     }
 
     /// The unit vector of the same direction; `None` for the zero vector, which has none.
-    pub fn unit(self) -> Option<Vec2> {
+    pub fn unit(self) -> Option<Vec2<N>> {
         let n = self.norm();
-        (n > 0.0 && n.is_finite()).then(|| Vec2::new(self.x / n, self.y / n))
+        (n.approx() > 0.0 && n.is_decided()).then(|| Vec2::new(self.x / n, self.y / n))
     }
 
     /// Turned by the angle of the unit vector `by`, scaled by its length (complex product).
-    pub fn rotate_by(self, by: Vec2) -> Vec2 {
+    #[inline]
+    pub fn rotate_by(self, by: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x * by.x - self.y * by.y, self.x * by.y + self.y * by.x)
     }
 
     /// Complex quotient self / by: the turn and stretch that takes `by` to `self`.
-    pub fn divide_by(self, by: Vec2) -> Vec2 {
+    pub fn divide_by(self, by: Vec2<N>) -> Vec2<N> {
         let d = by.norm2();
         Vec2::new(self.dot(by) / d, by.cross(self) / d)
     }
 
-    /// Whether both components are finite.
+    /// Whether both components have a value.
     pub fn is_finite(self) -> bool {
-        self.x.is_finite() && self.y.is_finite()
+        self.x.is_decided() && self.y.is_decided()
+    }
+
+    /// The nearest vector of `f64` components.
+    pub fn approx(self) -> Vec2 {
+        Vec2::new(self.x.approx(), self.y.approx())
     }
 }
 
-impl Sub for Point {
-    type Output = Vec2;
-    fn sub(self, o: Point) -> Vec2 {
+impl Vec2 {
+    /// The same in other numbers.
+    pub fn lift<N: Real>(self) -> Vec2<N> {
+        Vec2::new(N::from_f64(self.x), N::from_f64(self.y))
+    }
+}
+
+impl Point {
+    /// The same in other numbers.
+    pub fn lift<N: Real>(self) -> Point<N> {
+        self.to_vec2().lift().to_point()
+    }
+}
+
+impl<N: Real> Sub for Point<N> {
+    type Output = Vec2<N>;
+    fn sub(self, o: Point<N>) -> Vec2<N> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
 }
-impl Add<Vec2> for Point {
-    type Output = Point;
-    fn add(self, v: Vec2) -> Point {
+impl<N: Real> Add<Vec2<N>> for Point<N> {
+    type Output = Point<N>;
+    fn add(self, v: Vec2<N>) -> Point<N> {
         Point::new(self.x + v.x, self.y + v.y)
     }
 }
-impl Sub<Vec2> for Point {
-    type Output = Point;
-    fn sub(self, v: Vec2) -> Point {
+impl<N: Real> Sub<Vec2<N>> for Point<N> {
+    type Output = Point<N>;
+    fn sub(self, v: Vec2<N>) -> Point<N> {
         Point::new(self.x - v.x, self.y - v.y)
     }
 }
-impl Add for Vec2 {
-    type Output = Vec2;
-    fn add(self, o: Vec2) -> Vec2 {
+impl<N: Real> Add for Vec2<N> {
+    type Output = Vec2<N>;
+    fn add(self, o: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x + o.x, self.y + o.y)
     }
 }
-impl AddAssign for Vec2 {
-    fn add_assign(&mut self, o: Vec2) {
+impl<N: Real> AddAssign for Vec2<N> {
+    fn add_assign(&mut self, o: Vec2<N>) {
         *self = *self + o;
     }
 }
-impl Sub for Vec2 {
-    type Output = Vec2;
-    fn sub(self, o: Vec2) -> Vec2 {
+impl<N: Real> Sub for Vec2<N> {
+    type Output = Vec2<N>;
+    fn sub(self, o: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
 }
-impl Neg for Vec2 {
-    type Output = Vec2;
-    fn neg(self) -> Vec2 {
+impl<N: Real> Neg for Vec2<N> {
+    type Output = Vec2<N>;
+    fn neg(self) -> Vec2<N> {
         Vec2::new(-self.x, -self.y)
     }
 }
-impl Mul<f64> for Vec2 {
-    type Output = Vec2;
-    fn mul(self, k: f64) -> Vec2 {
+impl<N: Real> Mul<N> for Vec2<N> {
+    type Output = Vec2<N>;
+    fn mul(self, k: N) -> Vec2<N> {
         Vec2::new(self.x * k, self.y * k)
     }
 }
@@ -178,15 +230,15 @@ impl Mul<Vec2> for f64 {
 
 /// Where two lines cross.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
+pub struct Crossing<N = f64> {
     /// The crossing point; not finite when the lines are parallel.
-    pub at: Point,
+    pub at: Point<N>,
     /// Sine of the angle from the first line to the second, in [−1, 1]. The caller judges it.
-    pub sine: f64,
+    pub sine: N,
 }
 
 /// Crosses the line through `p` along `u` with the line through `q` along `w` (neither needs to be a unit vector).
-pub fn cross_lines(p: Point, u: Vec2, q: Point, w: Vec2) -> Crossing {
+pub fn cross_lines<N: Real>(p: Point<N>, u: Vec2<N>, q: Point<N>, w: Vec2<N>) -> Crossing<N> {
     let det = u.cross(w);
     let sine = det / (u.norm() * w.norm());
     let t = (q - p).cross(w) / det;

@@ -31,6 +31,7 @@
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
 //!   questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
+//! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning. Knows neither plan nor paper.
@@ -59,6 +60,7 @@ pub mod diag;
 pub mod figure;
 pub mod geom;
 pub mod mechanism;
+pub mod motion;
 pub mod number;
 pub mod plan;
 pub mod position;

@@ -27,8 +27,16 @@ impl Real for f64 {
         self.is_finite()
     }
 
+    fn refines() -> bool {
+        false
+    }
+
     fn sqrt(self) -> f64 {
         self.sqrt()
+    }
+
+    fn sqrt_or_zero(self) -> f64 {
+        self.max(0.0).sqrt()
     }
 
     fn hypot(self, y: f64) -> f64 {
@@ -77,8 +85,16 @@ impl Real for f32 {
         self.is_finite()
     }
 
+    fn refines() -> bool {
+        false
+    }
+
     fn sqrt(self) -> f32 {
         self.sqrt()
+    }
+
+    fn sqrt_or_zero(self) -> f32 {
+        self.max(0.0).sqrt()
     }
 
     fn hypot(self, y: f32) -> f32 {

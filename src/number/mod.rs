@@ -35,8 +35,44 @@ pub trait Real:
     /// Whether the number has a value: finite, and, where the type knows, with a finite error.
     fn is_decided(self) -> bool;
 
+    /// Whether the type keeps account of its own rounding.
+    fn knows_its_error() -> bool {
+        false
+    }
+
+    /// Whether the type holds more digits than `f64` or knows its error, so that an `f64` solution of an equation is to be
+    /// refined in it.
+    fn refines() -> bool {
+        true
+    }
+
+    /// The number without its error.
+    fn mid(self) -> Self {
+        self
+    }
+
+    /// A bound of the error; 0 where the type keeps no account of it.
+    fn radius(self) -> f64 {
+        0.0
+    }
+
+    /// The number with `by` more of error; the same where the type keeps no account of it.
+    fn widened(self, _by: f64) -> Self {
+        self
+    }
+
     /// The square root. Where the number may be zero or less by its rounding only, a root that encloses zero.
     fn sqrt(self) -> Self;
+
+    /// The square root of what is not negative but for rounding: plain numbers take a negative one for zero.
+    fn sqrt_or_zero(self) -> Self {
+        self.sqrt()
+    }
+
+    /// Whether the number is less than zero whatever its rounding. Plain numbers are never sure.
+    fn is_surely_negative(self) -> bool {
+        false
+    }
 
     /// √(x² + y²).
     fn hypot(self, y: Self) -> Self;

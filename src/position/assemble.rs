@@ -1,13 +1,14 @@
 //! Group after group to a configuration.
 
 use super::branch::{self, Trial};
-use super::shape::{self, Frame, LinkShape, given_at};
+use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Leg, Mechanism, Passive};
-use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Through};
-use crate::trig;
+use crate::number::Real;
+use crate::scene::exact::Inputs;
+use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
 /// Finds where everything is that the demand calls for.
 ///
@@ -15,73 +16,113 @@ use crate::trig;
 /// Missing and contradictory lengths, groups that cannot be assembled (with the links and the amount by which they miss),
 /// poses that nothing fixes. All faults of independent groups are reported together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
-    let mut a = Assembly::new(scene, mechanism, demand);
-    if a.faults.has_errors() {
-        return Err(a.faults);
-    }
-    let mut failed = vec![false; mechanism.groups.len()];
-    for (i, group) in mechanism.groups.iter().enumerate() {
-        if demand.groups[i].is_none() {
-            continue;
-        }
-        if group.upstream.iter().any(|u| failed[*u]) {
-            failed[i] = true;
-        } else if let Err(d) = a.solve(i, group) {
-            a.faults.push(d);
-            failed[i] = true;
-        }
-    }
-    if a.faults.has_errors() {
-        return Err(a.faults);
-    }
-    a.finish()
+    Assembly::new(scene, mechanism, demand, None).place(demand)?.finish()
+}
+
+/// The same assembly in other numbers: nothing is chosen or checked again, only computed.
+///
+/// Closed forms are evaluated in `N`; a group that has none is refined from `meant` and, where `N` knows its error, its
+/// existence and uniqueness near by are proved.
+///
+/// # Errors
+/// A group that cannot be closed in these numbers: as written it misses by less than `f64` can tell, or the proof fails.
+pub fn recompute<N: Real>(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+    meant: &Configuration,
+) -> Result<Configuration<N>, Faults> {
+    Ok(Assembly::new(scene, mechanism, demand, Some(meant)).place(demand)?.settled().into_configuration())
 }
 
 /// An assembly under way: what is placed so far.
-pub(super) struct Assembly<'a> {
+pub(super) struct Assembly<'a, N> {
     pub scene: &'a Scene,
     pub m: &'a Mechanism,
-    pub shapes: Vec<LinkShape>,
-    pub points: Vec<Option<Point>>,
-    pub poses: Vec<Option<Pose>>,
-    pub guides: Vec<Option<Path>>,
+    pub inputs: Inputs<'a, N>,
+    /// The assembly that is meant, where it is known already and only its numbers are wanted better.
+    pub meant: Option<&'a Configuration>,
+    pub shapes: Vec<LinkShape<N>>,
+    pub points: Vec<Option<Point<N>>>,
+    pub poses: Vec<Option<Pose<N>>>,
+    pub guides: Vec<Option<Path<N>>>,
+    /// For each group the closure taken.
+    pub closures: Vec<usize>,
     pub faults: Faults,
     pub notes: Vec<Diagnostic>,
 }
 
-impl<'a> Assembly<'a> {
-    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, demand: &Demand) -> Self {
+impl<'a, N: Real> Assembly<'a, N> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, demand: &Demand, meant: Option<&'a Configuration>) -> Self {
+        let inputs = Inputs::of(scene);
         let mut faults = Faults::default();
         let wanted = |l: LinkId| {
             l == scene.ground
                 || m.group_of_link[l.0].is_some_and(|g| demand.groups[g].is_some())
                 || m.passive[l.0].is_some_and(|p| matches!(p, Passive::Block(_)))
         };
-        let shapes: Vec<LinkShape> = (0..scene.links.len())
+        let shapes: Vec<LinkShape<N>> = (0..scene.links.len())
             .map(LinkId)
-            .map(|l| if wanted(l) { shape::of_link(scene, l, &mut faults) } else { LinkShape { points: Vec::new(), frame: Frame::Loose } })
+            .map(|l| {
+                if wanted(l) {
+                    shape::of_link(scene, &inputs, l, &mut faults)
+                } else {
+                    LinkShape { points: Vec::new(), frame: Frame::Loose }
+                }
+            })
             .collect();
-        let guides =
-            (0..scene.guides.len()).map(GuideId).map(|g| shape::guide_in_link(scene, m, &shapes[scene.guides[g.0].on.0], g)).collect();
+        let guides = (0..scene.guides.len())
+            .map(GuideId)
+            .map(|g| shape::guide_in_link(scene, &inputs, m, &shapes[scene.guides[g.0].on.0], g))
+            .collect();
         let mut a = Assembly {
             scene,
             m,
+            inputs,
+            meant,
             shapes,
+            closures: vec![0; m.groups.len()],
             points: vec![None; scene.points.len()],
             poses: vec![None; scene.links.len()],
             guides,
             faults,
             notes: Vec::new(),
         };
-        a.poses[scene.ground.0] = Some(Pose::GROUND);
+        a.poses[scene.ground.0] = Some(Pose::ground());
         for (p, at) in &a.shapes[scene.ground.0].points {
             a.points[p.0] = Some(*at);
         }
         a
     }
 
+    /// Group after group.
+    fn place(mut self, demand: &Demand) -> Result<Self, Faults> {
+        if self.faults.has_errors() {
+            return Err(self.faults);
+        }
+        let m = self.m;
+        let mut failed = vec![false; m.groups.len()];
+        for (i, group) in m.groups.iter().enumerate() {
+            if demand.groups[i].is_none() {
+                continue;
+            }
+            if group.upstream.iter().any(|u| failed[*u]) {
+                failed[i] = true;
+            } else if let Err(d) = self.solve(i, group) {
+                self.faults.push(d);
+                failed[i] = true;
+            }
+        }
+        if self.faults.has_errors() { Err(self.faults) } else { Ok(self) }
+    }
+
+    /// The pose of a link in the assembly that is meant.
+    pub(super) fn known_pose(&self, link: LinkId) -> Option<Pose> {
+        self.meant.and_then(|m| m.poses[link.0])
+    }
+
     /// A guide in the plane; where its link's form alone does not give it, from the pose and the pin's place.
-    pub(super) fn guide_in_plane(&self, g: GuideId) -> Option<Path> {
+    pub(super) fn guide_in_plane(&self, g: GuideId) -> Option<Path<N>> {
         let guide = &self.scene.guides[g.0];
         let pose = self.poses[guide.on.0]?;
         if let Some(path) = self.guides[g.0] {
@@ -96,30 +137,36 @@ impl<'a> Assembly<'a> {
             GuidePath::Line { through, direction, offset } => {
                 let direction = match direction {
                     Direction::Instant(angle) => {
-                        let (s, c) = trig::sin_cos(angle.value);
+                        let (s, c) = self.inputs.sin_cos(angle);
                         Vec2::new(c, s)
                     }
                     Direction::Along(a, b, angle) => {
                         let base = (self.points[b.0]? - self.points[a.0]?).unit()?;
-                        let (s, c) = angle.as_ref().map_or((0.0, 1.0), |a| trig::sin_cos(a.value));
-                        Vec2::new(c, s).rotate_by(base)
+                        match angle {
+                            Some(angle) => {
+                                let (s, c) = self.inputs.sin_cos(angle);
+                                Vec2::new(c, s).rotate_by(base)
+                            }
+                            None => base,
+                        }
                     }
                     Direction::Own => pose.axis,
                 };
                 let through = match through {
                     Through::Point(p) => pose.to_world(self.shapes[guide.on.0].local(*p)?),
-                    Through::At([x, y]) => Point::new(x.value, y.value),
+                    Through::At([x, y]) => Point::new(self.inputs.number(x), self.inputs.number(y)),
                     // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
                     Through::Pin if guide.pin.is_none() => pose.origin,
                     Through::Pin => pin?,
                 };
-                Some(Path::Line { through: through + direction.perp() * offset.as_ref().map_or(0.0, |o| o.value), direction })
+                let through = offset.as_ref().map_or(through, |o| through + direction.perp() * self.inputs.number(o));
+                Some(Path::Line { through, direction })
             }
         }
     }
 
     /// The guide in the plane, or what is missing.
-    pub(super) fn need_guide(&self, g: GuideId) -> Result<Path, Diagnostic> {
+    pub(super) fn need_guide(&self, g: GuideId) -> Result<Path<N>, Diagnostic> {
         self.guide_in_plane(g).ok_or_else(|| {
             let on = self.scene.link_name(self.scene.guides[g.0].on);
             Diagnostic::error("guide-not-placed", format!("the guide on link {on} is not placed: nothing says through which point it runs"))
@@ -128,19 +175,20 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    pub(super) fn world(&self, l: LinkId, p: PointId) -> Option<Point> {
+    pub(super) fn world(&self, l: LinkId, p: PointId) -> Option<Point<N>> {
         Some(self.poses[l.0]?.to_world(self.shapes[l.0].local(p)?))
     }
 
     pub(super) fn solve(&mut self, index: usize, group: &Group) -> Result<(), Diagnostic> {
         // What the scene gives by coordinates is taken as given; links with two such points lie in the plane's own frame.
-        let given_pins: Vec<(PointId, Point)> = group.pins.iter().filter_map(|p| given_at(self.scene, *p).map(|at| (*p, at))).collect();
+        let given_pins: Vec<(PointId, Point<N>)> =
+            group.pins.iter().filter_map(|p| given_place(self.scene, &self.inputs, *p).map(|at| (*p, at))).collect();
         for &(p, at) in &given_pins {
             self.points[p.0] = Some(at);
         }
         for &l in &group.links {
             if self.shapes[l.0].frame == Frame::Plane {
-                self.poses[l.0] = Some(Pose::GROUND);
+                self.poses[l.0] = Some(Pose::ground());
             }
         }
         let all_pins = given_pins.len() == group.pins.len();
@@ -161,20 +209,22 @@ impl<'a> Assembly<'a> {
             }
             Core::Higher => {
                 if all_pins && group.links.iter().all(|l| self.poses[l.0].is_some()) {
-                    let poses = group.links.iter().map(|l| (*l, Pose::GROUND)).collect();
+                    let poses = group.links.iter().map(|l| (*l, Pose::ground())).collect();
                     vec![self.trial(given_pins.clone(), poses)]
                 } else {
                     vec![self.newton_trial(index, group)?]
                 }
             }
         };
-        let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let names = match names[..] {
-            [one] => format!(" {one}"),
-            _ => format!("s {}", names.join(", ")),
+        let pick = match self.meant {
+            Some(meant) => meant.closures[index].min(trials.len() - 1),
+            None => {
+                let (pick, note) = branch::choose(self.scene, &self.points, &trials, &self.names_of(group))?;
+                self.notes.extend(note);
+                pick
+            }
         };
-        let (pick, note) = branch::choose(self.scene, &self.points, &trials, &names)?;
-        self.notes.extend(note);
+        self.closures[index] = pick;
         let chosen = trials.into_iter().nth(pick).expect("the chosen closure is one of the trials");
         for (l, pose) in chosen.poses {
             self.poses[l.0] = Some(pose);
@@ -187,10 +237,19 @@ impl<'a> Assembly<'a> {
         Ok(())
     }
 
+    /// The links of a group for a sentence that begins with "link".
+    fn names_of(&self, group: &Group) -> String {
+        let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        match names[..] {
+            [one] => format!(" {one}"),
+            _ => format!("s {}", names.join(", ")),
+        }
+    }
+
     /// Where pins of the group have coordinates, only the pose that puts the link there is meant.
-    pub(super) fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point)], poses: Vec<Pose>) -> Vec<Pose> {
-        let off = |pose: &Pose| -> f64 {
-            given.iter().filter_map(|(p, at)| Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).norm2())).sum()
+    pub(super) fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point<N>)], poses: Vec<Pose<N>>) -> Vec<Pose<N>> {
+        let off = |pose: &Pose<N>| -> f64 {
+            given.iter().filter_map(|(p, at)| Some((pose.to_world(self.shapes[link.0].local(*p)?) - *at).approx().norm2())).sum()
         };
         if given.is_empty() {
             return poses;
@@ -199,7 +258,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Collects a closure: adds the points of all its links.
-    pub(super) fn trial(&self, pins: Vec<(PointId, Point)>, poses: Vec<(LinkId, Pose)>) -> Trial {
+    pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> Trial<N> {
         let mut points = pins;
         for (l, pose) in &poses {
             for (p, local) in &self.shapes[l.0].points {
@@ -212,9 +271,9 @@ impl<'a> Assembly<'a> {
     }
 
     /// The pose of a link from two of its points.
-    pub(super) fn pose_from_points(&self, l: LinkId, a: (PointId, Point), b: (PointId, Point)) -> Result<Pose, Diagnostic> {
+    pub(super) fn pose_from_points(&self, l: LinkId, a: (PointId, Point<N>), b: (PointId, Point<N>)) -> Result<Pose<N>, Diagnostic> {
         if self.shapes[l.0].frame == Frame::Plane {
-            return Ok(Pose::GROUND);
+            return Ok(Pose::ground());
         }
         let local = |p: PointId| self.shapes[l.0].local(p).expect("a link's points have local places");
         let (la, lb) = (local(a.0), local(b.0));
@@ -228,7 +287,7 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point) -> Result<Trial, Diagnostic> {
+    pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point<N>) -> Result<Trial<N>, Diagnostic> {
         let Core::Pin { legs, .. } = &group.core else { unreachable!("called for pin cores only") };
         let mut poses = Vec::new();
         for leg in legs {
@@ -238,7 +297,7 @@ impl<'a> Assembly<'a> {
                     let stated = matches!(self.scene.drivers[driver].kind, DriverKind::Slide { position: Some(_), .. });
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
-                    } else if !stated && given_at(self.scene, pin).is_some() {
+                    } else if !stated && matches!(self.scene.points[pin.0].place, Place::At(_)) {
                         // Coordinates of the pin show how far the slider is: the slot is laid over them.
                         let poses = self.poses_of_lever(link, far, pin, guide)?;
                         poses.into_iter().next().ok_or_else(|| self.no_closure(link))?
@@ -257,7 +316,7 @@ impl<'a> Assembly<'a> {
         Ok(self.trial(vec![(pin, at)], poses))
     }
 
-    pub(super) fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose, legs: &[Leg]) -> Result<Trial, Diagnostic> {
+    pub(super) fn trial_of_link(&self, group: &Group, link: LinkId, pose: Pose<N>, legs: &[Leg]) -> Result<Trial<N>, Diagnostic> {
         let mut poses = vec![(link, pose)];
         let mut pins = Vec::new();
         for &p in &group.pins {
@@ -274,7 +333,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Place of a pin that an earlier group placed.
-    pub(super) fn known(&self, p: PointId) -> Point {
+    pub(super) fn known(&self, p: PointId) -> Point<N> {
         self.points[p.0].expect("groups come after those they need")
     }
 
@@ -285,7 +344,7 @@ impl<'a> Assembly<'a> {
     }
 
     /// Where a driven runner is in the frame of the link that carries its guide.
-    pub(super) fn runner_in_link(&self, link: LinkId, guide: GuideId, driver: usize) -> Result<Point, Diagnostic> {
+    pub(super) fn runner_in_link(&self, link: LinkId, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
         let path = self.guides[guide.0].ok_or_else(|| {
             Diagnostic::error("guide-not-placed", format!("the guide on link {} is not placed in that link", self.scene.link_name(link)))
                 .at(self.scene.guides[guide.0].span)
@@ -294,7 +353,7 @@ impl<'a> Assembly<'a> {
         let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[driver].kind else {
             return Err(self.driver_without_value(driver, "position", "how far the slider is along its guide"));
         };
-        Ok(path.point_at(s.value))
+        Ok(path.point_at(self.inputs.number(s)))
     }
 
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: &str) -> Diagnostic {

@@ -4,29 +4,30 @@ use super::Pose;
 use super::shape::given_at;
 use crate::diag::Diagnostic;
 use crate::geom::Point;
+use crate::number::Real;
 use crate::scene::{LinkId, PointId, Scene};
 
 /// One closure of a group: where its pins and links (and the points on them) would be.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Trial {
+pub(super) struct Trial<N> {
     /// All points placed by this closure: pins first, then the points of the links.
-    pub points: Vec<(PointId, Point)>,
+    pub points: Vec<(PointId, Point<N>)>,
     /// The links' poses.
-    pub poses: Vec<(LinkId, Pose)>,
+    pub poses: Vec<(LinkId, Pose<N>)>,
 }
 
-impl Trial {
+impl<N: Real> Trial<N> {
     fn at(&self, p: PointId) -> Option<Point> {
-        self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
+        self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| at.approx())
     }
 }
 
 /// Picks one of several closures. `placed` are the points known before the group. The note tells when nothing in the
 /// scene decided.
-pub(super) fn choose(
+pub(super) fn choose<N: Real>(
     scene: &Scene,
-    placed: &[Option<Point>],
-    trials: &[Trial],
+    placed: &[Option<Point<N>>],
+    trials: &[Trial<N>],
     link_names: &str,
 ) -> Result<(usize, Option<Diagnostic>), Diagnostic> {
     let mut left: Vec<usize> = (0..trials.len()).collect();
@@ -35,9 +36,9 @@ pub(super) fn choose(
     }
     let mut decided = false;
     for side in &scene.sides {
-        let mine = |t: &Trial, p: PointId| t.at(p).or(placed[p.0]);
+        let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0].map(Point::approx));
         let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
-        let known = |t: &Trial| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
+        let known = |t: &Trial<N>| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
         if !concerns || known(&trials[0]).is_none() {
             continue;
         }
@@ -67,7 +68,7 @@ pub(super) fn choose(
     let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p));
     if left.len() > 1 {
         // The sum of squared distances to all sketched points of the group.
-        let cost = |i: usize| trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s - *at).norm2())).sum::<f64>();
+        let cost = |i: usize| trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s - at.approx()).norm2())).sum::<f64>();
         if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
             let best = left.iter().copied().min_by(|a, b| cost(*a).total_cmp(&cost(*b))).expect("at least two are left");
             return Ok((best, None));
@@ -75,8 +76,8 @@ pub(super) fn choose(
     }
     let note = (!decided && left.len() > 1).then(|| {
         let moved = trials[left[0]].points.iter().find_map(|(p, at)| {
-            let other = trials[left[1]].at(*p).filter(|o| o != at)?;
-            Some((scene.point_name(*p), *at, other))
+            let other = trials[left[1]].at(*p).filter(|o| *o != at.approx())?;
+            Some((scene.point_name(*p), at.approx(), other))
         });
         let (which, hint) = match moved {
             Some((p, at, other)) => (

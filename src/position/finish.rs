@@ -5,16 +5,18 @@ use super::{Configuration, Path, Pose, Shapes};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
+use crate::number::Real;
 use crate::quantity::metres;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Scene};
 
-impl Assembly<'_> {
-    pub(super) fn finish(mut self) -> Result<Warned<Configuration>, Faults> {
+impl<N: Real> Assembly<'_, N> {
+    /// Adds the points that only follow, and lays into their links the guides that needed the pose.
+    pub(super) fn settled(mut self) -> Self {
         for l in (0..self.scene.links.len()).map(LinkId) {
             let Some(pose) = self.poses[l.0] else { continue };
-            for (p, local) in self.shapes[l.0].points.clone() {
+            for (p, local) in &self.shapes[l.0].points {
                 if self.points[p.0].is_none() {
-                    self.points[p.0] = Some(pose.to_world(local));
+                    self.points[p.0] = Some(pose.to_world(*local));
                 }
             }
         }
@@ -32,16 +34,28 @@ impl Assembly<'_> {
                 });
             }
         }
-        for g in (0..self.scene.guides.len()).map(GuideId) {
-            self.check_placed(g);
+        self
+    }
+
+    pub(super) fn into_configuration(self) -> Configuration<N> {
+        let shapes = Shapes { points: self.shapes.into_iter().map(|s| s.points).collect(), guides: self.guides };
+        complete(self.scene, self.m, shapes, self.poses, self.points, self.closures)
+    }
+}
+
+impl Assembly<'_, f64> {
+    pub(super) fn finish(self) -> Result<Warned<Configuration>, Faults> {
+        let mut a = self.settled();
+        for g in (0..a.scene.guides.len()).map(GuideId) {
+            a.check_placed(g);
         }
-        if self.faults.has_errors() {
-            return Err(self.faults);
+        if a.faults.has_errors() {
+            return Err(a.faults);
         }
-        let shapes = Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() };
-        let configuration = complete(self.scene, self.m, shapes, self.poses.clone(), self.points.clone());
-        self.check(&configuration);
-        if self.faults.has_errors() { Err(self.faults) } else { Ok(Warned { value: configuration, notes: self.notes }) }
+        let shapes = Shapes { points: a.shapes.iter().map(|s| s.points.clone()).collect(), guides: a.guides.clone() };
+        let configuration = complete(a.scene, a.m, shapes, a.poses.clone(), a.points.clone(), a.closures.clone());
+        a.check(&configuration);
+        if a.faults.has_errors() { Err(a.faults) } else { Ok(Warned { value: configuration, notes: a.notes }) }
     }
 
     /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
@@ -144,14 +158,15 @@ fn same_place(extent: f64, at: Point) -> f64 {
 }
 
 /// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.
-pub(super) fn complete(
+pub(super) fn complete<N: Real>(
     scene: &Scene,
     m: &Mechanism,
-    shapes: Shapes,
-    mut poses: Vec<Option<Pose>>,
-    mut points: Vec<Option<Point>>,
-) -> Configuration {
-    poses[scene.ground.0] = Some(Pose::GROUND);
+    shapes: Shapes<N>,
+    mut poses: Vec<Option<Pose<N>>>,
+    mut points: Vec<Option<Point<N>>>,
+    closures: Vec<usize>,
+) -> Configuration<N> {
+    poses[scene.ground.0] = Some(Pose::ground());
     for (pose, carried) in poses.iter().zip(&shapes.points) {
         let Some(pose) = pose else { continue };
         for (p, local) in carried {
@@ -161,7 +176,7 @@ pub(super) fn complete(
             }
         }
     }
-    let guides: Vec<Option<Path>> =
+    let guides: Vec<Option<Path<N>>> =
         (0..scene.guides.len()).map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?))).collect();
     for (l, passive) in m.passive.iter().enumerate() {
         poses[l] = match *passive {
@@ -179,5 +194,5 @@ pub(super) fn complete(
             None => poses[l],
         };
     }
-    Configuration { points, poses, guides, shapes }
+    Configuration { points, poses, guides, shapes, closures }
 }

@@ -7,26 +7,34 @@ use super::{Configuration, Pose, Shapes, newton};
 use crate::diag::Diagnostic;
 use crate::geom::Point;
 use crate::mechanism::Group;
+use crate::number::Real;
 use crate::scene::{DriverKind, GuideId, PointId};
 
-impl Assembly<'_> {
+impl<N: Real> Assembly<'_, N> {
     /// A group for which only Newton's method from a sketch remains.
-    pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<Trial, Diagnostic> {
+    pub(super) fn newton_trial(&self, index: usize, group: &Group) -> Result<Trial<N>, Diagnostic> {
+        if let Some(meant) = self.meant {
+            return self.coupled_trial(group, meant);
+        }
         let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let lacking = |what: &str| {
             Diagnostic::error("sketch-needed", format!("links {} can only be placed from a rough pose: {what}", names.join(", ")))
                 .at(self.scene.links[group.links[0].0].span)
                 .help("give rough coordinates of their joints in \"sketch\"")
         };
-        let rough =
-            |p: PointId| self.points[p.0].or(given_at(self.scene, p)).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
+        let rough = |p: PointId| {
+            self.points[p.0]
+                .map(Point::approx)
+                .or(given_at(self.scene, p))
+                .or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])))
+        };
         let mut start = self.snapshot();
         for &p in &group.pins {
             start.points[p.0] = Some(rough(p).ok_or_else(|| lacking(&format!("{} is not sketched", self.scene.point_name(p))))?);
         }
         for &l in &group.links {
             let known: Vec<(Point, Point)> =
-                self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (*local, at))).collect();
+                self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
             let [a, .., b] = known[..] else {
                 return Err(lacking(&format!("link {} has fewer than two placed points", self.scene.link_name(l))));
             };
@@ -42,18 +50,18 @@ impl Assembly<'_> {
                 .at(self.scene.links[group.links[0].0].span)
                 .help("improve the sketch, or check whether the lengths can be assembled")
         })?;
-        let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at))).collect();
-        let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose))).collect();
+        let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at.lift()))).collect();
+        let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose.lift()))).collect();
         Ok(self.trial(pins, poses))
     }
 
-    pub(super) fn driver_values(&self, start: &Configuration) -> newton::DriverValues {
+    fn driver_values(&self, start: &Configuration) -> newton::DriverValues {
         let mut values = newton::driver_values(self.scene, start);
         for (d, driver) in self.scene.drivers.iter().enumerate() {
             match &driver.kind {
                 DriverKind::Turn { link, against, .. } => {
                     if let (Ok(axis), Some(base)) = (self.axis_of(*link, *against, Some(d)), self.poses[against.0]) {
-                        values.0[d] = axis.divide_by(base.axis).angle();
+                        values.0[d] = axis.divide_by(base.axis).approx().angle();
                     }
                 }
                 DriverKind::Slide { position: Some(s), .. } => values.0[d] = s.value,
@@ -64,12 +72,17 @@ impl Assembly<'_> {
         values
     }
 
-    pub(super) fn snapshot(&self) -> Configuration {
+    /// What is placed so far, in `f64`.
+    fn snapshot(&self) -> Configuration {
         Configuration {
-            points: self.points.clone(),
-            poses: self.poses.clone(),
-            guides: (0..self.guides.len()).map(|g| self.guide_in_plane(GuideId(g))).collect(),
-            shapes: Shapes { points: self.shapes.iter().map(|s| s.points.clone()).collect(), guides: self.guides.clone() },
+            points: self.points.iter().map(|p| p.map(Point::approx)).collect(),
+            poses: self.poses.iter().map(|p| p.map(|p| p.approx())).collect(),
+            guides: (0..self.guides.len()).map(|g| self.guide_in_plane(GuideId(g)).map(|g| g.approx())).collect(),
+            shapes: Shapes {
+                points: self.shapes.iter().map(|s| s.points.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
+                guides: self.guides.iter().map(|g| g.map(|g| g.approx())).collect(),
+            },
+            closures: self.closures.clone(),
         }
     }
 }

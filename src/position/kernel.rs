@@ -7,23 +7,24 @@
 //! No tolerance is in this file: what cannot be closed is reported with the amount by which it misses.
 
 use crate::geom::{Point, Vec2, cross_lines};
+use crate::number::Real;
 
 /// A locus of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Locus {
+pub enum Locus<N = f64> {
     /// All points at `radius` from `centre`.
     Circle {
         /// Centre.
-        centre: Point,
+        centre: Point<N>,
         /// Radius, not negative.
-        radius: f64,
+        radius: N,
     },
     /// A straight line.
     Line {
         /// A point of it.
-        through: Point,
+        through: Point<N>,
         /// Unit direction.
-        direction: Vec2,
+        direction: Vec2<N>,
     },
 }
 
@@ -41,8 +42,9 @@ pub enum Miss {
 /// The meeting points of two loci, at most two: first the one to the left of the line from the first locus's centre to
 /// the second's (two circles), or the one further along the line's direction (circle and line).
 ///
-/// Two coinciding solutions (the loci touch) are returned as two equal points.
-pub fn meet(a: Locus, b: Locus) -> Result<Vec<Point>, Miss> {
+/// Two coinciding solutions (the loci touch) are returned as two equal points. In numbers that know their error a miss is
+/// a statement about the numbers as written; in plain ones, what rounding explains is taken for a touch.
+pub fn meet<N: Real>(a: Locus<N>, b: Locus<N>) -> Result<Vec<Point<N>>, Miss> {
     match (a, b) {
         (Locus::Circle { centre: p, radius: r }, Locus::Circle { centre: q, radius: s }) => circles(p, r, q, s),
         (Locus::Circle { centre, radius }, Locus::Line { through, direction })
@@ -50,7 +52,11 @@ pub fn meet(a: Locus, b: Locus) -> Result<Vec<Point>, Miss> {
         (Locus::Line { through: p, direction: u }, Locus::Line { through: q, direction: w }) => {
             let c = cross_lines(p, u, q, w);
             // The sine of two unit vectors that are parallel as written is zero to the last bit or two.
-            if c.sine.abs() <= PARALLEL || !c.at.is_finite() { Err(Miss::Parallel(u.cross(q - p).abs())) } else { Ok(vec![c.at]) }
+            if c.sine.approx().abs() <= PARALLEL || !c.at.is_finite() {
+                Err(Miss::Parallel(u.cross(q - p).approx().abs()))
+            } else {
+                Ok(vec![c.at])
+            }
         }
     }
 }
@@ -64,49 +70,57 @@ const PARALLEL: f64 = 1e-15;
 /// touch exactly, rounding may leave −4u of its terms. A radicand below that is a miss, not a touch.
 const TOUCH: f64 = 8.0 * f64::EPSILON;
 
+/// Whether a radicand is negative beyond what its rounding explains; `size` is that of its terms.
+fn misses<N: Real>(radicand: N, size: N) -> bool {
+    radicand.is_surely_negative() || radicand.approx() < -TOUCH * size.approx()
+}
+
 /// Two circles, in squared distances.
 ///
 /// # Source
 /// m = ((r+s)²−d²)(d²−(r−s)²), the squared quadruple area after Heron; 12 forms were measured, this is the fastest and
 /// as stable as Kahan's.
-fn circles(p: Point, r: f64, q: Point, s: f64) -> Result<Vec<Point>, Miss> {
+fn circles<N: Real>(p: Point<N>, r: N, q: Point<N>, s: N) -> Result<Vec<Point<N>>, Miss> {
     let d = q - p;
     // Scaled by a power of two so that squares of very small or large lengths neither vanish nor overflow.
-    let k = power_of_two_scale(r.max(s).max(d.norm()));
-    let (d, r, s) = (d * k, r * k, s * k);
+    let k = power_of_two_scale(r.approx().max(s.approx()).max(d.approx().norm()));
+    let (up, back) = (N::from_f64(k), N::from_f64(1.0 / k));
+    let (d, r, s) = (d * up, r * up, s * up);
     let d2 = d.norm2();
-    if d2 == 0.0 {
-        return Err(Miss::Parallel((r - s).abs() / k));
+    if d2.approx() == 0.0 {
+        return Err(Miss::Parallel((r - s).approx().abs() / k));
     }
     let (outer, inner) = ((r + s) * (r + s) - d2, d2 - (r - s) * (r - s));
-    let slack = TOUCH * (d2 + r * r + s * s);
-    if outer < -slack {
-        return Err(Miss::TooFar((d2.sqrt() - (r + s)) / k));
+    let terms = d2 + r * r + s * s;
+    if misses(outer, terms) {
+        return Err(Miss::TooFar((d2.sqrt() - (r + s)).approx() / k));
     }
-    if inner < -slack {
-        return Err(Miss::TooNear(((r - s).abs() - d2.sqrt()) / k));
+    if misses(inner, terms) {
+        return Err(Miss::TooNear(((r - s).approx().abs() - d2.approx().sqrt()) / k));
     }
-    let m = (outer.max(0.0) * inner.max(0.0)).sqrt();
-    let f = (d2 + (r - s) * (r + s)) / (2.0 * d2);
-    let h = m / (2.0 * d2);
+    let m = (outer * inner).sqrt_or_zero();
+    let two = N::from_f64(2.0);
+    let f = (d2 + (r - s) * (r + s)) / (two * d2);
+    let h = m / (two * d2);
     let foot = d * f;
     let side = d.perp() * h;
-    Ok(vec![p + (foot + side) * (1.0 / k), p + (foot - side) * (1.0 / k)])
+    Ok(vec![p + (foot + side) * back, p + (foot - side) * back])
 }
 
-fn circle_line(c: Point, r: f64, q: Point, t: Vec2) -> Result<Vec<Point>, Miss> {
-    let k = power_of_two_scale(r.max((q - c).norm()));
-    let e = (q - c) * k;
-    let r = r * k;
+fn circle_line<N: Real>(c: Point<N>, r: N, q: Point<N>, t: Vec2<N>) -> Result<Vec<Point<N>>, Miss> {
+    let k = power_of_two_scale(r.approx().max((q - c).approx().norm()));
+    let (up, back) = (N::from_f64(k), N::from_f64(1.0 / k));
+    let e = (q - c) * up;
+    let r = r * up;
     let b = e.dot(t);
     let h = t.cross(e);
     let outer = (r - h) * (r + h);
-    if outer < -TOUCH * (r * r + h * h) {
-        return Err(Miss::TooFar((h.abs() - r) / k));
+    if misses(outer, r * r + h * h) {
+        return Err(Miss::TooFar((h.approx().abs() - r.approx()) / k));
     }
-    let w = outer.max(0.0).sqrt();
-    let foot = q + t * (-b / k);
-    Ok(vec![foot + t * (w / k), foot - t * (w / k)])
+    let w = outer.sqrt_or_zero();
+    let foot = q - t * (b * back);
+    Ok(vec![foot + t * (w * back), foot - t * (w * back)])
 }
 
 /// Turns a lever about its pivot until its slot meets the pin.
@@ -114,7 +128,7 @@ fn circle_line(c: Point, r: f64, q: Point, t: Vec2) -> Result<Vec<Point>, Miss> 
 /// In the lever's frame: pivot `d`, slot along the unit vector `t` through `q`. `to_pin` leads from the pivot to the pin
 /// in the plane. Returns, for each closure, the pin's place in the lever's frame: first the one further along the slot's
 /// direction.
-pub fn lever(d: Point, q: Point, t: Vec2, to_pin: Vec2) -> Result<Vec<Point>, Miss> {
+pub fn lever<N: Real>(d: Point<N>, q: Point<N>, t: Vec2<N>, to_pin: Vec2<N>) -> Result<Vec<Point<N>>, Miss> {
     circle_line(d, to_pin.norm(), q, t)
 }
 

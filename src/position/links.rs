@@ -2,19 +2,20 @@
 
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
-use super::shape::{Frame, given_at};
+use super::proof::Unproven;
+use super::shape::{Frame, given_at, given_place};
 use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Leg;
+use crate::number::Real;
 use crate::quantity::metres;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
-use crate::trig;
 
-impl Assembly<'_> {
+impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
-    pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose>, Diagnostic> {
+    pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
         let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
         match (pinned, angle) {
@@ -59,7 +60,7 @@ impl Assembly<'_> {
     }
 
     /// Direction of a link's frame, from the link whose turning it shares or against which a driver turns it.
-    pub(super) fn axis_of(&self, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<Vec2, Diagnostic> {
+    pub(super) fn axis_of(&self, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<Vec2<N>, Diagnostic> {
         let name = self.scene.link_name(link);
         let shape = &self.shapes[link.0];
         let Some(d) = driver else {
@@ -71,7 +72,7 @@ impl Assembly<'_> {
                 .at(self.scene.links[link.0].span)
                 .help("give the coordinates of two of its points at the instant in \"points\""))
             } else {
-                Ok(Vec2::new(1.0, 0.0))
+                Ok(Vec2::unit_x())
             };
         };
         let DriverKind::Turn { line, against_line, angle, .. } = &self.scene.drivers[d].kind else {
@@ -84,20 +85,20 @@ impl Assembly<'_> {
             Some((a, b)) => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
             None => match &self.scene.links[link.0].points[..] {
                 [a, b, ..] => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
-                _ => Some(Vec2::new(1.0, 0.0)),
+                _ => Some(Vec2::unit_x()),
             },
         };
         let base = if let Some((a, b)) = against_line {
             self.points[a.0].zip(self.points[b.0]).map(|(a, b)| b - a)
         } else if of == self.scene.ground {
-            Some(Vec2::new(1.0, 0.0))
+            Some(Vec2::unit_x())
         } else {
             match &self.scene.links[of.0].points[..] {
                 [a, b, ..] => self.points[a.0].zip(self.points[b.0]).map(|(a, b)| b - a),
                 _ => self.poses[of.0].map(|p| p.axis),
             }
         };
-        let (s, c) = trig::sin_cos(angle.value);
+        let (s, c) = self.inputs.sin_cos(angle);
         own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
             Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
                 .at(angle.span)
@@ -106,14 +107,14 @@ impl Assembly<'_> {
     }
 
     /// A link on a known pivot whose slot runs over a known pin.
-    pub(super) fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose>, Diagnostic> {
-        let (pivot_at, pin_at) = (self.known(pivot), given_at(self.scene, runner).unwrap_or_else(|| self.known(runner)));
+    pub(super) fn poses_of_lever(&self, link: LinkId, pivot: PointId, runner: PointId, guide: GuideId) -> Result<Vec<Pose<N>>, Diagnostic> {
+        let (pivot_at, pin_at) = (self.known(pivot), given_place(self.scene, &self.inputs, runner).unwrap_or_else(|| self.known(runner)));
         let d = self.shapes[link.0].local(pivot).expect("a link's points have local places");
         let to_pin = pin_at - pivot_at;
         let Some(path) = self.guides[guide.0] else {
             // The guide's direction is given at the instant, or it runs through the pin where that is.
             return if self.shapes[link.0].frame == Frame::Loose {
-                Ok(vec![Pose { origin: pivot_at - d.to_vec2(), axis: Vec2::new(1.0, 0.0) }])
+                Ok(vec![Pose { origin: pivot_at - d.to_vec2(), axis: Vec2::unit_x() }])
             } else {
                 Err(Diagnostic::error(
                     "guide-not-placed",
@@ -178,17 +179,17 @@ impl Assembly<'_> {
         .help("change the slot's offset, a length, or the driver's position")
     }
 
-    pub(super) fn poses_at_angle(&self, link: LinkId, axis: Vec2, legs: &[&Leg]) -> Result<Vec<Pose>, Diagnostic> {
+    pub(super) fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, legs: &[&Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         if let [Leg::DrivenGlide { guide, driver, .. }] = legs[..] {
             let path = self.need_guide(*guide)?;
             let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
                 return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
             };
-            return Ok(vec![Pose { origin: path.point_at(s.value), axis }]);
+            return Ok(vec![Pose { origin: path.point_at(self.inputs.number(s)), axis }]);
         }
         // A point with given coordinates shows the place of a link whose direction is known.
         let shape = &self.shapes[link.0];
-        if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_at(self.scene, *p)?))) {
+        if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?))) {
             return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
         }
         // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
@@ -200,7 +201,7 @@ impl Assembly<'_> {
         if let Some(pin) = met
             && (shape.points.is_empty() || self.m.never_turns[link.0])
         {
-            let origin = if shape.points.is_empty() { Point::ORIGIN } else { self.known(pin) };
+            let origin = if shape.points.is_empty() { Point::origin() } else { self.known(pin) };
             return Ok(vec![Pose { origin, axis }]);
         }
         let [a, b] = legs[..] else { return Err(self.no_closure(link)) };
@@ -216,7 +217,7 @@ impl Assembly<'_> {
         Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect())
     }
 
-    pub(super) fn triad_leg(&self, link: LinkId, leg: &Leg) -> Result<TriadLeg, Diagnostic> {
+    pub(super) fn triad_leg(&self, link: LinkId, leg: &Leg) -> Result<TriadLeg<N>, Diagnostic> {
         let local = |p: PointId| self.shapes[link.0].local(p).ok_or_else(|| self.not_placed(p, link));
         Ok(match *leg {
             Leg::Bar { link: bar, near, far } => {
@@ -248,9 +249,9 @@ impl Assembly<'_> {
                 // How far the link's own origin lies beside the guide is nobody's concern: it lies on it.
                 let through = match self.guide_in_plane(guide) {
                     Some(Path::Line { through, .. }) => through,
-                    _ => Point::ORIGIN,
+                    _ => Point::origin(),
                 };
-                TriadLeg::Line { near: Point::ORIGIN, through, direction }
+                TriadLeg::Line { near: Point::origin(), through, direction }
             }
             _ => return Err(self.no_closure(link)),
         })
@@ -259,16 +260,34 @@ impl Assembly<'_> {
     /// The pose that the sketch (or coordinates) of two of a link's points gives it.
     pub(super) fn sketched_pose(&self, link: LinkId) -> Option<(Point, Vec2)> {
         let rough = |p: PointId| given_at(self.scene, p).or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])));
-        let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((*local, rough(*p)?)));
+        let mut known = self.shapes[link.0].points.iter().filter_map(|(p, local)| Some((local.approx(), rough(*p)?)));
         let (a, b) = (known.next()?, known.next()?);
         let pose = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1)?;
         Some((pose.origin, pose.axis))
     }
 
-    pub(super) fn poses_of_triad(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose>, Diagnostic> {
+    /// A group without a closed form that these numbers cannot vouch for.
+    pub(super) fn unproven(&self, links: &[LinkId], why: Unproven) -> Diagnostic {
+        let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let why = match why {
+            Unproven::NoRoot => "Newton's method does not settle",
+            Unproven::NotUnique => "another assembly may lie closer than the numbers can tell",
+            Unproven::NotWritten => "sliding links inside a group of class IV or higher are not proved",
+        };
+        Diagnostic::error("not-proved", format!("the assembly of link {} is not proved: {why}", names.join(", ")))
+            .at(self.scene.links[links[0].0].span)
+    }
+
+    pub(super) fn poses_of_triad(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let [a, b, c] = legs else { return Err(self.no_closure(link)) };
         let legs = [self.triad_leg(link, a)?, self.triad_leg(link, b)?, self.triad_leg(link, c)?];
-        let found = triad::assemblies(&legs, self.sketched_pose(link));
+        if let Some(pose) = self.known_pose(link) {
+            return match triad::refined(&legs, pose) {
+                Ok(pose) => Ok(vec![pose]),
+                Err(why) => Err(self.unproven(&[link], why)),
+            };
+        }
+        let found = triad::assemblies(&legs.map(|l| l.approx()), self.sketched_pose(link));
         if found.is_empty() {
             return Err(Diagnostic::error(
                 "cannot-assemble",
@@ -277,6 +296,6 @@ impl Assembly<'_> {
             .at(self.scene.links[link.0].span)
             .help("change a length of the group or the driver's position"));
         }
-        Ok(found.into_iter().map(|(origin, axis)| Pose { origin, axis }).collect())
+        Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
     }
 }

@@ -251,5 +251,5 @@ pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, driver
         .collect();
     let system = System::new(scene, mechanism, &start.shapes, start, &groups);
     let (poses, points) = system.solve(start, drivers)?;
-    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points))
+    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points, start.closures.clone()))
 }

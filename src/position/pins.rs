@@ -6,12 +6,13 @@ use super::kernel::{self, Locus, Miss};
 use crate::diag::Diagnostic;
 use crate::geom::Point;
 use crate::mechanism::Leg;
+use crate::number::Real;
 use crate::quantity::metres;
 use crate::scene::{DriverKind, LinkId, PointId};
 
-impl Assembly<'_> {
+impl<N: Real> Assembly<'_, N> {
     /// The possible places of a pin on its two loci.
-    pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point>, Diagnostic> {
+    pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point<N>>, Diagnostic> {
         match legs {
             [Leg::Carried { link }] => Ok(vec![self.world(*link, pin).ok_or_else(|| self.not_placed(pin, *link))?]),
             [Leg::Driven { guide, driver, .. }] => {
@@ -19,7 +20,7 @@ impl Assembly<'_> {
                 let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
                     return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
                 };
-                Ok(vec![path.point_at(s.value)])
+                Ok(vec![path.point_at(self.inputs.number(s))])
             }
             [first, second] => {
                 let (a, b) = (self.locus_of_pin(pin, first)?, self.locus_of_pin(pin, second)?);
@@ -35,7 +36,7 @@ impl Assembly<'_> {
             .help("give a length, or its coordinates in \"points\"")
     }
 
-    pub(super) fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus, Diagnostic> {
+    pub(super) fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus<N>, Diagnostic> {
         Ok(match *leg {
             Leg::Bar { link, far, .. } => {
                 let s = &self.shapes[link.0];
@@ -57,9 +58,9 @@ impl Assembly<'_> {
         })
     }
 
-    pub(super) fn cylinder_length(&self, driver: usize) -> Result<f64, Diagnostic> {
+    pub(super) fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
-            DriverKind::Cylinder { length: Some(l), .. } => Ok(l.value),
+            DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.number(l)),
             _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
         }
     }
@@ -82,12 +83,12 @@ impl Assembly<'_> {
         match *leg {
             Leg::Bar { link, far, .. } => {
                 let s = &self.shapes[link.0];
-                let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b));
+                let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b).approx());
                 format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), metres(l))
             }
             Leg::OnGuide { guide, .. } => format!("the guide on link {}", self.scene.link_name(self.scene.guides[guide.0].on)),
             Leg::Cylinder { driver, far, .. } => {
-                let l = self.cylinder_length(driver).unwrap_or(0.0);
+                let l = self.cylinder_length(driver).map_or(0.0, Real::approx);
                 format!("the cylinder {}{p} ({})", self.scene.point_name(far), metres(l))
             }
             Leg::Ram { link, .. } => format!("link {}", self.scene.link_name(link)),

@@ -9,8 +9,9 @@ use super::kernel::{Locus, Miss, meet};
 use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
-use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
-use crate::trig;
+use crate::number::Real;
+use crate::scene::exact::Inputs;
+use crate::scene::{Direction, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
 /// How far a link's frame is fixed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,13 +24,13 @@ pub(super) enum Frame {
     Loose,
 }
 
-pub(super) struct LinkShape {
-    pub points: Vec<(PointId, Point)>,
+pub(super) struct LinkShape<N> {
+    pub points: Vec<(PointId, Point<N>)>,
     pub frame: Frame,
 }
 
-impl LinkShape {
-    pub fn local(&self, p: PointId) -> Option<Point> {
+impl<N: Real> LinkShape<N> {
+    pub fn local(&self, p: PointId) -> Option<Point<N>> {
         self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
     }
 }
@@ -42,28 +43,36 @@ pub(super) fn given_at(scene: &Scene, p: PointId) -> Option<Point> {
     }
 }
 
-fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<f64> {
-    scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a)).map(|l| l.value.value)
+/// The same in the numbers of an assembly.
+pub(super) fn given_place<N: Real>(scene: &Scene, inputs: &Inputs<N>, p: PointId) -> Option<Point<N>> {
+    match &scene.points[p.0].place {
+        Place::At([x, y]) => Some(Point::new(inputs.number(x), inputs.number(y))),
+        _ => None,
+    }
+}
+
+fn given_length(scene: &Scene, a: PointId, b: PointId) -> Option<&Given> {
+    scene.lengths.iter().find(|l| (l.a, l.b) == (a, b) || (l.a, l.b) == (b, a)).map(|l| &l.value)
 }
 
 /// The form of one link.
-pub(super) fn of_link(scene: &Scene, l: LinkId, faults: &mut Faults) -> LinkShape {
+pub(super) fn of_link<N: Real>(scene: &Scene, inputs: &Inputs<N>, l: LinkId, faults: &mut Faults) -> LinkShape<N> {
     let all = &scene.links[l.0].points;
-    let at: Vec<(PointId, Point)> = all.iter().filter_map(|p| given_at(scene, *p).map(|x| (*p, x))).collect();
+    let at: Vec<(PointId, Point<N>)> = all.iter().filter_map(|p| given_place(scene, inputs, *p).map(|x| (*p, x))).collect();
     let ground = l == scene.ground;
     let (mut points, frame) = if at.len() >= 2 || (ground && !at.is_empty()) {
         (at, Frame::Plane)
     } else if let Some((a, b, d)) = base_pair(scene, all) {
-        (vec![(a, Point::ORIGIN), (b, Point::new(d, 0.0))], if ground { Frame::Plane } else { Frame::Body })
+        (vec![(a, Point::origin()), (b, Point::new(inputs.number(d), N::from_f64(0.0)))], if ground { Frame::Plane } else { Frame::Body })
     } else if let Some(p) = all.iter().find(|p| is_free(scene, **p)).or(all.first()) {
-        (vec![(*p, Point::ORIGIN)], if ground { Frame::Plane } else { Frame::Loose })
+        (vec![(*p, Point::origin())], if ground { Frame::Plane } else { Frame::Loose })
     } else {
         (Vec::new(), if ground { Frame::Plane } else { Frame::Loose })
     };
     let mut open: Vec<PointId> = all.iter().copied().filter(|p| !points.iter().any(|(q, _)| q == p)).collect();
     loop {
         let before = open.len();
-        open.retain(|&p| match place_point(scene, l, &points, p) {
+        open.retain(|&p| match place_point(scene, inputs, l, &points, p) {
             Some(Ok(at)) => {
                 points.push((p, at));
                 false
@@ -71,7 +80,7 @@ pub(super) fn of_link(scene: &Scene, l: LinkId, faults: &mut Faults) -> LinkShap
             Some(Err(d)) => {
                 faults.push(d);
                 // Reported once: placed anywhere, so that what hangs on it is not reported too.
-                points.push((p, Point::ORIGIN));
+                points.push((p, Point::origin()));
                 false
             }
             None => true,
@@ -82,7 +91,7 @@ pub(super) fn of_link(scene: &Scene, l: LinkId, faults: &mut Faults) -> LinkShap
     }
     for p in open {
         faults.push(missing_length(scene, l, &points, p));
-        points.push((p, Point::ORIGIN));
+        points.push((p, Point::origin()));
     }
     check_given_lengths(scene, l, &points, faults);
     LinkShape { points, frame }
@@ -93,7 +102,7 @@ fn is_free(scene: &Scene, p: PointId) -> bool {
     matches!(scene.points[p.0].place, Place::Unknown | Place::At(_))
 }
 
-fn base_pair(scene: &Scene, all: &[PointId]) -> Option<(PointId, PointId, f64)> {
+fn base_pair<'a>(scene: &'a Scene, all: &[PointId]) -> Option<(PointId, PointId, &'a Given)> {
     for (i, &a) in all.iter().enumerate() {
         for &b in &all[i + 1..] {
             if let Some(d) = given_length(scene, a, b) {
@@ -105,46 +114,54 @@ fn base_pair(scene: &Scene, all: &[PointId]) -> Option<(PointId, PointId, f64)> 
 }
 
 /// Places a point of a link from those already placed; `None` where the data do not (yet) suffice.
-fn place_point(scene: &Scene, l: LinkId, points: &[(PointId, Point)], p: PointId) -> Option<Result<Point, Diagnostic>> {
+fn place_point<N: Real>(
+    scene: &Scene,
+    inputs: &Inputs<N>,
+    l: LinkId,
+    points: &[(PointId, Point<N>)],
+    p: PointId,
+) -> Option<Result<Point<N>, Diagnostic>> {
     let local = |q: PointId| points.iter().find(|(r, _)| *r == q).map(|(_, at)| *at);
     match &scene.points[p.0].place {
         Place::InLink { base, xy } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
-            return Some(Ok(o + Vec2::new(xy[0].value, xy[1].value).rotate_by(x)));
+            return Some(Ok(o + Vec2::new(inputs.number(&xy[0]), inputs.number(&xy[1])).rotate_by(x)));
         }
         Place::Polar { base, length, angle } => {
             let (o, x) = (local(base.0)?, (local(base.1)? - local(base.0)?).unit()?);
-            let (s, c) = trig::sin_cos(angle.value);
-            return Some(Ok(o + Vec2::new(length.value * c, length.value * s).rotate_by(x)));
+            let (s, c) = inputs.sin_cos(angle);
+            let length = inputs.number(length);
+            return Some(Ok(o + Vec2::new(length * c, length * s).rotate_by(x)));
         }
         Place::At(_) | Place::Unknown => {}
     }
-    let known: Vec<(PointId, Point, f64)> = points.iter().filter_map(|(q, at)| given_length(scene, *q, p).map(|d| (*q, *at, d))).collect();
+    let known: Vec<(PointId, Point<N>, N)> =
+        points.iter().filter_map(|(q, at)| given_length(scene, *q, p).map(|d| (*q, *at, inputs.number(d)))).collect();
     let [(qa, a, ra), (qb, b, rb), ..] = known[..] else { return None };
     Some(match meet(Locus::Circle { centre: a, radius: ra }, Locus::Circle { centre: b, radius: rb }) {
-        Ok(two) => Ok(pick_side(scene, p, (qa, a), (qb, b), &two)),
+        Ok(two) => Ok(two[pick_side(scene, p, qa, qb)]),
         Err(miss) => Err(impossible_triangle(scene, l, p, qa, qb, miss)),
     })
 }
 
-/// Of the two mirror places of a point, the one the scene means: side, then sketch, then the left of the base.
-fn pick_side(scene: &Scene, p: PointId, a: (PointId, Point), b: (PointId, Point), two: &[Point]) -> Point {
+/// Which of the two mirror places of a point (left of a→b, right of it) the scene means: side, then sketch, then left.
+fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
     let sketch = |q: PointId| scene.points[q.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, q));
     for s in scene.sides.iter().filter(|s| s.point == p) {
-        let left = if (s.from, s.to) == (a.0, b.0) {
+        let left = if (s.from, s.to) == (a, b) {
             s.left
-        } else if (s.from, s.to) == (b.0, a.0) {
+        } else if (s.from, s.to) == (b, a) {
             !s.left
         } else {
             continue;
         };
-        return two[if left { 0 } else { 1 }];
+        return usize::from(!left);
     }
-    if let (Some(sa), Some(sb), Some(sp)) = (sketch(a.0), sketch(b.0), sketch(p)) {
+    if let (Some(sa), Some(sb), Some(sp)) = (sketch(a), sketch(b), sketch(p)) {
         let area = (sb - sa).cross(sp - sa);
-        return two[if area >= 0.0 { 0 } else { 1 }];
+        return usize::from(area < 0.0);
     }
-    two[0]
+    0
 }
 
 fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: PointId, miss: Miss) -> Diagnostic {
@@ -158,7 +175,7 @@ fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: Poin
         .at(scene.links[l.0].span)
 }
 
-fn missing_length(scene: &Scene, l: LinkId, points: &[(PointId, Point)], p: PointId) -> Diagnostic {
+fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], p: PointId) -> Diagnostic {
     let name = scene.point_name(p);
     let given: Vec<PointId> = points.iter().map(|(q, _)| *q).filter(|q| given_length(scene, *q, p).is_some()).collect();
     let missing: Vec<String> =
@@ -175,12 +192,12 @@ fn missing_length(scene: &Scene, l: LinkId, points: &[(PointId, Point)], p: Poin
 /// Two descriptions of one length must agree to what a person writes.
 const SAME_LENGTH: f64 = 1e-9;
 
-fn check_given_lengths(scene: &Scene, l: LinkId, points: &[(PointId, Point)], faults: &mut Faults) {
+fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], faults: &mut Faults) {
     if faults.has_errors() {
         return;
     }
     for given in &scene.lengths {
-        let find = |p: PointId| points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at);
+        let find = |p: PointId| points.iter().find(|(q, _)| *q == p).map(|(_, at)| at.approx());
         let (Some(a), Some(b)) = (find(given.a), find(given.b)) else { continue };
         let d = a.distance(b);
         if (d - given.value.value).abs() > SAME_LENGTH * d.max(given.value.value) {
@@ -204,15 +221,21 @@ fn check_given_lengths(scene: &Scene, l: LinkId, points: &[(PointId, Point)], fa
 }
 
 /// A guide's path in the frame of its link, as far as the link's form alone gives it. `None`: it needs the pose.
-pub(super) fn guide_in_link(scene: &Scene, m: &Mechanism, shape: &LinkShape, g: GuideId) -> Option<Path> {
+pub(super) fn guide_in_link<N: Real>(
+    scene: &Scene,
+    inputs: &Inputs<N>,
+    m: &Mechanism,
+    shape: &LinkShape<N>,
+    g: GuideId,
+) -> Option<Path<N>> {
     let guide = &scene.guides[g.0];
     let plane = shape.frame == Frame::Plane || (m.never_turns[guide.on.0] && shape.frame == Frame::Loose);
     match &guide.path {
-        GuidePath::Arc { centre, radius } => Some(Path::Arc { centre: shape.local(*centre)?, radius: radius.as_ref()?.value }),
+        GuidePath::Arc { centre, radius } => Some(Path::Arc { centre: shape.local(*centre)?, radius: inputs.number(radius.as_ref()?) }),
         GuidePath::Line { through, direction, offset } => {
             let direction = match direction {
                 Direction::Instant(angle) if plane => {
-                    let (s, c) = trig::sin_cos(angle.value);
+                    let (s, c) = inputs.sin_cos(angle);
                     Vec2::new(c, s)
                 }
                 Direction::Instant(_) => return None,
@@ -220,25 +243,25 @@ pub(super) fn guide_in_link(scene: &Scene, m: &Mechanism, shape: &LinkShape, g: 
                     let base = (shape.local(*b)? - shape.local(*a)?).unit()?;
                     match angle {
                         Some(angle) => {
-                            let (s, c) = trig::sin_cos(angle.value);
+                            let (s, c) = inputs.sin_cos(angle);
                             Vec2::new(c, s).rotate_by(base)
                         }
                         None => base,
                     }
                 }
-                Direction::Own => Vec2::new(1.0, 0.0),
+                Direction::Own => Vec2::unit_x(),
             };
             let through = match through {
                 Through::Point(p) => shape.local(*p)?,
-                Through::At([x, y]) if plane => Point::new(x.value, y.value),
+                Through::At([x, y]) if plane => Point::new(inputs.number(x), inputs.number(y)),
                 // A slider without a pin of its own keeps whatever distance it has: the line may lie anywhere.
-                Through::Pin if guide.pin.is_none() => Point::ORIGIN,
+                Through::Pin if guide.pin.is_none() => Point::origin(),
                 // The runner's own place: known in the link only where the link's frame is the plane's and the pin is given.
-                Through::Pin if shape.frame == Frame::Plane => given_at(scene, guide.pin?)?,
+                Through::Pin if shape.frame == Frame::Plane => given_place(scene, inputs, guide.pin?)?,
                 Through::At(_) | Through::Pin => return None,
             };
-            let offset = offset.as_ref().map_or(0.0, |o| o.value);
-            Some(Path::Line { through: through + direction.perp() * offset, direction })
+            let through = offset.as_ref().map_or(through, |o| through + direction.perp() * inputs.number(o));
+            Some(Path::Line { through, direction })
         }
     }
 }

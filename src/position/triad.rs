@@ -4,23 +4,39 @@
 //! At most six assemblies exist for three bars. Two that lie closer together than the sweep's step can be missed; near
 //! such a fold the sketch decides between the two only by chance anyway.
 
+use super::Pose;
 use super::kernel::{Locus, meet};
+use super::proof::{self, Unproven};
 use crate::geom::{Point, Vec2};
+use crate::number::Real;
 
 /// A leg of the link: where a point of the link must lie, as a function of the link's angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum TriadLeg {
+pub(super) enum TriadLeg<N = f64> {
     /// Local point `near` at `radius` from `far`.
-    Circle { near: Point, far: Point, radius: f64 },
+    Circle { near: Point<N>, far: Point<N>, radius: N },
     /// Local point `near` on a line of the plane.
-    Line { near: Point, through: Point, direction: Vec2 },
+    Line { near: Point<N>, through: Point<N>, direction: Vec2<N> },
     /// A line of the link passes a point of the plane.
-    Slot { through: Point, direction: Vec2, pin: Point },
+    Slot { through: Point<N>, direction: Vec2<N>, pin: Point<N> },
 }
 
-impl TriadLeg {
+impl<N: Real> TriadLeg<N> {
+    /// The nearest leg in `f64`.
+    pub fn approx(&self) -> TriadLeg {
+        match *self {
+            TriadLeg::Circle { near, far, radius } => TriadLeg::Circle { near: near.approx(), far: far.approx(), radius: radius.approx() },
+            TriadLeg::Line { near, through, direction } => {
+                TriadLeg::Line { near: near.approx(), through: through.approx(), direction: direction.approx() }
+            }
+            TriadLeg::Slot { through, direction, pin } => {
+                TriadLeg::Slot { through: through.approx(), direction: direction.approx(), pin: pin.approx() }
+            }
+        }
+    }
+
     /// The locus of the link's origin when its axis is `axis`.
-    pub fn locus(&self, axis: Vec2) -> Locus {
+    pub fn locus(&self, axis: Vec2<N>) -> Locus<N> {
         match *self {
             TriadLeg::Circle { near, far, radius } => Locus::Circle { centre: far - near.to_vec2().rotate_by(axis), radius },
             TriadLeg::Line { near, through, direction } => Locus::Line { through: through - near.to_vec2().rotate_by(axis), direction },
@@ -31,7 +47,7 @@ impl TriadLeg {
     }
 
     /// Signed distance by which the leg is missed.
-    fn miss(&self, origin: Point, axis: Vec2) -> f64 {
+    fn miss(&self, origin: Point<N>, axis: Vec2<N>) -> N {
         match self.locus(axis) {
             Locus::Circle { centre, radius } => origin.distance(centre) - radius,
             Locus::Line { through, direction } => direction.cross(origin - through),
@@ -39,12 +55,12 @@ impl TriadLeg {
     }
 
     /// Derivatives of [`TriadLeg::miss`] by the origin's x and y and by the angle times `scale` (so that all three compare).
-    fn gradient(&self, origin: Point, axis: Vec2, scale: f64) -> [f64; 3] {
+    fn gradient(&self, origin: Point<N>, axis: Vec2<N>, scale: f64) -> [N; 3] {
         let (by_origin, by_angle) = match *self {
             TriadLeg::Circle { near, far, .. } => {
                 let arm = near.to_vec2().rotate_by(axis);
                 let d = origin + arm - far;
-                let u = d * (1.0 / d.norm());
+                let u = d * (N::from_f64(1.0) / d.norm());
                 (u, u.dot(arm.perp()))
             }
             TriadLeg::Line { near, direction, .. } => (direction.perp(), direction.cross(near.to_vec2().rotate_by(axis).perp())),
@@ -53,7 +69,7 @@ impl TriadLeg {
                 (u.perp(), u.perp().cross(origin + q - pin) + u.cross(q.perp()))
             }
         };
-        [by_origin.x, by_origin.y, by_angle / scale]
+        [by_origin.x, by_origin.y, by_angle / N::from_f64(scale)]
     }
 }
 
@@ -68,7 +84,7 @@ const STEPS: usize = 1440;
 /// Near a fold two assemblies can lie within one step of the sweep: the sketched pose is refined as well, which finds the
 /// one meant.
 pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) -> Vec<(Point, Vec2)> {
-    let scale = legs.iter().map(size).fold(0.0, f64::max);
+    let scale = scale_of(legs);
     let mut found: Vec<(Point, Vec2)> = Vec::new();
     for order in [[0, 1, 2], [0, 2, 1], [1, 2, 0]] {
         for rough in sweep(&order.map(|i| legs[i]), scale) {
@@ -79,6 +95,45 @@ pub(super) fn assemblies(legs: &[TriadLeg; 3], sketched: Option<(Point, Vec2)>) 
         keep(&mut found, hit, scale);
     }
     found
+}
+
+/// The assembly near a pose, in the numbers of the legs.
+pub(super) fn refined<N: Real>(legs: &[TriadLeg<N>; 3], near: Pose) -> Result<Pose<N>, Unproven> {
+    let start: Pose<N> = near.lift();
+    if !N::refines() {
+        return Ok(start);
+    }
+    // An axis that was rounded to f64 is a unit vector only to f64.
+    let start = Pose { axis: start.axis.unit().ok_or(Unproven::NoRoot)?, ..start };
+    let scale = scale_of(&legs.map(|l| l.approx()));
+    proof::root(&Held { legs, scale }, start, scale)
+}
+
+/// A link on three legs as equations for its pose; all three unknowns are lengths, the angle's times `scale`.
+struct Held<'a, N> {
+    legs: &'a [TriadLeg<N>; 3],
+    scale: f64,
+}
+
+impl<N: Real> proof::System<N> for Held<'_, N> {
+    type State = Pose<N>;
+
+    fn residuals(&self, at: &Pose<N>) -> Vec<N> {
+        self.legs.iter().map(|l| l.miss(at.origin, at.axis)).collect()
+    }
+
+    fn jacobian(&self, at: &Pose<N>) -> Vec<Vec<N>> {
+        self.legs.iter().map(|l| l.gradient(at.origin, at.axis, self.scale).to_vec()).collect()
+    }
+
+    fn moved(&self, at: &Pose<N>, step: &[N]) -> Pose<N> {
+        let turn = step[2] / N::from_f64(self.scale);
+        Pose { origin: at.origin + Vec2::new(step[0], step[1]), axis: proof::turned(at.axis, turn) }
+    }
+
+    fn angles(&self) -> Vec<(usize, f64)> {
+        vec![(2, self.scale)]
+    }
 }
 
 /// Polished solutions are good to a few units of 1e-16 times their condition number; two assemblies nearer to one another
@@ -158,6 +213,10 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64)
     }
     let off = legs.iter().map(|l| l.miss(origin, axis).abs()).fold(0.0, f64::max);
     (off < 1e-9 * scale).then_some((origin, axis))
+}
+
+fn scale_of(legs: &[TriadLeg; 3]) -> f64 {
+    legs.iter().map(size).fold(0.0, f64::max)
 }
 
 fn size(leg: &TriadLeg) -> f64 {

@@ -5,6 +5,7 @@
 
 mod decode;
 pub mod eval;
+pub mod exact;
 pub mod expr;
 mod fields;
 mod json;

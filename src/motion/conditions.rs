@@ -1,0 +1,389 @@
+//! The conditions that pairs and drivers put on the motion of one group, and their solution.
+//!
+//! Three kinds are enough: two points keep a distance, a point moves at a given rate along a direction of a body, a body
+//! turns against another at a given rate. Each is differentiated twice by hand; the same coefficients serve velocities,
+//! accelerations, and the derivatives of the closure equations.
+//!
+//! Lengths are multiplied by a power of two near 1/(size of the mechanism), so that the choice of pivots does not depend on
+//! the unit, and scaling a scene by 2^k changes no digit.
+
+use super::{LinkMotion, Motion};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Constraint, Group, Mechanism, Node};
+use crate::number::Real;
+use crate::position::kernel::power_of_two_scale;
+use crate::position::{Configuration, Path};
+use crate::scene::exact::Inputs;
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+
+/// A point of a body: of one whose motion is known, or of an unknown of the group.
+#[derive(Clone, Copy)]
+enum Handle<N> {
+    /// Motion of the point, turning of its body.
+    Known(LinkMotion<N>),
+    /// Unknowns (vx, vy, ω) from this index on, and the arm from the body's own point.
+    Link(usize, Vec2<N>),
+    /// Unknowns (vx, vy).
+    Pin(usize),
+}
+
+impl<N: Real> Handle<N> {
+    /// Adds ±k·v to a row; what is known goes to the other side, whose sum is returned.
+    fn add(&self, row: &mut [N], k: Vec2<N>) -> N {
+        match *self {
+            Handle::Known(m) => return -k.dot(m.v),
+            Handle::Link(i, arm) => {
+                row[i] = row[i] + k.x;
+                row[i + 1] = row[i + 1] + k.y;
+                row[i + 2] = row[i + 2] + k.dot(arm.perp());
+            }
+            Handle::Pin(i) => {
+                row[i] = row[i] + k.x;
+                row[i + 1] = row[i + 1] + k.y;
+            }
+        }
+        N::from_f64(0.0)
+    }
+
+    fn omega(&self, q: &[N]) -> N {
+        match *self {
+            Handle::Known(m) => m.omega,
+            Handle::Link(i, _) => q[i + 2],
+            Handle::Pin(_) => N::from_f64(0.0),
+        }
+    }
+
+    fn velocity(&self, q: &[N]) -> Vec2<N> {
+        match *self {
+            Handle::Known(m) => m.v,
+            Handle::Link(i, arm) => Vec2::new(q[i], q[i + 1]) + arm.perp() * q[i + 2],
+            Handle::Pin(i) => Vec2::new(q[i], q[i + 1]),
+        }
+    }
+
+    /// The part of the acceleration that is not linear in the unknown accelerations.
+    fn bias(&self, q: &[N]) -> Vec2<N> {
+        match *self {
+            Handle::Known(m) => m.a,
+            Handle::Link(i, arm) => arm * -(q[i + 2] * q[i + 2]),
+            Handle::Pin(_) => Vec2::zero(),
+        }
+    }
+}
+
+/// One scalar condition.
+enum Condition<N> {
+    /// k·(P relative to the body of Q, at Q's place) changes at `rate`, `acceleration`; k is fixed in the body of Q, and P
+    /// and Q are at one place: k·(v_P − v_Q) = ṡ, k·(a_P − a_Q − 2ω_Q × (v_P − v_Q)) = s̈.
+    Along { p: Handle<N>, q: Handle<N>, k: Vec2<N>, rate: N, acceleration: N },
+    /// The distance u = P − Q: u·(v_P − v_Q) = l l̇, u·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈.
+    Distance { p: Handle<N>, q: Handle<N>, u: Vec2<N>, rate: N, acceleration: N },
+    /// ω_P − ω_Q.
+    Turning { p: Handle<N>, q: Handle<N>, rate: N, acceleration: N },
+}
+
+impl<N: Real> Condition<N> {
+    /// The coefficients into `row`; returns the right-hand side of the velocities.
+    fn row(&self, row: &mut [N]) -> N {
+        match self {
+            Condition::Along { p, q, k, rate, .. } => *rate + p.add(row, *k) + q.add(row, -*k),
+            Condition::Distance { p, q, u, rate, .. } => *rate + p.add(row, *u) + q.add(row, -*u),
+            Condition::Turning { p, q, rate, .. } => {
+                let mut known = *rate;
+                for (h, sign) in [(p, 1.0), (q, -1.0)] {
+                    match *h {
+                        Handle::Known(m) => known = known - N::from_f64(sign) * m.omega,
+                        Handle::Link(i, _) => row[i + 2] = row[i + 2] + N::from_f64(sign),
+                        Handle::Pin(_) => {}
+                    }
+                }
+                known
+            }
+        }
+    }
+
+    /// The right-hand side of the accelerations, with the velocities `q`.
+    fn acceleration(&self, x: &[N]) -> N {
+        match self {
+            Condition::Along { p, q, k, acceleration, .. } => {
+                let relative = p.velocity(x) - q.velocity(x);
+                let two = N::from_f64(2.0);
+                *acceleration + two * q.omega(x) * k.dot(relative.perp()) - k.dot(p.bias(x) - q.bias(x))
+            }
+            Condition::Distance { p, q, u, acceleration, .. } => {
+                let relative = p.velocity(x) - q.velocity(x);
+                *acceleration - relative.norm2() - u.dot(p.bias(x) - q.bias(x))
+            }
+            Condition::Turning { p, q, acceleration, .. } => {
+                let alpha = |h: &Handle<N>| if let Handle::Known(m) = h { m.alpha } else { N::from_f64(0.0) };
+                *acceleration - alpha(p) + alpha(q)
+            }
+        }
+    }
+}
+
+/// The system of one group.
+pub(crate) struct Conditions<N> {
+    links: Vec<(LinkId, Point<N>)>,
+    pins: Vec<PointId>,
+    list: Vec<Condition<N>>,
+    /// Power of two that makes lengths of about one.
+    scale: f64,
+    unknowns: usize,
+}
+
+/// Builds the conditions of a group.
+struct Builder<'a, N> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration<N>,
+    known: &'a Motion<N>,
+    links: &'a [(LinkId, Point<N>)],
+    pins: &'a [PointId],
+    scale: N,
+}
+
+impl<N: Real> Conditions<N> {
+    /// The conditions of a group whose upstream motion is known.
+    ///
+    /// # Panics
+    /// If the group or what it rests on is not placed; it is asked for only where the demand placed it.
+    pub(super) fn of_group(
+        scene: &Scene,
+        m: &Mechanism,
+        at: &Configuration<N>,
+        inputs: &Inputs<N>,
+        group: &Group,
+        known: &Motion<N>,
+    ) -> Conditions<N> {
+        let links: Vec<(LinkId, Point<N>)> = group.links.iter().map(|&l| (l, own_point(scene, at, l))).collect();
+        let pins = group.pins.clone();
+        let scale = power_of_two_scale(at.extent());
+        let b = Builder { scene, m, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
+        let mut list = Vec::new();
+        for &c in &group.constraints {
+            b.push(m.constraints[c], inputs, &mut list);
+        }
+        let unknowns = 3 * links.len() + 2 * pins.len();
+        Conditions { links, pins, list, scale, unknowns }
+    }
+
+    /// Velocities, and accelerations where they are wanted; `None` where a pivot may be zero.
+    pub(super) fn solve(&self, accelerations: bool) -> Option<(Vec<N>, Vec<N>)> {
+        let n = self.unknowns;
+        let zero = N::from_f64(0.0);
+        if self.list.len() != n {
+            return None;
+        }
+        let mut matrix = vec![zero; n * n];
+        let mut rhs: Vec<N> = self.list.iter().zip(matrix.chunks_mut(n)).map(|(c, row)| c.row(row)).collect();
+        let lu = Lu::of(matrix, n)?;
+        lu.solve(&mut rhs);
+        let second = if accelerations {
+            let mut gamma: Vec<N> = self.list.iter().map(|c| c.acceleration(&rhs)).collect();
+            lu.solve(&mut gamma);
+            gamma
+        } else {
+            vec![zero; n]
+        };
+        Some((rhs, second))
+    }
+
+    /// Hands the solution on to the groups that rest on this one.
+    pub(super) fn store(&self, (v, a): &(Vec<N>, Vec<N>), motion: &mut Motion<N>) {
+        let back = N::from_f64(1.0 / self.scale);
+        let vec = |x: &[N], i: usize| Vec2::new(x[i], x[i + 1]) * back;
+        for (i, &(l, at)) in self.links.iter().enumerate() {
+            let i = 3 * i;
+            motion.links[l.0] = Some(LinkMotion { at, v: vec(v, i), omega: v[i + 2], a: vec(a, i), alpha: a[i + 2] });
+        }
+        for (i, p) in self.pins.iter().enumerate() {
+            let i = 3 * self.links.len() + 2 * i;
+            motion.pins[p.0] = Some((vec(v, i), vec(a, i)));
+        }
+    }
+}
+
+/// The point of a link by whose motion it is described: one of its own, so that arms are short and an offset of all
+/// coordinates takes no digits.
+fn own_point<N: Real>(scene: &Scene, at: &Configuration<N>, l: LinkId) -> Point<N> {
+    let points = scene.links[l.0].points.iter().find_map(|p| at.points[p.0]);
+    let guided = || scene.guides.iter().filter(|g| g.on == l).find_map(|g| at.points[g.pin?.0]);
+    points.or_else(guided).unwrap_or_else(|| at.poses[l.0].expect("a link of a solved group is placed").origin)
+}
+
+impl<N: Real> Builder<'_, N> {
+    /// The point of a link at a place.
+    fn body(&self, l: LinkId, place: Point<N>) -> Handle<N> {
+        if let Some(i) = self.links.iter().position(|(k, _)| *k == l) {
+            return Handle::Link(3 * i, (place - self.links[i].1) * self.scale);
+        }
+        let motion = self.known.links[l.0].expect("what a group rests on is solved");
+        let (v, a) = (motion.velocity_at(place), motion.acceleration_at(place));
+        Handle::Known(self.scaled(LinkMotion { at: place, v, a, ..motion }))
+    }
+
+    fn pin(&self, p: PointId) -> Handle<N> {
+        if let Some(i) = self.pins.iter().position(|q| *q == p) {
+            return Handle::Pin(3 * self.links.len() + 2 * i);
+        }
+        let (v, a) = self.known.at_point(p).expect("what a group rests on is solved");
+        Handle::Known(self.scaled(LinkMotion { v, a, ..LinkMotion::rest(self.at.point(p)) }))
+    }
+
+    fn scaled(&self, m: LinkMotion<N>) -> LinkMotion<N> {
+        LinkMotion { v: m.v * self.scale, a: m.a * self.scale, ..m }
+    }
+
+    fn node(&self, n: Node, place: Point<N>) -> Handle<N> {
+        match n {
+            Node::Link(l) => self.body(l, place),
+            Node::Pin(p) => self.pin(p),
+        }
+    }
+
+    /// Both components of v_P = v_Q.
+    fn together(&self, p: Handle<N>, q: Handle<N>, list: &mut Vec<Condition<N>>) {
+        let zero = N::from_f64(0.0);
+        for k in [Vec2::unit_x(), Vec2::unit_x().perp()] {
+            // P and Q stay at one place: whatever turns, nothing moves against it.
+            list.push(Condition::Along { p, q, k, rate: zero, acceleration: zero });
+        }
+    }
+
+    /// What runs in a guide, and where it is: its pin, or the slider itself.
+    fn runner(&self, g: GuideId) -> (Handle<N>, Point<N>) {
+        let guide = &self.scene.guides[g.0];
+        match (guide.pin, guide.slider) {
+            (Some(p), _) => (self.pin(p), self.at.point(p)),
+            (None, slider) => {
+                let s = slider.expect("a guide has a pin or a slider");
+                let place = own_point(self.scene, self.at, s);
+                (self.body(s, place), place)
+            }
+        }
+    }
+
+    fn push(&self, c: Constraint, inputs: &Inputs<N>, list: &mut Vec<Condition<N>>) {
+        let zero = N::from_f64(0.0);
+        let driven = |d: usize| {
+            let driver = &self.scene.drivers[d];
+            (inputs.number(&driver.rate), driver.acceleration.as_ref().map_or(zero, |a| inputs.number(a)))
+        };
+        match c {
+            Constraint::Pinned(p, l) => {
+                let place = self.at.point(p);
+                self.together(self.body(l, place), self.pin(p), list);
+            }
+            Constraint::Slot(_, g) | Constraint::Glide(g) => {
+                let (p, place) = self.runner(g);
+                let on = self.scene.guides[g.0].on;
+                list.push(match self.at.guide(g) {
+                    Path::Line { direction, .. } => {
+                        Condition::Along { p, q: self.body(on, place), k: direction.perp(), rate: zero, acceleration: zero }
+                    }
+                    Path::Arc { centre, .. } => {
+                        let u = (place - centre) * self.scale;
+                        Condition::Distance { p, q: self.body(on, centre), u, rate: zero, acceleration: zero }
+                    }
+                });
+            }
+            Constraint::Slide(d, g) => {
+                let (rate, acceleration) = driven(d);
+                let (p, place) = self.runner(g);
+                let q = self.body(self.scene.guides[g.0].on, place);
+                let k = self.at.guide(g).tangent_at(place);
+                list.push(Condition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
+            }
+            Constraint::Lock(_) | Constraint::Turn(_) => {
+                let (rate, acceleration) = if let Constraint::Turn(d) = c { driven(d) } else { (zero, zero) };
+                let (a, b) = self.m.ends(self.scene, c);
+                let anywhere = Point::origin();
+                list.push(Condition::Turning { p: self.node(a, anywhere), q: self.node(b, anywhere), rate, acceleration });
+            }
+            Constraint::Cylinder(d) => {
+                let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind else { return };
+                let (rate, acceleration) = driven(d);
+                let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
+                let u = (self.at.point(b) - self.at.point(a)) * self.scale;
+                let l = u.norm();
+                list.push(Condition::Distance {
+                    p: self.pin(b),
+                    q: self.pin(a),
+                    u,
+                    rate: l * rate,
+                    acceleration: rate * rate + l * acceleration,
+                });
+            }
+        }
+    }
+}
+
+/// A matrix decomposed with row pivots; zeros that are exact cost nothing and add no error.
+struct Lu<N> {
+    n: usize,
+    a: Vec<N>,
+    rows: Vec<usize>,
+}
+
+impl<N: Real> Lu<N> {
+    /// `None` where a pivot may be zero.
+    fn of(mut a: Vec<N>, n: usize) -> Option<Lu<N>> {
+        let mut rows: Vec<usize> = (0..n).collect();
+        for k in 0..n {
+            let pivot = (k..n).max_by(|&i, &j| {
+                let size = |i: usize| a[rows[i] * n + k].approx().abs();
+                // The first of equal ones: results do not depend on how a maximum is searched.
+                size(i).total_cmp(&size(j)).then(j.cmp(&i))
+            })?;
+            rows.swap(k, pivot);
+            let at = rows[k] * n;
+            let d = a[at + k];
+            if !d.is_decided() || d.approx().abs() <= d.radius() {
+                return None;
+            }
+            for &row in &rows[k + 1..] {
+                let i = row * n;
+                if is_zero(a[i + k]) {
+                    continue;
+                }
+                let f = a[i + k] / d;
+                a[i + k] = f;
+                for j in k + 1..n {
+                    if !is_zero(a[at + j]) {
+                        a[i + j] = a[i + j] - f * a[at + j];
+                    }
+                }
+            }
+        }
+        Some(Lu { n, a, rows })
+    }
+
+    fn solve(&self, b: &mut Vec<N>) {
+        let n = self.n;
+        let mut x: Vec<N> = self.rows.iter().map(|&r| b[r]).collect();
+        for i in 0..n {
+            let row = self.rows[i] * n;
+            for j in 0..i {
+                if !is_zero(self.a[row + j]) {
+                    x[i] = x[i] - self.a[row + j] * x[j];
+                }
+            }
+        }
+        for i in (0..n).rev() {
+            let row = self.rows[i] * n;
+            for j in i + 1..n {
+                if !is_zero(self.a[row + j]) {
+                    x[i] = x[i] - self.a[row + j] * x[j];
+                }
+            }
+            x[i] = x[i] / self.a[row + i];
+        }
+        *b = x;
+    }
+}
+
+/// Whether a coefficient is zero and nothing else.
+fn is_zero<N: Real>(x: N) -> bool {
+    x.approx() == 0.0 && x.radius() == 0.0
+}

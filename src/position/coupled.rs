@@ -1,0 +1,208 @@
+//! A group without a core, refined and proved from the pose that Newton's method found in `f64`.
+//!
+//! The unknowns are the poses of its links and the places of its pins. Residuals are lengths (an angle's times the size of
+//! the mechanism), their derivatives are written by hand.
+
+use super::assemble::Assembly;
+use super::branch::Trial;
+use super::proof::{self, Unproven};
+use super::{Configuration, Path, Pose};
+use crate::diag::Diagnostic;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Constraint, Group, Node};
+use crate::number::Real;
+use crate::scene::{DriverKind, LinkId, PointId};
+
+/// Poses of the group's links and places of its pins.
+#[derive(Clone)]
+struct State<N> {
+    poses: Vec<Pose<N>>,
+    pins: Vec<Point<N>>,
+}
+
+struct Coupled<'a, N> {
+    assembly: &'a Assembly<'a, N>,
+    links: &'a [LinkId],
+    pins: &'a [PointId],
+    constraints: Vec<Constraint>,
+    scale: f64,
+}
+
+/// One equation: what it is off by, and its coefficients.
+struct Equation<N> {
+    off: N,
+    row: Vec<N>,
+}
+
+impl<N: Real> Assembly<'_, N> {
+    pub(super) fn coupled_trial(&self, group: &Group, meant: &Configuration) -> Result<Trial<N>, Diagnostic> {
+        let unproven = |why| self.unproven(&group.links, why);
+        let mut start = State { poses: Vec::new(), pins: Vec::new() };
+        for l in &group.links {
+            let pose = meant.poses[l.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift::<N>();
+            // An axis that was rounded to f64 is a unit vector only to f64.
+            let axis = if N::refines() { pose.axis.unit().ok_or_else(|| unproven(Unproven::NoRoot))? } else { pose.axis };
+            start.poses.push(Pose { axis, ..pose });
+        }
+        for p in &group.pins {
+            start.pins.push(meant.points[p.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift());
+        }
+        let constraints = group.constraints.iter().map(|&c| self.m.constraints[c]).collect();
+        let scale = meant.extent();
+        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, constraints, scale };
+        let root = if N::refines() {
+            if system.equations(&start).is_none() {
+                return Err(unproven(Unproven::NotWritten));
+            }
+            proof::root(&system, start, scale).map_err(unproven)?
+        } else {
+            start
+        };
+        let pins = group.pins.iter().copied().zip(root.pins).collect();
+        Ok(self.trial(pins, group.links.iter().copied().zip(root.poses).collect()))
+    }
+}
+
+impl<N: Real> Coupled<'_, N> {
+    fn pose(&self, at: &State<N>, l: LinkId) -> Option<Pose<N>> {
+        match self.links.iter().position(|k| *k == l) {
+            Some(i) => Some(at.poses[i]),
+            None => self.assembly.poses[l.0],
+        }
+    }
+
+    fn point(&self, at: &State<N>, p: PointId) -> Option<Point<N>> {
+        match self.pins.iter().position(|q| *q == p) {
+            Some(i) => Some(at.pins[i]),
+            None => self.assembly.points[p.0],
+        }
+    }
+
+    fn zeros(&self) -> Vec<N> {
+        vec![N::from_f64(0.0); 3 * self.links.len() + 2 * self.pins.len()]
+    }
+
+    /// Adds ±k·(motion of a pin).
+    fn add_pin(&self, row: &mut [N], p: PointId, k: Vec2<N>) {
+        if let Some(i) = self.pins.iter().position(|q| *q == p) {
+            let i = 3 * self.links.len() + 2 * i;
+            row[i] = row[i] + k.x;
+            row[i + 1] = row[i + 1] + k.y;
+        }
+    }
+
+    /// Adds ±k·(motion of a link's point at a place).
+    fn add_link(&self, at: &State<N>, row: &mut [N], l: LinkId, place: Point<N>, k: Vec2<N>) {
+        if let Some(i) = self.links.iter().position(|q| *q == l) {
+            let turn = k.dot((place - at.poses[i].origin).perp()) / N::from_f64(self.scale);
+            for (j, c) in [k.x, k.y, turn].into_iter().enumerate() {
+                row[3 * i + j] = row[3 * i + j] + c;
+            }
+        }
+    }
+
+    /// The equations at a state; `None` where one of them is of a kind that is not written.
+    fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
+        let a = self.assembly;
+        let mut list = Vec::new();
+        for &c in &self.constraints {
+            match c {
+                Constraint::Pinned(p, l) => {
+                    let (place, pose) = (self.point(at, p)?, self.pose(at, l)?);
+                    let own = pose.to_world(a.shapes[l.0].local(p)?);
+                    let off = place - own;
+                    for (off, k) in [(off.x, Vec2::unit_x()), (off.y, Vec2::unit_x().perp())] {
+                        let mut row = self.zeros();
+                        self.add_pin(&mut row, p, k);
+                        self.add_link(at, &mut row, l, own, -k);
+                        list.push(Equation { off, row });
+                    }
+                }
+                Constraint::Slot(p, g) => {
+                    let on = a.scene.guides[g.0].on;
+                    let place = self.point(at, p)?;
+                    let mut row = self.zeros();
+                    let off = match a.guides[g.0]?.to_world(&self.pose(at, on)?) {
+                        Path::Line { through, direction } => {
+                            self.add_pin(&mut row, p, direction.perp());
+                            self.add_link(at, &mut row, on, place, -direction.perp());
+                            direction.cross(place - through)
+                        }
+                        Path::Arc { centre, radius } => {
+                            let u = place - centre;
+                            let l = u.norm();
+                            let u = u * (N::from_f64(1.0) / l);
+                            self.add_pin(&mut row, p, u);
+                            self.add_link(at, &mut row, on, centre, -u);
+                            l - radius
+                        }
+                    };
+                    list.push(Equation { off, row });
+                }
+                Constraint::Slide(d, g) => {
+                    let (guide, DriverKind::Slide { position: Some(s), .. }) = (&a.scene.guides[g.0], &a.scene.drivers[d].kind) else {
+                        return None;
+                    };
+                    let Path::Line { through, direction } = a.guides[g.0]?.to_world(&self.pose(at, guide.on)?) else { return None };
+                    let p = guide.pin?;
+                    let place = self.point(at, p)?;
+                    let mut row = self.zeros();
+                    self.add_pin(&mut row, p, direction);
+                    self.add_link(at, &mut row, guide.on, place, -direction);
+                    list.push(Equation { off: direction.dot(place - through) - a.inputs.number(s), row });
+                }
+                Constraint::Cylinder(d) => {
+                    let DriverKind::Cylinder { a: from, b: to, length: Some(length), .. } = &a.scene.drivers[d].kind else { return None };
+                    let u = self.point(at, *to)? - self.point(at, *from)?;
+                    let l = u.norm();
+                    let u = u * (N::from_f64(1.0) / l);
+                    let mut row = self.zeros();
+                    self.add_pin(&mut row, *to, u);
+                    self.add_pin(&mut row, *from, -u);
+                    list.push(Equation { off: l - a.inputs.number(length), row });
+                }
+                Constraint::Turn(d) => {
+                    let (Node::Link(link), Node::Link(against)) = a.m.ends(a.scene, c) else { return None };
+                    if self.links.contains(&against) {
+                        return None;
+                    }
+                    let target = a.axis_of(link, against, Some(d)).ok()?;
+                    let i = self.links.iter().position(|l| *l == link)?;
+                    let axis = at.poses[i].axis;
+                    let mut row = self.zeros();
+                    row[3 * i + 2] = target.dot(axis);
+                    list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
+                }
+                Constraint::Lock(_) | Constraint::Glide(_) => return None,
+            }
+        }
+        (list.len() == self.zeros().len()).then_some(list)
+    }
+}
+
+impl<N: Real> proof::System<N> for Coupled<'_, N> {
+    type State = State<N>;
+
+    fn residuals(&self, at: &State<N>) -> Vec<N> {
+        self.equations(at).unwrap_or_default().into_iter().map(|e| e.off).collect()
+    }
+
+    fn jacobian(&self, at: &State<N>) -> Vec<Vec<N>> {
+        self.equations(at).unwrap_or_default().into_iter().map(|e| e.row).collect()
+    }
+
+    fn moved(&self, at: &State<N>, step: &[N]) -> State<N> {
+        let scale = N::from_f64(self.scale);
+        let poses = at.poses.iter().enumerate().map(|(i, pose)| Pose {
+            origin: pose.origin + Vec2::new(step[3 * i], step[3 * i + 1]),
+            axis: proof::turned(pose.axis, step[3 * i + 2] / scale),
+        });
+        let first = 3 * self.links.len();
+        let pins = at.pins.iter().enumerate().map(|(i, p)| *p + Vec2::new(step[first + 2 * i], step[first + 2 * i + 1]));
+        State { poses: poses.collect(), pins: pins.collect() }
+    }
+
+    fn angles(&self) -> Vec<(usize, f64)> {
+        (0..self.links.len()).map(|i| (3 * i + 2, self.scale)).collect()
+    }
+}

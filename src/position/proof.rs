@@ -1,0 +1,123 @@
+//! Roots that no closed form gives, in any number: an approximate root is refined by Newton's method and, where the
+//! numbers know their error, its existence and uniqueness near by are proved.
+//!
+//! The proof is a contraction: with Y an approximate inverse of the Jacobian, x ↦ x − Y f(x) maps the box of half-width ρ
+//! about x₀ into itself and contracts there if |Y f(x₀)| ≤ (1 − q) ρ with q ≥ |1 − Y J| over the whole box. One root lies in
+//! the box, and no other.
+//!
+//! # Source
+//! R. Krawczyk, *Newton-Algorithmen zur Bestimmung von Nullstellen mit Fehlerschranken*, Computing 4 (1969); R. E. Moore,
+//! *A test for existence of solutions to nonlinear systems*, SIAM J. Numer. Anal. 14 (1977).
+
+use crate::number::Real;
+use nalgebra::DMatrix;
+
+/// As many equations as unknowns, about a state that can be moved.
+pub(super) trait System<N: Real> {
+    /// Where the unknowns are.
+    type State: Clone;
+
+    /// What each equation is off by.
+    fn residuals(&self, at: &Self::State) -> Vec<N>;
+
+    /// Derivatives of the residuals by a step of each unknown, row after row.
+    fn jacobian(&self, at: &Self::State) -> Vec<Vec<N>>;
+
+    /// The state after a step: places shifted, directions turned by [`turned`].
+    fn moved(&self, at: &Self::State, step: &[N]) -> Self::State;
+
+    /// Which unknowns are angles, and the length by which their steps are counted (1 for radians).
+    fn angles(&self) -> Vec<(usize, f64)>;
+}
+
+/// Why a root was not found or not proved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unproven {
+    /// The Jacobian is singular in `f64`, or Newton's method leads away.
+    NoRoot,
+    /// The box is too wide for the curvature: two roots may be close, or the number has too few digits.
+    NotUnique,
+    /// The equations of this kind of group are not written for a proof.
+    NotWritten,
+}
+
+/// Steps of the iteration at most: each gains some eight digits or more, the longest numbers have a few hundred.
+const STEPS: usize = 60;
+
+/// A root within rounding moves by little; a step of a tenth of the mechanism (or a tenth of a radian) leads elsewhere.
+const LONGEST: f64 = 0.1;
+
+/// Refines a root known in `f64`, and proves it where `N` knows its error; `scale` is the size of the unknowns.
+pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f64) -> Result<S::State, Unproven> {
+    let angles = system.angles();
+    let inverse = approximate_inverse(&system.jacobian(&start)).ok_or(Unproven::NoRoot)?;
+    let newton = |at: &S::State| -> Vec<N> {
+        let r = system.residuals(at);
+        (0..r.len()).map(|i| r.iter().enumerate().fold(N::from_f64(0.0), |sum, (j, r)| sum - N::from_f64(inverse[(i, j)]) * *r)).collect()
+    };
+    let mut at = start;
+    let mut last = f64::INFINITY;
+    for _ in 0..STEPS {
+        let step: Vec<N> = newton(&at).into_iter().map(Real::mid).collect();
+        let size = step.iter().map(|s| s.approx().abs()).fold(0.0, f64::max);
+        if !step.iter().all(|s| s.is_decided()) || size > LONGEST * scale {
+            return Err(Unproven::NoRoot);
+        }
+        // Below rounding the steps no longer shrink.
+        if size >= 0.25 * last {
+            break;
+        }
+        at = system.moved(&at, &step);
+        last = size;
+        if size == 0.0 {
+            break;
+        }
+    }
+    if !N::knows_its_error() {
+        return Ok(at);
+    }
+    let eta = newton(&at).iter().map(|s| s.approx().abs() + s.radius()).fold(0.0, f64::max);
+    // At least the smallest normal number: a box of no width proves nothing.
+    let rho = (2.0 * eta).max(f64::MIN_POSITIVE);
+    if !rho.is_finite() || rho > LONGEST * scale {
+        return Err(Unproven::NoRoot);
+    }
+    let n = inverse.nrows();
+    let wide: Vec<N> = vec![N::from_f64(0.0).widened(rho); n];
+    let all = system.moved(&at, &wide);
+    let mut jacobian = system.jacobian(&all);
+    for (k, unit) in angles {
+        // A step δ turns by 2 atan(δ/2), whose derivative is 1/(1 + δ²/4).
+        let half = wide[k] * N::from_f64(0.5 / unit);
+        let slope = N::from_f64(1.0) / (N::from_f64(1.0) + half * half);
+        for row in &mut jacobian {
+            row[k] = row[k] * slope;
+        }
+    }
+    let mut contraction = 0.0f64;
+    for i in 0..n {
+        let mut sum = 0.0;
+        for j in 0..n {
+            let product =
+                (0..n).fold(N::from_f64(if i == j { 1.0 } else { 0.0 }), |s, k| s - N::from_f64(inverse[(i, k)]) * jacobian[k][j]);
+            sum += product.approx().abs() + product.radius();
+        }
+        contraction = contraction.max(sum);
+    }
+    // With q ≤ 0.49 the box of 2η is mapped into itself, rounding of these sums included.
+    if contraction <= 0.49 { Ok(all) } else { Err(Unproven::NotUnique) }
+}
+
+/// The unit vector `axis` turned by 2 atan(`step`/2): the angle of the step but for its cube, and rational.
+pub(super) fn turned<N: Real>(axis: crate::geom::Vec2<N>, step: N) -> crate::geom::Vec2<N> {
+    let one = N::from_f64(1.0);
+    let t = step * N::from_f64(0.5);
+    let norm = one + t * t;
+    axis.rotate_by(crate::geom::Vec2::new((one - t * t) / norm, (t + t) / norm))
+}
+
+fn approximate_inverse<N: Real>(jacobian: &[Vec<N>]) -> Option<DMatrix<f64>> {
+    let n = jacobian.len();
+    let inverse = DMatrix::from_fn(n, n, |i, j| jacobian[i][j].approx()).try_inverse()?;
+    inverse.iter().all(|x| x.is_finite()).then_some(inverse)
+}
