@@ -224,7 +224,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                 pick
             }
         };
-        self.closures[index] = pick;
+        self.closures[index] = self.meant.map_or(pick, |m| m.closures[index]);
         let chosen = trials.into_iter().nth(pick).expect("the chosen closure is one of the trials");
         for (l, pose) in chosen.poses {
             self.poses[l.0] = Some(pose);

@@ -5,6 +5,7 @@
 
 mod bad;
 mod emit;
+mod groups;
 mod higher;
 mod hostile;
 mod long;

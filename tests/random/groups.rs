@@ -1,0 +1,42 @@
+//! The Assur program against the loop equations: group by group as all at once.
+
+use crate::emit::{Ask, Pose};
+use crate::properties::{mechanism, seeds, solve, style};
+use hodograph::answer::{Value, evaluate};
+use hodograph::{motion, position};
+
+#[test]
+fn group_by_group_as_all_at_once() {
+    let (mut worst, mut answers) = (0.0f64, 0);
+    for pose in [Pose::Coordinates, Pose::Lengths] {
+        for seed in seeds(300) {
+            let Some(m) = mechanism(seed) else { continue };
+            let pose = if m.coordinates_only { Pose::Coordinates } else { pose };
+            let c = solve(seed, &m, &style(pose, Ask::Everything, seed));
+            let w = &c.worked;
+            let again = position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration)
+                .unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", c.text));
+            assert!(again == w.configuration, "seed {seed}: another assembly in the same numbers\n{}", c.text);
+            let motion = motion::solve(&c.scene, &w.mechanism, &again, &w.demand)
+                .unwrap_or_else(|s| panic!("seed {seed}: group {} of {:?}\n{}", s.group, m.groups, c.text));
+            let largest = |a: Value, b: Value| a.magnitude().max(b.magnitude());
+            for o in w.results.iter().filter(|o| o.agreement.is_some()) {
+                let find = &c.scene.find[o.find];
+                let value = evaluate(&c.scene, &again, &motion, &find.what).unwrap_or_else(|| panic!("seed {seed}: {}", find.text));
+                let off = match (value, o.computed) {
+                    (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
+                    (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+                    _ => panic!("seed {seed}: {} is a vector and a number", find.text),
+                };
+                let agreement = o.agreement.expect("filtered");
+                let size = largest(value, o.computed).max(agreement.noise * 1e13);
+                answers += 1;
+                if off > 1e-9f64.max(100.0 * agreement.bound) * size {
+                    panic!("seed {seed}: {} of {:?} is {value:?}, loop equations {:?}\n{}", find.text, m.groups, o.computed, c.text);
+                }
+                worst = worst.max(off / size);
+            }
+        }
+    }
+    println!("{answers} answers group by group against all at once: worst {worst:.1e}");
+}
