@@ -68,6 +68,9 @@ impl Middle for Big {
     }
 }
 
+/// No other number of a scene is a multiple of it.
+const ONLY_ZERO: f64 = f64::MAX;
+
 /// The radius is computed in `f64`: a handful of operations, each with 2^-53.
 const INFLATE: f64 = 1.0 + 1e-15;
 
@@ -226,6 +229,9 @@ impl<M: Middle> Real for Ball<M> {
 
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.mid.sin_cos();
+        if self.radius == 0.0 && self.mid.is_multiple_of(ONLY_ZERO) {
+            return (Ball::exact(s), Ball::exact(c));
+        }
         // Reducing a large angle costs digits in proportion to it.
         let propagated = self.radius + self.mid.approx().abs() * M::elementary();
         (Self::elementary(s, propagated), Self::elementary(c, propagated))
