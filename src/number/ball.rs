@@ -272,7 +272,8 @@ impl<M: Middle> Real for Ball<M> {
             return Self::undecided();
         }
         // d(x^y) = x^y (y dx/x + ln x dy); twice the first order covers the second where the relative change is small.
-        let change = (e.abs() * self.radius + self.radius * exponent.radius) / room + libm::log(room).abs().max(libm::log(m).abs()) * exponent.radius;
+        let change = (e.abs() * self.radius + self.radius * exponent.radius) / room
+            + libm::log(room).abs().max(libm::log(m).abs()) * exponent.radius;
         if !(change < 0.1) {
             return Self::undecided();
         }

@@ -30,9 +30,7 @@ impl<'a, N: Real> Inputs<'a, N> {
 
     /// A quantity in SI units; undecided where its text has no value in these numbers.
     pub fn number(&self, given: &Given) -> N {
-        N::from_bounded(given.value, given.radius)
-            .or_else(|| self.read(&given.text).map(Value::si))
-            .unwrap_or(N::from_f64(f64::NAN))
+        N::from_bounded(given.value, given.radius).or_else(|| self.read(&given.text).map(Value::si)).unwrap_or(N::from_f64(f64::NAN))
     }
 
     /// (sin, cos) of an angle, reduced in degrees where it is written in degrees.

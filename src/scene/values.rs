@@ -75,7 +75,8 @@ impl<'a> Values<'a> {
                 values.known.insert(&name.text, value);
             }
             if let Some(Known { value, ball }) = value {
-                let given = Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
+                let given =
+                    Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
                 list.push((name.text.clone(), given));
             }
         }
