@@ -2,6 +2,8 @@
 
 mod agreement;
 pub mod ladder;
+pub mod toggle;
+pub mod truth;
 
 pub use agreement::{Agreement, compare};
 pub use ladder::{Certified, certify};

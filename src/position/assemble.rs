@@ -35,6 +35,38 @@ pub fn recompute<N: Real>(
     Ok(Assembly::new(scene, mechanism, demand, Some(meant)).place(demand)?.settled().into_configuration())
 }
 
+/// The configuration a short time `t` (s) after the scene's instant, the drivers having gone on at their rates. `now` is the
+/// one at the instant, in the same numbers; what is given in the pose (guides that run through a pin where it is) is
+/// carried along in the links.
+///
+/// # Errors
+/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates or a driver says no position, so that nothing
+/// tells it at another time.
+pub fn later<N: Real>(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+    meant: &Configuration,
+    now: &Configuration<N>,
+    t: N,
+) -> Result<Configuration<N>, Faults> {
+    let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
+    let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, Place::At(_)));
+    let silent = scene.drivers.iter().any(|d| {
+        matches!(
+            d.kind,
+            DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. }
+        )
+    });
+    if posed.is_some() || silent {
+        return Err(Diagnostic::error("pose-given", "the pose is given by coordinates: nothing tells it at another time").into());
+    }
+    let mut a = Assembly::new(scene, mechanism, demand, Some(meant));
+    a.inputs = a.inputs.later(t);
+    a.guides.clone_from(&now.shapes.guides);
+    Ok(a.place(demand)?.settled().into_configuration())
+}
+
 /// An assembly under way: what is placed so far.
 pub(super) struct Assembly<'a, N> {
     pub scene: &'a Scene,
@@ -353,7 +385,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[driver].kind else {
             return Err(self.driver_without_value(driver, "position", "how far the slider is along its guide"));
         };
-        Ok(path.point_at(self.inputs.number(s)))
+        Ok(path.point_at(self.inputs.driven(&self.scene.drivers[driver], s)))
     }
 
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: &str) -> Diagnostic {

@@ -98,7 +98,7 @@ impl<N: Real> Assembly<'_, N> {
                 _ => self.poses[of.0].map(|p| p.axis),
             }
         };
-        let (s, c) = self.inputs.sin_cos(angle);
+        let (s, c) = self.inputs.driven_sin_cos(&self.scene.drivers[d], angle);
         own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
             Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
                 .at(angle.span)
@@ -185,7 +185,7 @@ impl<N: Real> Assembly<'_, N> {
             let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
                 return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
             };
-            return Ok(vec![Pose { origin: path.point_at(self.inputs.number(s)), axis }]);
+            return Ok(vec![Pose { origin: path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s)), axis }]);
         }
         // A point with given coordinates shows the place of a link whose direction is known.
         let shape = &self.shapes[link.0];

@@ -4,6 +4,7 @@
 //! --test random -- --nocapture` takes a hundred times as many.
 
 mod bad;
+mod digits;
 mod emit;
 mod groups;
 mod higher;
