@@ -66,6 +66,9 @@ pub struct Draw {
     /// Which files to write into a folder
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
+    /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
@@ -78,6 +81,10 @@ pub struct Solve {
     /// Answers as JSON, in SI, with both ways and their difference
     #[arg(long)]
     pub json: bool,
+    /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm): of each answer, of each
+    /// crossing, and the scales for 1 %
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// The construction too, step by step, with the lengths measured on paper
     #[arg(long, conflicts_with = "json")]
     pub steps: bool,
@@ -107,6 +114,15 @@ impl From<Language> for Lang {
             Language::En => Lang::En,
             Language::Zh => Lang::Zh,
         }
+    }
+}
+
+/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
+fn length(s: &str) -> Result<String, String> {
+    match s.trim_start().chars().next() {
+        None => Ok(String::new()),
+        Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
+        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
     }
 }
 

@@ -7,6 +7,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
 use crate::quantity::{direction_degrees, significant};
 use crate::report::answers::worst;
+use crate::report::drafting;
 use crate::report::phrase::Phrase;
 use crate::scene::{Asked, Axis, Find, Scene};
 use crate::worked::{Outcome, Worked};
@@ -15,6 +16,7 @@ use super::drawing::Part;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
+use super::remarks::remarks;
 use super::style::Style;
 use super::words::Words;
 
@@ -22,6 +24,8 @@ use super::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
+/// Distance of the lines of remarks below.
+const REMARK_MM: f64 = 5.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
 /// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
@@ -61,12 +65,14 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
                 second,
                 cell(Label::math(amount(find, value)), Anchor::Start, "value"),
                 cell(sense(find, value, words), Anchor::Start, "sense"),
+                tolerance(worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
             ],
             height_mm: ROW_MM,
         });
     }
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
+    let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     if let Some(worst) = worst(worked) {
         let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
         let cell = Cell {
@@ -76,8 +82,19 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
             class: "agreement".into(),
             id: "agreement".into(),
         };
-        let below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+        below += REMARK_MM;
+    }
+    for (k, remark) in remarks(scene, worked, words).into_iter().enumerate() {
+        let cell = Cell {
+            label: remark.label(),
+            size_mm: style.small_mm,
+            anchor: Anchor::Start,
+            class: "remark".into(),
+            id: format!("remark-{}", k + 1),
+        };
+        items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+        below += REMARK_MM;
     }
     Part::of(items)
 }
@@ -114,6 +131,18 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     };
     let sub = if matches!(find.what, Asked::Coordinate(..)) { point_label(sub) } else { sub.to_owned() };
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
+}
+
+/// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
+fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
+    let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
+    let (value, unit) = drafting::amount(find, t)?;
+    let number = number(value, drafting::DIGITS);
+    Some(match unit {
+        "%" => Label::math(format!("\\pm\\,{number}")).then(Label::text(" %")),
+        "°" => Label::math(format!("\\pm\\,{number}\\degree")),
+        unit => Label::math(format!("\\pm\\,{number} {}", unit.replace('²', "^2"))),
+    })
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.

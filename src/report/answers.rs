@@ -1,5 +1,6 @@
 //! The answers: as text for people, as JSON for programs.
 
+use super::drafting;
 use super::phrase::{sense, tr};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
@@ -26,13 +27,15 @@ const DIGITS: usize = 6;
 
 /// Everything `solve` prints: one line a question.
 pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
-    let mut rows: Vec<[String; 4]> = Vec::new();
+    let mut rows: Vec<[String; 5]> = Vec::new();
     for r in &worked.results {
         let find = &scene.find[r.find];
-        rows.push([find.text.clone(), value_words(find, r.value(), lang), measured_words(r, lang), agreement_words(r, lang)]);
+        let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let value = value_words(find, r.value(), lang);
+        rows.push([find.text.clone(), value, tolerance, measured_words(r, lang), agreement_words(r, lang)]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
-    let widths = [width(0), width(1), width(2)];
+    let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -41,7 +44,8 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     }
     for r in &rows {
         let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i] - r[i].width()));
-        out.push_str(format!("  {} = {}  {}  {}", pad(0), pad(1), pad(2), r[3]).trim_end());
+        let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
+        out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
         out.push('\n');
     }
     if let Some(worst) = worst(worked) {
@@ -112,7 +116,7 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
         .map(|r| {
             let find = &scene.find[r.find];
             let radians = matches!(find.what, Asked::LinkAngle(_));
-            json!({
+            let mut answer = json!({
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
@@ -121,10 +125,15 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
                 "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
-            })
+            });
+            if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+                let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
+                fields.extend(of.map(|(key, value)| (key.to_string(), value)));
+            }
+            answer
         })
         .collect();
-    json!({
+    let mut all = json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         "condition": worked.solution.condition,
@@ -134,7 +143,11 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
             "mu_a": worked.construction.acceleration.as_ref().map(|p| p.mu),
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
-    })
+    });
+    if let Some(d) = &worked.drafting {
+        all["drafting"] = drafting::json(scene, worked, d);
+    }
+    all
 }
 
 /// A diagnostic for programs.
