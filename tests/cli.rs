@@ -86,7 +86,7 @@ fn drafting_tells_tolerances_crossings_and_scales() {
     for line in shown.lines().skip(1).chain(["under 59.6°, where a pencil error of 0.1 mm moves it by 0.12 mm"]) {
         assert!(told.contains(line), "no {line:?} in\n{told}");
     }
-    assert_eq!(solve(&["--drafting"]), solve(&["--drafting=1/10 mm"]), "0.1 mm is the usual pencil");
+    assert_eq!(solve(&["--drafting"]), solve(&["--drafting=0.05 * 2 mm"]), "0.1 mm is the usual pencil");
     let json: serde_json::Value = serde_json::from_slice(&solve(&["--json", "--drafting", "0.2mm"])).unwrap();
     let answer = json["answers"].as_array().unwrap().iter().find(|a| a["find"] == "alpha_4").unwrap();
     let (tolerance, relative) = (answer["tolerance"].as_f64().unwrap(), answer["relative"].as_f64().unwrap());
