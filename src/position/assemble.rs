@@ -40,14 +40,14 @@ pub fn recompute<N: Real>(
 /// carried along in the links.
 ///
 /// # Errors
-/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates or a driver says no position, so that nothing
-/// tells it at another time.
-pub fn later<N: Real>(
-    scene: &Scene,
-    mechanism: &Mechanism,
+/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates, a driver says no position, or a gliding link
+/// has no point of its own, so that nothing tells it at another time.
+pub fn later<'a, N: Real>(
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
     demand: &Demand,
-    meant: &Configuration,
-    now: &Configuration<N>,
+    meant: &'a Configuration,
+    now: &'a Configuration<N>,
     t: N,
 ) -> Result<Configuration<N>, Faults> {
     let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
@@ -58,11 +58,14 @@ pub fn later<N: Real>(
             DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. }
         )
     });
-    if posed.is_some() || silent {
-        return Err(Diagnostic::error("pose-given", "the pose is given by coordinates: nothing tells it at another time").into());
+    // A link that only glides, without a point of its own, is laid anywhere along its guide.
+    let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
+    if posed.is_some() || silent || pointless {
+        return Err(Diagnostic::error("pose-given", "nothing in the scene tells the pose at another time").into());
     }
     let mut a = Assembly::new(scene, mechanism, demand, Some(meant));
     a.inputs = a.inputs.later(t);
+    a.instant = Some(now);
     a.guides.clone_from(&now.shapes.guides);
     Ok(a.place(demand)?.settled().into_configuration())
 }
@@ -74,6 +77,8 @@ pub(super) struct Assembly<'a, N> {
     pub inputs: Inputs<'a, N>,
     /// The assembly that is meant, where it is known already and only its numbers are wanted better.
     pub meant: Option<&'a Configuration>,
+    /// The configuration at the scene's instant, where the assembly is one of a later time.
+    pub instant: Option<&'a Configuration<N>>,
     pub shapes: Vec<LinkShape<N>>,
     pub points: Vec<Option<Point<N>>>,
     pub poses: Vec<Option<Pose<N>>>,
@@ -112,6 +117,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             m,
             inputs,
             meant,
+            instant: None,
             shapes,
             closures: vec![0; m.groups.len()],
             points: vec![None; scene.points.len()],

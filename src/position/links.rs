@@ -64,6 +64,11 @@ impl<N: Real> Assembly<'_, N> {
         let name = self.scene.link_name(link);
         let shape = &self.shapes[link.0];
         let Some(d) = driver else {
+            // At a later time a slider stands against the other link as it stood at the instant.
+            let stood = self.instant.and_then(|c| c.poses[link.0].zip(c.poses[of.0]));
+            if let (Some((own, other)), Some(now)) = (stood, self.poses[of.0]) {
+                return Ok(own.axis.divide_by(other.axis).rotate_by(now.axis));
+            }
             return if shape.frame == Frame::Body {
                 Err(Diagnostic::error(
                     "angle-not-given",
