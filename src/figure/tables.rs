@@ -94,7 +94,7 @@ impl Tables<'_> {
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
-                let magnitude = match (w.magnitude(&term), self.construction.vector(level, target)) {
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
                     (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
                     (formula, _) => formula,
                 };
@@ -238,7 +238,7 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
-        Action::Line { .. } | Action::Rate(_) => false,
+        Action::Nothing { .. } | Action::Line { .. } | Action::Rate(_) => false,
     };
     p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
 }

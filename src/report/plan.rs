@@ -142,7 +142,7 @@ fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
     match e {
         Effect::Velocities => tr(lang, "velocities", "速度").into(),
         Effect::Accelerations => tr(lang, "accelerations", "加速度").into(),
-        Effect::DriverAcceleration(d) => {
+        Effect::DriverRate(d) | Effect::DriverAcceleration(d) => {
             let name = match &scene.drivers[d].kind {
                 DriverKind::Turn { link, .. } => format!("{} {}", tr(lang, "link", "构件"), scene.link_name(*link)),
                 DriverKind::Slide { guide, .. } => {
@@ -157,9 +157,11 @@ fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
                     format!("{} {}{}", tr(lang, "cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
                 }
             };
-            match lang {
-                Lang::En => format!("acceleration of the driver ({name})"),
-                Lang::Zh => format!("原动件的（角）加速度（{name}）"),
+            match (e, lang) {
+                (Effect::DriverRate(_), Lang::En) => format!("velocity of the driver ({name})"),
+                (Effect::DriverRate(_), Lang::Zh) => format!("原动件的（角）速度（{name}）"),
+                (_, Lang::En) => format!("acceleration of the driver ({name})"),
+                (_, Lang::Zh) => format!("原动件的（角）加速度（{name}）"),
             }
         }
         Effect::Coriolis(g) => {
@@ -187,6 +189,7 @@ fn reason_words(r: Reason, lang: Lang) -> &'static str {
         Reason::Asked => tr(lang, "asked for", "题目要求"),
         Reason::NotAsked => tr(lang, "no question calls for it", "题目未涉及"),
         Reason::Accelerated => tr(lang, "it is given", "题目给出"),
+        Reason::AtRest => tr(lang, "the driver is at rest at this instant", "原动件该瞬时静止"),
         Reason::ConstantRate => tr(lang, "its rate is constant", "速度恒定"),
         Reason::GuideTurns => tr(lang, "the guide turns", "导路转动"),
         Reason::GuideDoesNotTurn => tr(lang, "the guide does not turn", "导路不转动"),
