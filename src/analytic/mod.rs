@@ -201,6 +201,12 @@ impl Solution {
         home
     }
 
+    /// Whether the motion of a pin was solved for, up to a level.
+    pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
+        let slot = usize::from(level == Level::Acceleration);
+        self.bare[slot].iter().any(|b| b.0 == p) || self.home[slot].get(p.0).is_some_and(|l| l.is_some())
+    }
+
     /// Whether the motion of a link was solved for, up to a level.
     pub fn reaches(&self, level: Level, link: LinkId) -> bool {
         self.links[link.0].is_some_and(|m| level < Level::Acceleration || m.second.is_some())

@@ -207,7 +207,7 @@ impl<'a> Board<'a> {
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
             }
-            let alternative = self.done.chosen[steps.group].min(steps.alternatives.len().saturating_sub(1));
+            let alternative = steps.drawn(self.done.chosen[steps.group]);
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }

@@ -46,7 +46,7 @@ impl Tables<'_> {
         let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
         let mut parts = Vec::new();
         for group in self.writer.plan.steps(level) {
-            let chosen = self.construction.chosen[group.group].min(group.alternatives.len().saturating_sub(1));
+            let chosen = group.drawn(self.construction.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));
                 match step {

@@ -320,7 +320,7 @@ impl Builder<'_> {
     fn answer_needs(&mut self, level: Level, g: usize) {
         for i in 0..self.due[g].len() {
             let (need, wanted) = self.due[g][i];
-            if wanted < level {
+            if wanted != level {
                 continue;
             }
             match need {

@@ -216,6 +216,11 @@ pub struct GroupSteps {
 }
 
 impl GroupSteps {
+    /// The alternative that is drawn when the board's choice for the group is `chosen`.
+    pub fn drawn(&self, chosen: usize) -> usize {
+        chosen.min(self.alternatives.len().saturating_sub(1))
+    }
+
     /// The steps of one alternative, further points included.
     pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
         self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)

@@ -5,3 +5,4 @@ pub mod construction;
 pub mod diagnostics;
 pub mod phrase;
 pub mod plan;
+pub mod plan_json;
