@@ -54,6 +54,8 @@ pub struct Outcome {
     pub computed: Value,
     /// How far the two are apart; `None` for positions and where nothing was drawn.
     pub agreement: Option<Agreement>,
+    /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
+    pub scale: f64,
 }
 
 impl Outcome {
@@ -92,15 +94,18 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
             return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
         };
         let level = level_of(&find.what);
+        let scale = match level {
+            Level::Position => configuration.extent(),
+            _ => scale_of(scene, &construction, &configuration, level, &computed),
+        };
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = scale_of(scene, &construction, &configuration, level, &computed);
                 let worst = construction.magnification[usize::from(level == Level::Acceleration)];
                 Some(compare(d.value, computed, scale, worst))
             }
         };
-        results.push(Outcome { find: i, drawn, computed, agreement });
+        results.push(Outcome { find: i, drawn, computed, agreement, scale });
     }
     Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
 }

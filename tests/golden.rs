@@ -108,7 +108,8 @@ fn templates_look_as_accepted() {
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
             check_text(&folder.join(format!("construction.{suffix}.txt")), &construction::text(&w, &worked.construction), &mut failures);
-            let figure = sheet(&scene, &worked, &Options { lang, notation }).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let figure =
+                sheet(&scene, &worked, &Options { notation, ..Options::of_language(lang) }).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             let drawn = svg::write(&figure).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             assert!(drawn.notes.is_empty(), "{}: {:?}", t.name, drawn.notes);
             check_text(&folder.join(format!("sheet.{suffix}.svg.txt")), &folded(&drawn.value), &mut failures);

@@ -1,5 +1,6 @@
 //! The arguments.
 
+use crate::accuracy::ladder::MOST_DIGITS;
 use crate::scene::Lang;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
@@ -66,6 +67,9 @@ pub struct Draw {
     /// Which files to write into a folder
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
+    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    #[arg(long, default_value_t = 4, value_parser = digits)]
+    pub digits: usize,
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
@@ -78,6 +82,9 @@ pub struct Solve {
     /// Answers as JSON, in SI, with both ways and their difference
     #[arg(long)]
     pub json: bool,
+    /// Significant digits, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    #[arg(long, default_value_t = 6, value_parser = digits)]
+    pub digits: usize,
     /// The construction too, step by step, with the lengths measured on paper
     #[arg(long, conflicts_with = "json")]
     pub steps: bool,
@@ -113,6 +120,14 @@ impl From<Language> for Lang {
             Language::En => Lang::En,
             Language::Zh => Lang::Zh,
         }
+    }
+}
+
+/// As many digits as the precision ladder vouches for.
+fn digits(s: &str) -> Result<usize, String> {
+    match s.parse::<usize>() {
+        Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
+        _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
     }
 }
 

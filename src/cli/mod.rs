@@ -6,6 +6,7 @@
 mod args;
 mod files;
 
+use crate::accuracy::certify;
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
 use crate::figure::sheet;
@@ -113,12 +114,13 @@ fn solve(a: args::Solve) -> Run {
     let mut input = Input::read(&a.common.scene)?;
     let worked = input.work(Scope::Questions)?;
     let (lang, notation) = choices(&input.scene, &a.common);
+    let certified = certify(&input.scene, &worked, a.digits);
     if a.json {
-        let value = answers::json(&input.scene, &worked, &input.notes);
+        let value = answers::json(&input.scene, &worked, &certified, a.digits, &input.notes);
         files::print(&format!("{value:#}\n"))?;
         return Ok(verdict(&worked));
     }
-    files::print(&answers::text(&input.scene, &worked, lang))?;
+    files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
     if a.steps {
         let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
         files::print(&format!("\n{}", construction::text(&w, &worked.construction)))?;

@@ -1,6 +1,7 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
+use crate::accuracy::ladder::{Certified, Part as Kind};
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -22,13 +23,33 @@ use super::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
+/// Distance of the small lines under the rows, in rows.
+const REMARK: f64 = 0.8;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
-/// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
-pub(super) const DIGITS: usize = 4;
+/// Digits shown unless others are asked for: one more than a ruler gives, so that rounding is not mistaken for the
+/// drawing's error.
+pub const DIGITS: usize = 4;
+
+/// What the block of results shows.
+pub struct Answers<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its answers.
+    pub worked: &'a Worked,
+    /// How many of their digits are true.
+    pub certified: &'a [Certified],
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Words.
+    pub words: &'static Words,
+    /// Significant digits asked for.
+    pub digits: usize,
+}
 
 /// The block of results.
-pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Part {
+pub fn results(style: &Style, answers: &Answers) -> Part {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let heading = Cell {
         label: Label::text(words.results),
         size_mm: style.caption_mm,
@@ -37,8 +58,13 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
         id: "heading-results".into(),
     };
     let mut rows = Vec::new();
-    for r in &worked.results {
+    let mut remarks = Vec::new();
+    for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
+        if let Some(why) = &c.why {
+            let text = words.uncertain.replace("{}", &format!("${}$", symbol(find, notation))).replace("{why}", &why.words(words.lang()));
+            remarks.push((format!("remark-{}", find.text), Phrase::new(&text).label()));
+        }
         let id = format!("result-{}", find.text);
         let cell = |text: Label, anchor, what: &str| {
             Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
@@ -59,8 +85,8 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
                 first,
                 from,
                 second,
-                cell(Label::math(amount(find, value)), Anchor::Start, "value"),
-                cell(sense(find, value, words), Anchor::Start, "sense"),
+                cell(Label::math(amount(find, value, c, digits)), Anchor::Start, "value"),
+                cell(sense(find, value, c, words, digits), Anchor::Start, "sense"),
             ],
             height_mm: ROW_MM,
         });
@@ -69,26 +95,25 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     if let Some(worst) = worst(worked) {
         let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
-        let cell = Cell {
-            label: Phrase::new(&text).label(),
-            size_mm: style.small_mm,
-            anchor: Anchor::Start,
-            class: "agreement".into(),
-            id: "agreement".into(),
-        };
-        let below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
+        remarks.push(("agreement".into(), Phrase::new(&text).label()));
+    }
+    for (i, (id, label)) in remarks.into_iter().enumerate() {
+        let class = if id == "agreement" { "agreement" } else { "remark" };
+        let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
+        let below = (rows.len() as f64 + 1.1 + REMARK * i as f64) * ROW_MM;
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
     }
     Part::of(items)
 }
 
 /// All results in one sentence, for readers who do not see the figure.
-pub fn sentence(scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> String {
-    let each = worked.results.iter().map(|r| {
+pub fn sentence(answers: &Answers) -> String {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let each = worked.results.iter().zip(certified).map(|(r, c)| {
         let find = &scene.find[r.find];
         let value = r.value();
-        let plain = format!("{} = {} ", symbol(find, notation), amount(find, value));
-        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, words)).plain();
+        let plain = format!("{} = {} ", symbol(find, notation), amount(find, value, c, digits));
+        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
     each.collect::<Vec<_>>().join("; ")
@@ -135,13 +160,24 @@ fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
     }))
 }
 
-fn amount(find: &Find, value: Value) -> String {
+/// A certified number, `shift` powers of ten up; where not a digit is certain, about what the `f64` solution says.
+fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> String {
+    match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
+        Some((text, _)) => inked(&text),
+        None => format!("\\approx {}", number(rough, 2)),
+    }
+}
+
+fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     match (find.what, value) {
-        (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", number(s.to_degrees(), DIGITS)),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => format!("{} mm", number(s * 1e3, DIGITS)),
-        (_, Value::Vector(v)) => format!("{} {}", number(v.norm(), DIGITS), unit(find)),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) => format!("{} m", number(s, DIGITS)),
-        (_, Value::Scalar(s)) => format!("{} {}", number(s.abs(), DIGITS), unit(find)),
+        (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
+        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
+            format!("{} mm", certain(c, Kind::Scalar, digits, 3, s * 1e3))
+        }
+        (_, Value::Vector(v)) => format!("{} {}", certain(c, Kind::Magnitude, digits, 0, v.norm()), unit(find)),
+        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) => format!("{} m", certain(c, Kind::Scalar, digits, 0, s)),
+        // The sense is told in words.
+        (_, Value::Scalar(s)) => format!("{} {}", certain(c, Kind::Scalar, digits, 0, s).trim_start_matches('−'), unit(find)),
     }
 }
 
@@ -154,11 +190,13 @@ fn unit(find: &Find) -> &'static str {
     }
 }
 
-fn sense(find: &Find, value: Value, words: &Words) -> Label {
+fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(direction_degrees(v.angle()), DIGITS))),
+        (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() => {
+            Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))
+        }
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
-            Label::text(words.sense(s))
+            Label::text(words.sense(c.part(Kind::Scalar).map_or(s, |n| n.sign())))
         }
         _ => Label::text(""),
     }
@@ -166,11 +204,15 @@ fn sense(find: &Find, value: Value, words: &Words) -> Label {
 
 /// A number in the label language: `12.35`, `1.5 \times 10^{9}`.
 pub fn number(value: f64, digits: usize) -> String {
-    let text = significant(value, digits);
+    inked(&significant(value, digits))
+}
+
+/// A plain number in the label language.
+fn inked(text: &str) -> String {
     let text = match text.split_once('e') {
         // The power closes with a brace, and the unit after it begins with a space.
         Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
-        None => text,
+        None => text.to_owned(),
     };
     text.replace('-', "−")
 }

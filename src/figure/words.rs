@@ -38,6 +38,8 @@ pub struct Words {
     pub square_to_guide: &'static str,
     /// How far drawing and analysis are apart; `{}` is the number.
     pub agreement: &'static str,
+    /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
+    pub uncertain: &'static str,
     /// Instead of a measurement: a result that is not drawn.
     pub computed: &'static str,
     /// Begins the description of a figure; `{}` is the title.
@@ -61,6 +63,7 @@ const EN: Words = Words {
     special_point: "$S$: point of link {} where {1} and {2} meet",
     square_to_guide: "the normal to the guide at ${}$",
     agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
+    uncertain: "{}: not all digits are certain, {why}",
     computed: "from the loop equations",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -82,6 +85,7 @@ const ZH: Words = Words {
     special_point: "特殊点 $S$：构件 {} 上 {1} 与 {2} 的交点",
     square_to_guide: "过 ${}$ 的导路垂线",
     agreement: "图解与解析的相对差不超过 ${}$。",
+    uncertain: "{}：并非全部数字可靠，{why}",
     computed: "由解析法求得",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };
@@ -95,6 +99,11 @@ pub const fn words(lang: Lang) -> &'static Words {
 }
 
 impl Words {
+    /// The language.
+    pub fn lang(&self) -> Lang {
+        if self.tag == EN.tag { Lang::En } else { Lang::Zh }
+    }
+
     /// The sense of a turning; nothing for zero.
     pub fn sense(&self, value: f64) -> &'static str {
         if value > 0.0 {

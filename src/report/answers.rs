@@ -1,6 +1,7 @@
 //! The answers: as text for people, as JSON for programs.
 
 use super::phrase::{sense, tr};
+use crate::accuracy::ladder::{Certified, Part};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
 use crate::quantity::{direction_degrees, shortest, significant};
@@ -21,15 +22,17 @@ pub fn unit(what: &Asked) -> &'static str {
     }
 }
 
-/// Digits that text answers show.
-const DIGITS: usize = 6;
+/// Digits that text answers show unless more or fewer are asked for.
+pub const DIGITS: usize = 6;
 
-/// Everything `solve` prints: one line a question.
-pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
+/// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
+pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
     let mut rows: Vec<[String; 4]> = Vec::new();
-    for r in &worked.results {
+    for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
-        rows.push([find.text.clone(), value_words(find, r.value(), lang), measured_words(r, lang), agreement_words(r, lang)]);
+        let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
+        let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
+        rows.push([find.text.clone(), value_words(find, r, c, digits, lang), measured_words(r, lang), remarks.join("  ")]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2)];
@@ -59,21 +62,44 @@ pub fn worst(worked: &Worked) -> Option<f64> {
     worked.results.iter().filter_map(|r| r.agreement).map(|a| a.difference).reduce(f64::max)
 }
 
-fn value_words(find: &Find, value: Value, lang: Lang) -> String {
+/// The value as certified; where nothing is, about what the `f64` solution says.
+fn value_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
     let unit = unit(&find.what);
-    match value {
+    let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
+        Some((text, _)) => text,
+        None => format!("≈ {}", significant(rough, 2)),
+    };
+    match r.value() {
         Value::Vector(v) => {
-            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", significant(direction_degrees(v.angle()), 5)) } else { String::new() };
-            format!("{} {unit}{angle}", significant(v.norm(), DIGITS))
+            let magnitude = number(Part::Magnitude, digits, v.norm());
+            let direction = match c.part(Part::Direction) {
+                Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
+                None => String::new(),
+            };
+            format!("{magnitude} {unit}{direction}")
         }
         Value::Scalar(s) => match find.what {
-            Asked::LinkAngle(_) => format!("{}°", significant(s.to_degrees(), DIGITS)),
+            Asked::LinkAngle(_) => format!("{}°", number(Part::Degrees, digits, s.to_degrees())),
             Asked::Omega(_) | Asked::Alpha(_) | Asked::RelativeOmega(..) | Asked::RelativeAlpha(..) => {
-                let sense = if s == 0.0 { String::new() } else { format!(" {}", sense(lang, s)) };
-                format!("{} {unit}{sense}", significant(s.abs(), DIGITS))
+                let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
+                let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
+                format!("{} {unit}{sense}", number(Part::Scalar, digits, s).trim_start_matches('-'))
             }
-            _ => format!("{} {unit}", significant(s, DIGITS)),
+            _ => format!("{} {unit}", number(Part::Scalar, digits, s)),
         },
+    }
+}
+
+/// Why fewer digits than asked for are printed; nothing where all are certain.
+fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
+    let Some(why) = &c.why else { return String::new() };
+    let certain = c.parts.iter().filter(|(p, _)| !matches!(p, Part::X | Part::Y)).map(|(_, n)| n.text(digits).map_or(0, |t| t.1)).min();
+    let why = why.words(lang);
+    match (certain, lang) {
+        (Some(k @ 1..), Lang::En) => format!("[{k} digits are certain: {why}]"),
+        (Some(k @ 1..), Lang::Zh) => format!("[仅 {k} 位数字可靠：{why}]"),
+        (_, Lang::En) => format!("[not certified: {why}]"),
+        (_, Lang::Zh) => format!("[未经验证：{why}]"),
     }
 }
 
@@ -101,7 +127,7 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 }
 
 /// The answers for programs: SI values, components, the measured length, both ways and their difference.
-pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
+pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let value = |v: Value| match v {
         Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
         Value::Scalar(s) => json!({"value": s}),
@@ -109,12 +135,14 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
     let answers: Vec<Json> = worked
         .results
         .iter()
-        .map(|r| {
+        .zip(certified)
+        .map(|(r, c)| {
             let find = &scene.find[r.find];
             let radians = matches!(find.what, Asked::LinkAngle(_));
             json!({
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
+                "certified": certificate(c, digits),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": value(r.computed),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
@@ -135,6 +163,21 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
     })
+}
+
+/// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and
+/// the digits on which both ends agree.
+fn certificate(c: &Certified, digits: usize) -> Json {
+    let numbers: serde_json::Map<String, Json> = c
+        .parts
+        .iter()
+        .map(|(part, n)| {
+            let (text, certain) = n.text(digits).map_or((None, 0), |(t, k)| (Some(t), k));
+            let e = n.enclosure();
+            (part.key().into(), json!({"value": e.approx, "radius": e.radius, "text": text, "digits": certain}))
+        })
+        .collect();
+    json!({"rung": c.rung.name(), "complete": c.why.is_none(), "why": c.why.as_ref().map(|w| w.words(Lang::En)), "numbers": numbers})
 }
 
 /// A diagnostic for programs.

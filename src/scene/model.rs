@@ -71,6 +71,8 @@ impl Angle {
 pub struct Given<T = f64> {
     /// SI value.
     pub value: T,
+    /// How far the value may be from what is written: a decimal is seldom an `f64` (of an angle: in the unit of `value`).
+    pub radius: f64,
     /// The text as written (`"100 mm"`, `"2*r"`), for the "given" list and for exact arithmetic.
     pub text: String,
     /// Where it stands.

@@ -77,7 +77,7 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
 
 /// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
-    Given { value: 0.0, text: "0".to_owned(), span }
+    Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.
