@@ -4,7 +4,7 @@
 //! equations hold its motion. So the counters show whether the work is what was asked, and a stage that does more than
 //! that shows in them.
 
-use crate::answer::Value;
+use crate::accuracy::ladder::{Certified, Part};
 use crate::construct::{Action, Mark, Polygon};
 use crate::figure::item::Figure;
 use crate::mechanism::{Core, Group, Leg, Level};
@@ -41,7 +41,8 @@ pub struct Work {
     pub acceleration: Motion,
     /// Questions answered.
     pub answers: usize,
-    /// Numbers that the answers print: magnitude and direction of a vector, or the one number.
+    /// Numbers that the precision ladder vouches for and the answers print: magnitude and direction of a vector, or the one
+    /// number; 0 where nothing was certified.
     pub certified_values: usize,
     /// Labels for which a place was searched; 0 where no figure was laid out.
     pub labels_placed: usize,
@@ -59,7 +60,7 @@ impl Work {
             velocity: motion(worked, Level::Velocity),
             acceleration: motion(worked, Level::Acceleration),
             answers: worked.results.len(),
-            certified_values: worked.results.iter().map(|r| printed(r.value())).sum(),
+            certified_values: 0,
             labels_placed: 0,
         }
     }
@@ -67,6 +68,11 @@ impl Work {
     /// Levels reached: none, positions, velocities, accelerations.
     pub fn levels(&self) -> usize {
         [self.groups_placed, self.velocity.unknowns, self.acceleration.unknowns].iter().filter(|n| **n > 0).count()
+    }
+
+    /// The same with the numbers that were certified.
+    pub fn with_certified(self, certified: &[Certified]) -> Work {
+        Work { certified_values: certified.iter().map(printed).sum(), ..self }
     }
 
     /// The same with the labels of a figure that was laid out.
@@ -80,12 +86,14 @@ pub(crate) fn is_carried(g: &Group) -> bool {
     matches!(&g.core, Core::Pin { legs, .. } if matches!(legs[..], [Leg::Carried { .. }]))
 }
 
-/// How many numbers an answer prints; a vector of no length has no direction.
-fn printed(v: Value) -> usize {
-    match v {
-        Value::Vector(_) if v.magnitude() > 0.0 => 2,
-        Value::Vector(_) | Value::Scalar(_) => 1,
-    }
+/// How many certified numbers of an answer are printed: a vector by magnitude and direction, an angle in degrees.
+fn printed(c: &Certified) -> usize {
+    let shown = |part: &Part| match part {
+        Part::X | Part::Y => false,
+        Part::Scalar => c.part(Part::Degrees).is_none(),
+        Part::Magnitude | Part::Direction | Part::Degrees => true,
+    };
+    c.parts.iter().filter(|(part, number)| shown(part) && number.text(1).is_some()).count()
 }
 
 fn motion(worked: &Worked, level: Level) -> Motion {

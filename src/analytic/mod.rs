@@ -81,10 +81,12 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         } else if demand.level >= Level::Acceleration {
             // What only its velocity is wanted of takes no part in the second system.
             let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
-            let system = System::new(scene, at, &part)?;
-            let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.gamma(&q)).and_then(|g| system.solve(&g));
-            part.unpack_accelerations(&gamma.ok_or_else(|| singular(scene, &part))?, &mut solution);
-            solution.size[1] = part.unknowns;
+            if part.unknowns > 0 {
+                let system = System::new(scene, at, &part)?;
+                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.gamma(&q)).and_then(|g| system.solve(&g));
+                part.unpack_accelerations(&gamma.ok_or_else(|| singular(scene, &part))?, &mut solution);
+                solution.size[1] = part.unknowns;
+            }
         }
     }
     solution.origins = layout.origins;

@@ -159,9 +159,10 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
         Ok(Warned { value: worked, notes }) => {
             input.notes.extend(notes);
             code = verdict(&worked);
-            let mut done = Work::of(&worked);
+            let certified = certify(&input.scene, &worked, answers::DIGITS);
+            let mut done = Work::of(&worked).with_certified(&certified);
             if figure {
-                let options = sheet::Options { lang, notation: notation.clone() };
+                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
                 done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
             }
             let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
