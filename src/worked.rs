@@ -116,9 +116,13 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 /// divided by a small length, and α may vanish where ω² l does not).
 fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
     let extent = at.extent();
-    let driven = |d: &crate::scene::Driver| match d.kind {
-        crate::scene::DriverKind::Turn { .. } => d.rate.value.abs() * extent,
-        _ => d.rate.value.abs(),
+    // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
+    let driven = |d: &crate::scene::Driver| {
+        let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
+        match d.kind {
+            crate::scene::DriverKind::Turn { .. } => rate.max(a.sqrt()) * extent,
+            _ => rate.max((a * extent).sqrt()),
+        }
     };
     let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
     let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);

@@ -257,7 +257,8 @@ fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize) ->
     let nothing = libm::exp10(-(digits as f64 + 10.0));
     let number = |x: N, against: f64| -> Result<Number, Why> {
         let enclosure = x.enclosure().ok_or(Why::TooClose)?;
-        let zero = enclosure.contains_zero() && enclosure.largest() <= nothing * against;
+        // Where nothing is driven, nothing moves: what may be zero is zero.
+        let zero = enclosure.contains_zero() && (against == 0.0 || enclosure.largest() <= nothing * against);
         Ok(Number { enclosure, zero })
     };
     match value {
