@@ -261,9 +261,7 @@ fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand
                 pin && (guide.on == scene.ground || reached(guide.on))
             }
             Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => {
-                    [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)))
-                }
+                DriverKind::Cylinder { a, b, .. } => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
                 _ => false,
             },
         })

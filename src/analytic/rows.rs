@@ -358,7 +358,11 @@ impl Layout {
                                 let mut c = Vec::new();
                                 body.add(&mut c, k);
                                 end.add(&mut c, -k);
-                                rows.push(Row { coefficients: c, rate: 0.0, gamma: self.second(move |q| k.dot(end.bias(q) - body.bias(q))) });
+                                rows.push(Row {
+                                    coefficients: c,
+                                    rate: 0.0,
+                                    gamma: self.second(move |q| k.dot(end.bias(q) - body.bias(q))),
+                                });
                             }
                         }
                         rows.push(self.along_line(body, hb, ha, pb - pa));

@@ -122,9 +122,9 @@ fn needs_of(what: &Asked) -> Vec<(Need, Level)> {
         Asked::Velocity(p) => vec![(at(p), Velocity)],
         Asked::Acceleration(p) => vec![(at(p), Acceleration)],
         Asked::RelativeVelocity(a, b) | Asked::SlidingVelocity(a, b) => vec![(at(a), Velocity), (at(b), Velocity)],
-        Asked::RelativeAcceleration(a, b)
-        | Asked::NormalAcceleration(a, b)
-        | Asked::TangentialAcceleration(a, b) => vec![(at(a), Acceleration), (at(b), Acceleration)],
+        Asked::RelativeAcceleration(a, b) | Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
+            vec![(at(a), Acceleration), (at(b), Acceleration)]
+        }
         // 2 ω × v_r is made of velocities.
         Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => {
             vec![(at(a), Velocity), (at(b), Velocity), (at(a), Acceleration), (at(b), Acceleration)]

@@ -178,7 +178,7 @@ impl Reporter<'_> {
             let before = number;
             // An alternative stands in the place of the first, and has its numbers.
             let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(level, steps, before)).collect();
-            number += g.alternatives.first().map_or(0, |steps| count(steps));
+            number += g.alternatives.first().map_or(0, count);
             let further = self.steps(level, &g.further, number);
             number += count(&g.further);
             out.push(json!({
