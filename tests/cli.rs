@@ -58,6 +58,29 @@ fn scenes_come_from_standard_input_too() {
 }
 
 #[test]
+fn a_plan_as_json_counts_the_work() {
+    let json = |args: &[&str]| -> serde_json::Value {
+        let run = hodograph().args(["plan", "templates/shaper.json", "--json"]).args(args).assert().success();
+        serde_json::from_slice(&run.get_output().stdout).unwrap()
+    };
+    let plain = json(&[]);
+    assert_eq!(plain["work"]["velocity"]["equations_closed"], 3);
+    assert_eq!((&plain["work"]["answers"], &plain["work"]["certified_values"]), (&10.into(), &16.into()));
+    assert_eq!((&plain["work"]["labels_placed"], &plain["language"]), (&0.into(), &"en".into()));
+    assert!(json(&["--figure"])["work"]["labels_placed"].as_u64().unwrap() > 20);
+    let chinese = json(&["--lang", "zh"]);
+    assert_eq!((&chinese["language"], &chinese["notation"]), (&"zh".into(), &"cn".into()));
+    assert_eq!(json(&["--notation", "cn"])["language"], "en");
+    hodograph().args(["plan", "templates/shaper.json", "--figure"]).assert().code(2);
+    // A plan needs no numbers: where the pose cannot be assembled it stands alone, and the notes say why.
+    let scene = text(&hodograph().args(["new", "crank-rocker", "--set", "l_BC=20"]).assert().success().get_output().stdout);
+    let run = hodograph().args(["plan", "-", "--json"]).write_stdin(scene).assert().success();
+    let alone: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    assert!(alone["work"].is_null() && !alone["velocity"].as_array().unwrap().is_empty());
+    assert_eq!(alone["notes"][0]["code"], "cannot-assemble");
+}
+
+#[test]
 fn unknown_template_and_parameter_are_told_with_the_nearest_name() {
     let run = hodograph().args(["new", "shapper"]).assert().code(2);
     assert!(text(&run.get_output().stderr).contains("shaper"));

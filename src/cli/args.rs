@@ -24,7 +24,7 @@ pub enum Command {
     Draw(Draw),
     /// Answer the scene's questions: values, units, senses, drawing against analysis
     Solve(Solve),
-    /// Write the vector equations in solving order, and why each effect is in or out
+    /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
     Plan(Plan),
     /// Write a template's scene, with other parameters if wanted
     New {
@@ -101,6 +101,12 @@ pub struct Solve {
 pub struct Plan {
     #[command(flatten)]
     pub common: Common,
+    /// The plan as JSON, with counters of the work that the questions made: groups, equations, vectors, unknowns, values
+    #[arg(long)]
+    pub json: bool,
+    /// Lay the sheet out too, so that the labels placed on it are counted
+    #[arg(long, requires = "json")]
+    pub figure: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -8,9 +8,11 @@ mod files;
 
 use crate::accuracy::certify;
 use crate::diag::{Diagnostic, Faults, Warned};
+use crate::effort::Work;
+use crate::figure::sheet;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json};
 use crate::scene::{self, Lang, Scene, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -151,6 +153,9 @@ fn solve(a: args::Solve) -> Run {
 fn plan(a: args::Plan) -> Run {
     let input = Input::read(&a.common.scene)?;
     let (lang, notation) = choices(&input.scene, &a.common);
+    if a.json {
+        return plan_for_programs(input, lang, &notation, a.figure);
+    }
     let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
         Ok(Warned { value, notes }) => (value, notes),
         Err(faults) => return Err(Failure::Input(faults, input.name, input.source)),
@@ -164,6 +169,37 @@ fn plan(a: args::Plan) -> Run {
         eprint!("{}", diagnostics::render(&Faults { list: notes }, &input.name, &input.source));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
+/// notes say why.
+fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
+    let fail = |input: &Input, faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mut code = ExitCode::SUCCESS;
+    let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
+        Ok(Warned { value: worked, notes }) => {
+            input.notes.extend(notes);
+            code = verdict(&worked);
+            let certified = certify(&input.scene, &worked, answers::DIGITS);
+            let mut done = Work::of(&worked).with_certified(&certified);
+            if figure {
+                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
+                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
+            }
+            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
+            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
+        }
+        Err(faults) => {
+            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
+            let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
+            let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
+            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
+            input.notes.extend(faults.list);
+            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
+        }
+    };
+    files::print(&format!("{document:#}\n"))?;
+    Ok(code)
 }
 
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {

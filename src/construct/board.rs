@@ -228,7 +228,7 @@ impl<'a, P: Pencil> Board<'a, P> {
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
             }
-            let alternative = self.done.chosen[steps.group].min(steps.alternatives.len().saturating_sub(1));
+            let alternative = steps.drawn(self.done.chosen[steps.group]);
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
@@ -249,6 +249,12 @@ impl<'a, P: Pencil> Board<'a, P> {
     fn step(&mut self, p: &mut Polygon, step: &Step) -> Result<(), Faults> {
         match step {
             Step::Equation { target, chains, .. } => self.equation(p, *target, chains),
+            // Where nothing moves there is no triangle to copy.
+            Step::Image { target, from: (a, _), .. } if self.stands(p.level) => {
+                p.images[target.0] = Some(self.image(p, *a));
+                p.actions.push(Action::Reach(*target));
+                Ok(())
+            }
             Step::Image { target, from: (a, b), .. } => {
                 let (ia, ib) = (self.image(p, *a), self.image(p, *b));
                 let ratio = self.arm(*target, *a).divide_by(self.arm(*b, *a));
@@ -267,6 +273,11 @@ impl<'a, P: Pencil> Board<'a, P> {
         }
     }
 
+    /// Whether all vectors of a level vanish because no driver moves.
+    fn stands(&self, level: Level) -> bool {
+        level == Level::Velocity && self.plan.rest.is_all()
+    }
+
     fn image(&self, p: &Polygon, v: VertexId) -> Point {
         p.images[v.0].expect("the plan finds a vertex before it uses it")
     }
@@ -277,19 +288,30 @@ impl<'a, P: Pencil> Board<'a, P> {
 
     fn equation(&mut self, p: &mut Polygon, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
         let mut ends: Vec<(Mark, Point, Option<Line>)> = Vec::new();
+        let before = p.edges.len();
         for chain in chains {
             let mut at = (self.mark(chain.start), self.image(p, chain.start));
+            let vanishes = |t: &Term| self.plan.vanishes(self.scene, p.level, t);
+            let last_drawn = chain.known.iter().rposition(|t| !vanishes(t));
             for (i, term) in chain.known.iter().enumerate() {
+                if vanishes(term) {
+                    p.actions.push(Action::Nothing { term: *term, at: at.1 });
+                    continue;
+                }
                 let end = at.1 + self.known_vector(p, term)? * (1.0 / p.mu);
                 let end = self.pencil.mark(p.level, end);
                 // The last known vector of a chain without unknowns ends in the target itself.
-                let last = chain.unknown.is_empty() && i + 1 == chain.known.len() && chains.len() == 1;
+                let last = chain.unknown.is_empty() && Some(i) == last_drawn && chains.len() == 1;
                 let mark = if last { Mark::Image(target) } else { Mark::Part(*term) };
                 p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true });
                 p.actions.push(Action::LayOff(p.edges.len() - 1));
                 at = (mark, end);
             }
             let line = match chain.unknown.first() {
+                Some(term) if vanishes(term) => {
+                    p.actions.extend(chain.unknown.iter().map(|t| Action::Nothing { term: *t, at: at.1 }));
+                    None
+                }
                 Some(term) => {
                     let u = self.direction(term)?;
                     p.actions.push(Action::Line { terms: chain.unknown.clone(), through: at.1, direction: u });
@@ -325,10 +347,11 @@ impl<'a, P: Pencil> Board<'a, P> {
                 }
                 p.actions.push(Action::Cross { target, edges, sine: c.sine });
             }
-            [(_, a, None)] => {
+            // Two chains without a direction: nothing moves, and both end where they start.
+            [(_, a, None)] | [(_, a, None), (_, _, None)] => {
                 p.images[target.0] = Some(a);
                 // A vector laid off ends in the target by itself; without one, the start is the target.
-                if chains[0].known.is_empty() {
+                if p.edges.len() == before {
                     p.actions.push(Action::Reach(target));
                 }
             }
@@ -403,6 +426,7 @@ impl<'a, P: Pencil> Board<'a, P> {
             return;
         }
         let reading = match rate {
+            _ if self.stands(level) => RateReading { level, body, value: 0.0, measured: None },
             Rate::Zero => RateReading { level, body, value: 0.0, measured: None },
             Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None },
             Rate::Given { driver, against } => {

@@ -70,6 +70,13 @@ pub struct Crossed {
 pub enum Action {
     /// A known vector laid off: index of the edge.
     LayOff(usize),
+    /// A term that vanishes because a driver is at rest: nothing is laid off.
+    Nothing {
+        /// The term.
+        term: Term,
+        /// Where it would begin and end.
+        at: Point,
+    },
     /// A line of known direction drawn from the end of the known part of a chain.
     Line {
         /// The unknown terms along it.

@@ -46,7 +46,7 @@ impl Tables<'_> {
         let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
         let mut parts = Vec::new();
         for group in self.writer.plan.steps(level) {
-            let chosen = self.construction.chosen[group.group].min(group.alternatives.len().saturating_sub(1));
+            let chosen = group.drawn(self.construction.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));
                 match step {
@@ -94,7 +94,7 @@ impl Tables<'_> {
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
-                let magnitude = match (w.magnitude(&term), self.construction.vector(level, target)) {
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
                     (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
                     (formula, _) => formula,
                 };
@@ -243,7 +243,7 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
-        Action::Line { .. } | Action::Rate(_) => false,
+        Action::Nothing { .. } | Action::Line { .. } | Action::Rate(_) => false,
     };
     p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
 }

@@ -103,6 +103,12 @@ impl<M: Middle> Ball<M> {
         !(self.mid.approx().abs() * (1.0 - 1e-15) > self.radius)
     }
 
+    /// Whether it is zero and nothing else: sums and products with it are exact.
+    #[inline]
+    fn is_nil(self) -> bool {
+        self.radius == 0.0 && self.mid.approx() == 0.0
+    }
+
     #[inline]
     fn rounded(mid: M, propagated: f64) -> Self {
         Ball { mid, radius: (propagated + mid.approx().abs() * M::unit()) * INFLATE + TINY }
@@ -117,6 +123,12 @@ impl<M: Middle> Add for Ball<M> {
     type Output = Self;
     #[inline]
     fn add(self, o: Self) -> Self {
+        if o.is_nil() {
+            return self;
+        }
+        if self.is_nil() {
+            return o;
+        }
         Self::rounded(self.mid + o.mid, self.radius + o.radius)
     }
 }
@@ -124,6 +136,12 @@ impl<M: Middle> Sub for Ball<M> {
     type Output = Self;
     #[inline]
     fn sub(self, o: Self) -> Self {
+        if o.is_nil() {
+            return self;
+        }
+        if self.is_nil() {
+            return -o;
+        }
         Self::rounded(self.mid - o.mid, self.radius + o.radius)
     }
 }
@@ -139,6 +157,9 @@ impl<M: Middle> Mul for Ball<M> {
     #[inline]
     fn mul(self, o: Self) -> Self {
         let (a, b) = (self.mid.approx().abs(), o.mid.approx().abs());
+        if (self.is_nil() && o.is_decided()) || (o.is_nil() && self.is_decided()) {
+            return Ball::exact(self.mid * o.mid);
+        }
         Self::rounded(self.mid * o.mid, (a + self.radius) * o.radius + b * self.radius)
     }
 }
@@ -150,6 +171,9 @@ impl<M: Middle> Div for Ball<M> {
         let mid = self.mid / o.mid;
         let room = o.mid.approx().abs() * (1.0 - 1e-15) - o.radius;
         let propagated = (self.radius + mid.approx().abs() * o.radius) / room;
+        if self.is_nil() && room > 0.0 && o.is_decided() {
+            return Ball::exact(mid);
+        }
         if room > 0.0 && propagated.is_finite() { Self::rounded(mid, propagated) } else { Self::undecided() }
     }
 }
@@ -204,6 +228,9 @@ impl<M: Middle> Real for Ball<M> {
     }
 
     fn sqrt(self) -> Self {
+        if self.is_nil() {
+            return self;
+        }
         let m = self.mid.approx();
         if self.contains_zero() {
             // Everything from zero to the root of the upper end.
@@ -224,6 +251,9 @@ impl<M: Middle> Real for Ball<M> {
     }
 
     fn hypot(self, y: Self) -> Self {
+        if self.is_nil() && y.is_nil() {
+            return Ball::exact(M::from_f64(0.0));
+        }
         Self::elementary(self.mid.hypot(y.mid), self.radius + y.radius)
     }
 

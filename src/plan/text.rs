@@ -291,8 +291,12 @@ impl Writer<'_> {
         }
     }
 
-    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, or the sign for unknown.
-    pub fn magnitude(&self, t: &Term) -> String {
+    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, `0` where a driver at rest leaves nothing of it, or the
+    /// sign for unknown.
+    pub fn magnitude(&self, level: Level, t: &Term) -> String {
+        if self.plan.vanishes(self.scene, level, t) {
+            return "0".into();
+        }
         if !t.known {
             return self.notation.unknown.clone();
         }
@@ -356,7 +360,7 @@ impl Writer<'_> {
                     joint: joint(),
                     symbol: self.symbol(level, t),
                     direction: self.direction(t),
-                    magnitude: self.magnitude(t),
+                    magnitude: self.magnitude(level, t),
                     term: Some(*t),
                 });
             }
@@ -374,7 +378,7 @@ impl Writer<'_> {
             && self.plan.vertex(c.start).fixed
             && let [t] = c.known[..]
         {
-            return (self.direction(&t), self.magnitude(&t));
+            return (self.direction(&t), self.magnitude(level, &t));
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }

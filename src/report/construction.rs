@@ -76,11 +76,18 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm
             let e = &p.edges[*i];
             let t = &e.terms[0];
             let (from, to) = (mark(w, level, &e.from.0), mark(w, level, &e.to.0));
-            let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(t), w.direction(t));
+            let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(level, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
             match w.lang {
                 Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$; it ends in ${to}$.", length(e)),
                 Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", length(e)),
+            }
+        }
+        Action::Nothing { term, .. } => {
+            let symbol = w.symbol(level, term);
+            match w.lang {
+                Lang::En => format!("${symbol}$ = 0, for the driver is at rest: nothing is laid off."),
+                Lang::Zh => format!("${symbol}$ = 0（原动件该瞬时静止），不作图。"),
             }
         }
         Action::Line { terms, through, .. } => {

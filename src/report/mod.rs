@@ -6,3 +6,4 @@ pub mod diagnostics;
 pub mod drafting;
 pub mod phrase;
 pub mod plan;
+pub mod plan_json;
