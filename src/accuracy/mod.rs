@@ -8,6 +8,7 @@ mod larger;
 mod simulate;
 pub mod toggle;
 pub mod truth;
+pub mod ways;
 
 pub use agreement::{Agreement, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};

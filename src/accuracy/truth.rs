@@ -19,12 +19,13 @@ pub const BITS: usize = 640;
 /// Exponent of the time step.
 const STEP: f64 = -180.0;
 
-/// Three configurations in equal steps of time.
-struct Differences<N> {
-    before: Configuration<N>,
-    now: Configuration<N>,
-    after: Configuration<N>,
-    step: N,
+/// Three configurations in equal steps of time: a source of vectors by difference quotients.
+pub(super) struct Differences<N> {
+    pub before: Configuration<N>,
+    pub now: Configuration<N>,
+    pub after: Configuration<N>,
+    /// The time between two of them (s).
+    pub step: N,
 }
 
 impl<N: Real> Differences<N> {

@@ -26,6 +26,8 @@ pub enum Command {
     Solve(Solve),
     /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
     Plan(Plan),
+    /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
+    Accuracy(Accuracy),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -107,6 +109,24 @@ pub struct Plan {
     /// Lay the sheet out too, so that the labels placed on it are counted
     #[arg(long, requires = "json")]
     pub figure: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Accuracy {
+    #[command(flatten)]
+    pub common: Common,
+    /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
+    #[arg(long)]
+    pub toward_toggle: bool,
+    /// Write the work-precision figure to this file, ending in .svg or .png
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// The tables as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Milliseconds for which each way is repeated; the median of its times counts
+    #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    pub patience: u64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

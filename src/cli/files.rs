@@ -90,3 +90,19 @@ pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, nam
     }
     Ok(())
 }
+
+/// Writes one figure to a file ending in .svg or .png (at 200 dpi).
+pub fn figure(figure: &crate::figure::item::Figure, path: &str) -> Result<(), Failure> {
+    let input = |d: crate::diag::Faults| Failure::Input(d, path.to_string(), String::new());
+    let svg = crate::render::svg::write(figure).map_err(input)?.value;
+    let out = Path::new(path);
+    match out.extension().and_then(|e| e.to_str()) {
+        Some("svg") => write(out, svg.as_bytes()),
+        Some("png") => write(out, &crate::render::png::render(&svg, 200.0).map_err(|d| input(d.into()))?),
+        _ => Err(input(
+            Diagnostic::error("output", format!("{path} is neither a .svg nor a .png file"))
+                .help("write -o costs.svg or -o costs.png")
+                .into(),
+        )),
+    }
+}

@@ -6,18 +6,19 @@
 mod args;
 mod files;
 
-use crate::accuracy::certify;
+use crate::accuracy::{certify, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
 use crate::figure::sheet;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price};
 use crate::scene::{self, Lang, Scene, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::Parser;
 use std::process::ExitCode;
+use std::time::Duration;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
@@ -26,6 +27,7 @@ pub fn main() -> ExitCode {
         Command::Draw(a) => draw(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
+        Command::Accuracy(a) => accuracy(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
@@ -200,6 +202,30 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
     };
     files::print(&format!("{document:#}\n"))?;
     Ok(code)
+}
+
+fn accuracy(a: args::Accuracy) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    let worked = input.work(Scope::Questions)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    let patience = Duration::from_millis(a.patience);
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let measured = ways::measure(&input.scene, &worked, patience).map_err(failed)?;
+    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(failed)? } else { Vec::new() };
+    if let Some(path) = &a.output {
+        let figure = crate::figure::price::figure(&input.scene, &measured, &series, lang);
+        files::figure(&figure, path)?;
+    }
+    if a.json {
+        files::print(&format!("{:#}\n", price::json(&measured, &series)))?;
+    } else {
+        files::print(&price::text(&input.scene, &measured, lang))?;
+        if !series.is_empty() {
+            files::print(&format!("\n{}", price::series_text(&series, lang)))?;
+        }
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
 }
 
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {

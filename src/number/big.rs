@@ -90,6 +90,27 @@ impl Big {
     }
 }
 
+/// A number taken out of its region.
+#[derive(Clone, Debug)]
+pub struct Kept(Long);
+
+impl Big {
+    /// The number as one that outlives the region; `None` where undecided.
+    pub fn keep(self) -> Option<Kept> {
+        self.long().map(Kept)
+    }
+}
+
+impl Kept {
+    /// The number in the open region, rounded to its bits.
+    pub fn take(&self) -> Big {
+        REGION.with_borrow_mut(|r| {
+            let x = self.0.clone().with_precision(r.bits).value();
+            push(r, x)
+        })
+    }
+}
+
 impl PartialEq for Big {
     fn eq(&self, o: &Big) -> bool {
         matches!((self.long(), o.long()), (Some(a), Some(b)) if a == b)

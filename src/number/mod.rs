@@ -13,7 +13,7 @@ pub mod decimal;
 mod float;
 
 pub use ball::Ball;
-pub use big::{Big, within};
+pub use big::{Big, Kept, within};
 pub use dd::Dd;
 
 use std::fmt::Debug;

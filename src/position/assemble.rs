@@ -102,7 +102,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             .map(LinkId)
             .map(|l| {
                 if wanted(l) {
-                    shape::of_link(scene, &inputs, l, &mut faults)
+                    shape::of_link(scene, &inputs, l, meant.is_none(), &mut faults)
                 } else {
                     LinkShape { points: Vec::new(), frame: Frame::Loose }
                 }

@@ -7,3 +7,4 @@ pub mod drafting;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;
+pub mod price;

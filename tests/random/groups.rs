@@ -40,3 +40,19 @@ fn group_by_group_as_all_at_once() {
     }
     println!("{answers} answers group by group against all at once: worst {worst:.1e}");
 }
+
+/// `f32` goes the same way with half the digits.
+#[test]
+fn single_precision_goes_the_same_way() {
+    let scene = hodograph::scene::read(hodograph::scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+    let w = hodograph::worked::work(&scene, hodograph::worked::Scope::Questions).unwrap().value;
+    let at = position::recompute::<f32>(&scene, &w.mechanism, &w.demand, &w.configuration).unwrap();
+    let motion = motion::solve(&scene, &w.mechanism, &at, &w.demand);
+    for r in &w.results {
+        let (Some(Value::Vector(a)), Value::Vector(b)) = (evaluate(&scene, &at, &motion, &scene.find[r.find].what), r.computed) else {
+            continue;
+        };
+        let off = (a.approx() - b).norm() / b.norm();
+        assert!(off < 1e-5 && off > 1e-10, "{}: {off:e}", scene.find[r.find].text);
+    }
+}

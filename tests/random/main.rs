@@ -10,6 +10,7 @@ mod emit;
 mod groups;
 mod higher;
 mod hostile;
+mod invariance;
 mod long;
 mod mech;
 mod properties;

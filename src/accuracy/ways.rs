@@ -1,0 +1,368 @@
+//! The ways to the answer, each with its error against the truth and the time it takes: what accuracy costs.
+//!
+//! Every way does the whole work from positions to answers, but for reading the scene. Errors are those of the worst answer
+//! of a level, relative to the answer (or to a thousandth of the largest vector of its kind). The truth is 512-bit arithmetic
+//! with a bound of its error.
+
+use super::ladder::Rung;
+use super::truth::Differences;
+use super::{simulate, toggle};
+use crate::analytic;
+use crate::answer::{Source, Value, evaluate, level_of};
+use crate::construct::pencil::Single;
+use crate::construct::scale::Boxes;
+use crate::construct::{self, Layout};
+use crate::diag::{Diagnostic, Faults};
+use crate::geom::Vec2;
+use crate::mechanism::Level;
+use crate::number::{Ball, Big, Dd, Kept, Real, within};
+use crate::position::{Configuration, newton};
+use crate::scene::{DriverKind, Scene};
+use crate::worked::{Scope, Worked, work};
+use crate::{motion, position};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// What a way is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// On paper with a pencil of this error (mm): the median, and what 95 % of the drawings stay within.
+    Paper(f64),
+    /// The drawing board with each drawn number rounded to `f32`.
+    DrawingSingle,
+    /// The drawing board in `f64`.
+    Drawing,
+    /// Group by group in `f32`.
+    ClosedSingle,
+    /// Group by group in `f64`.
+    Closed,
+    /// Group by group in double-double.
+    ClosedDouble,
+    /// Group by group in numbers of so many bits.
+    ClosedLong(usize),
+    /// All loop equations, positions by Newton's method from a pose 2° off until the last correction is below this.
+    Loops(f64),
+    /// Differences of positions over this turn of the driver (rad).
+    Differences(f64),
+    /// A rung of the ladder: the error is the bound that it certifies.
+    Certified(Rung),
+}
+
+/// A way, measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Which.
+    pub way: Way,
+    /// Worst relative error of the velocities and of the accelerations asked for; `None` where nothing of that level is asked,
+    /// infinite where the way failed.
+    pub errors: [Option<f64>; 2],
+    /// The same within 95 % of the drawings, on paper.
+    pub within_95: [Option<f64>; 2],
+    /// Median time (s); `None` on paper: the minutes of a human are left out.
+    pub seconds: Option<f64>,
+}
+
+/// Every way on the way to the truth.
+const WAYS: [Way; 31] = {
+    use Way::*;
+    [
+        Paper(0.5),
+        Paper(0.1),
+        Paper(0.02),
+        DrawingSingle,
+        Drawing,
+        ClosedSingle,
+        Closed,
+        ClosedDouble,
+        ClosedLong(128),
+        ClosedLong(192),
+        ClosedLong(256),
+        ClosedLong(384),
+        Loops(1e-4),
+        Loops(1e-6),
+        Loops(1e-8),
+        Loops(1e-10),
+        Loops(1e-12),
+        Loops(1e-14),
+        Differences(1e-1),
+        Differences(1e-2),
+        Differences(1e-3),
+        Differences(1e-4),
+        Differences(1e-5),
+        Differences(1e-6),
+        Differences(1e-7),
+        Differences(1e-8),
+        Differences(1e-9),
+        Certified(Rung::Double),
+        Certified(Rung::DoubleDouble),
+        Certified(Rung::Long(192)),
+        Certified(Rung::Long(384)),
+    ]
+};
+
+/// Bits of the truth: 200 and more remain behind any pose that is written with twenty decimals.
+const TRUTH_BITS: usize = 512;
+
+/// An answer to more digits than an `f64` holds: one or two components.
+type Long = Vec<Kept>;
+
+/// Drawings simulated for each pencil.
+const DRAWINGS: usize = 400;
+
+/// Measures every way on a worked scene; each is repeated for about `patience`, the median of its times counts.
+///
+/// # Errors
+/// The truth cannot be told: the pose is singular as written, or a group is not proved.
+pub fn measure(scene: &Scene, worked: &Worked, patience: Duration) -> Result<Vec<Measured>, Faults> {
+    of_ways(scene, worked, &WAYS, patience)
+}
+
+/// The ways that a series of poses compares.
+const SERIES: [Way; 7] = {
+    use Way::*;
+    [Drawing, Loops(1e-8), Differences(1e-5), Closed, Certified(Rung::Double), ClosedDouble, Certified(Rung::DoubleDouble)]
+};
+
+/// One pose of a series.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// How far before the toggle (rad, or m for sliders and cylinders).
+    pub distance: f64,
+    /// The driver's position there.
+    pub position: f64,
+    /// The ways; empty where the pose has no truth.
+    pub ways: Vec<Measured>,
+}
+
+/// The same for poses that approach the toggle of the first driver: a tenth before it, a hundredth, down to 1e-12 radians
+/// (or of its way), on the side on which the scene stands.
+///
+/// # Errors
+/// Nothing stops the driver, or the pose is given by coordinates.
+pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Faults> {
+    let limits = [true, false].map(|up| toggle::limit(scene, 0, up));
+    let start = toggle::driver_position(scene, 0);
+    let nearest = start.and_then(|s| limits.into_iter().flatten().min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
+    let (Some(start), Some(limit)) = (start, nearest) else {
+        let why = if start.is_none() { "the pose is given by coordinates" } else { "the driver turns fully, nothing stops it" };
+        return Err(Diagnostic::error("no-toggle", format!("there is no toggle to approach: {why}"))
+            .help("drive another link, for instance the rocker of a crank-rocker, and give its angle")
+            .into());
+    };
+    let unit = if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { (start - limit).abs() };
+    let mut series = Vec::new();
+    for k in 1..=12 {
+        let distance = 10f64.powi(-k) * unit;
+        let position = limit + distance.copysign(start - limit);
+        let there = toggle::with_driver_at(scene, 0, position);
+        let ways = match work(&there, Scope::Questions) {
+            Ok(worked) => of_ways(&there, &worked.value, &SERIES, patience).unwrap_or_default(),
+            Err(_) => Vec::new(),
+        };
+        series.push(Near { distance, position, ways });
+    }
+    Ok(series)
+}
+
+fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], patience: Duration) -> Result<Vec<Measured>, Faults> {
+    let truth = truth(scene, worked)?;
+    if truth.iter().all(Option::is_none) {
+        return Err(Diagnostic::error("no-truth", "no answer has a value in this pose").into());
+    }
+    Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, patience)).collect())
+}
+
+fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Long>>, Faults> {
+    within(TRUTH_BITS, || {
+        let answers = closed::<Ball<Big>>(scene, worked)?;
+        let plain = |x: Ball<Big>| x.is_decided().then(|| x.middle());
+        Ok(answers
+            .into_iter()
+            .map(|a| match a? {
+                Value::Scalar(s) => kept(Value::Scalar(plain(s)?)),
+                Value::Vector(v) => kept(Value::Vector(Vec2::new(plain(v.x)?, plain(v.y)?))),
+            })
+            .collect())
+    })
+}
+
+fn kept(value: Value<Big>) -> Option<Long> {
+    match value {
+        Value::Scalar(s) => Some(vec![s.keep()?]),
+        Value::Vector(v) => Some(vec![v.x.keep()?, v.y.keep()?]),
+    }
+}
+
+type Answers<N> = Vec<Option<Value<N>>>;
+
+/// Positions, motions and answers group by group.
+fn closed<N: Real>(scene: &Scene, worked: &Worked) -> Result<Answers<N>, Faults> {
+    let at = position::recompute::<N>(scene, &worked.mechanism, &worked.demand, &worked.configuration)?;
+    let motion = motion::solve(scene, &worked.mechanism, &at, &worked.demand);
+    Ok(asked(scene, worked, &at, &motion))
+}
+
+fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source: &impl Source<N>) -> Answers<N> {
+    worked.results.iter().map(|r| evaluate(scene, at, source, &scene.find[r.find].what)).collect()
+}
+
+/// Runs a way for `patience` and takes the median of the times of its runs.
+fn timed<T>(patience: Duration, mut run: impl FnMut() -> T) -> (T, f64) {
+    let begin = Instant::now();
+    let mut last = run();
+    let mut times = vec![begin.elapsed()];
+    while begin.elapsed() < patience && times.len() < 10_000 {
+        let start = Instant::now();
+        last = black_box(run());
+        times.push(start.elapsed());
+    }
+    times.sort();
+    (last, times[times.len() / 2].as_secs_f64())
+}
+
+fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patience: Duration) -> Measured {
+    let lift = |answers: Option<Answers<f64>>| answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>());
+    let mut within_95 = [None, None];
+    let in_double = |f: &dyn Fn() -> Option<Answers<f64>>| {
+        let (answers, seconds) = timed(patience, f);
+        (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
+    };
+    let (errors, seconds) = match way {
+        Way::Paper(mm) => {
+            let drawn = worked.drawn(scene);
+            let errors = simulate(&drawn, mm, DRAWINGS, 1);
+            let of = |pick: fn(&super::Errors) -> f64| {
+                by_level(scene, worked, |i| errors[i].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY))
+            };
+            within_95 = of(|e| e.within_95);
+            (of(|e| e.median), None)
+        }
+        Way::DrawingSingle => {
+            let drawn = worked.drawn(scene);
+            in_double(&|| drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok())
+        }
+        Way::Drawing => in_double(&|| {
+            let at = position::recompute::<f64>(scene, &worked.mechanism, &worked.demand, &worked.configuration).ok()?;
+            let boxes = Boxes::of(&scene.paper, &worked.plan);
+            let paper = construct::construct(scene, &worked.mechanism, &at, &worked.plan, &boxes).ok()?;
+            let read = construct::read(scene, &worked.mechanism, &at, &worked.plan, &paper);
+            Some(read.into_iter().map(|a| a.map(|a| a.value)).collect())
+        }),
+        Way::ClosedSingle => {
+            let (answers, seconds) = timed(patience, || closed::<f32>(scene, worked).ok());
+            let wide = |v: Value<f32>| match v {
+                Value::Scalar(s) => Value::Scalar(f64::from(s)),
+                Value::Vector(v) => Value::Vector(v.approx()),
+            };
+            let answers = answers.map(|l| l.into_iter().map(|v| v.map(wide)).collect());
+            (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
+        }
+        Way::Closed => in_double(&|| closed::<f64>(scene, worked).ok()),
+        Way::ClosedDouble => {
+            let (answers, seconds) = timed(patience, || closed::<Dd>(scene, worked).ok());
+            let long = |x: Dd| Big::from_f64(x.parts().0) + Big::from_f64(x.parts().1);
+            let answers =
+                within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(mapped(v, long)))).collect::<Vec<_>>()));
+            (worst(scene, worked, truth, answers), Some(seconds))
+        }
+        Way::ClosedLong(bits) => {
+            let (answers, seconds) = timed(patience, || {
+                within(bits, || closed::<Big>(scene, worked).ok().map(|l| l.into_iter().map(|v| v.and_then(kept)).collect::<Vec<_>>()))
+            });
+            (worst(scene, worked, truth, answers), Some(seconds))
+        }
+        Way::Loops(tolerance) => match off(scene, worked, -OFF) {
+            Some(start) => in_double(&|| {
+                let drivers = newton::driver_values(scene, &worked.configuration);
+                let at = newton::moved_to(scene, &worked.mechanism, &start, &drivers, tolerance)?;
+                let solution = analytic::solve(scene, &worked.mechanism, &at, &worked.demand).ok()?;
+                Some(asked(scene, worked, &at, &solution))
+            }),
+            None => (by_level(scene, worked, |_| f64::INFINITY), None),
+        },
+        Way::Differences(h) => in_double(&|| {
+            let [before, after] = [off(scene, worked, -h)?, off(scene, worked, h)?];
+            let source = Differences { before, now: worked.configuration.clone(), after, step: h / pace(scene)? };
+            Some(asked(scene, worked, &source.now, &source))
+        }),
+        Way::Certified(rung) => {
+            let mut bounds: Vec<Option<f64>> = Vec::new();
+            let (_, seconds) = timed(patience, || bounds = certified(scene, worked, rung));
+            let bound = |i: usize| bounds.get(i).copied().flatten().map_or(f64::INFINITY, |b| b / size(worked, i));
+            (by_level(scene, worked, bound), Some(seconds))
+        }
+    };
+    Measured { way, errors, within_95, seconds }
+}
+
+/// The radius of each answer in one rung.
+fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
+    fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>> {
+        let radius = |v: Value<Ball<M>>| match v {
+            Value::Scalar(s) => s.radius(),
+            Value::Vector(v) => v.x.radius().hypot(v.y.radius()),
+        };
+        closed::<Ball<M>>(scene, worked).map(|l| l.into_iter().map(|v| v.map(radius)).collect()).unwrap_or_default()
+    }
+    match rung {
+        Rung::Double => radii::<f64>(scene, worked),
+        Rung::DoubleDouble => radii::<Dd>(scene, worked),
+        Rung::Long(bits) => within(bits, || radii::<Big>(scene, worked)),
+    }
+}
+
+/// How far off the loop equations start, and what a step of differences is counted in: radians of the driver, or of the
+/// mechanism's size.
+const OFF: f64 = 0.035;
+
+/// Turn of the drivers in a second: the rate of the first that moves, in radians or in the mechanism's size.
+fn pace(scene: &Scene) -> Option<f64> {
+    scene.drivers.iter().map(|d| d.rate.value.abs()).find(|r| *r > 0.0)
+}
+
+/// The configuration when the first moving driver has gone on by `h` and the others with it.
+fn off(scene: &Scene, worked: &Worked, h: f64) -> Option<Configuration> {
+    let t = h / pace(scene)?;
+    let mut drivers = newton::driver_values(scene, &worked.configuration);
+    for (value, d) in drivers.0.iter_mut().zip(&scene.drivers) {
+        *value += d.rate.value * t + 0.5 * d.acceleration.as_ref().map_or(0.0, |a| a.value) * t * t;
+    }
+    newton::moved(scene, &worked.mechanism, &worked.configuration, &drivers)
+}
+
+fn mapped<A: Real, B: Real>(v: Value<A>, f: impl Fn(A) -> B) -> Value<B> {
+    match v {
+        Value::Scalar(s) => Value::Scalar(f(s)),
+        Value::Vector(v) => Value::Vector(Vec2::new(f(v.x), f(v.y))),
+    }
+}
+
+fn lifted(v: Option<Value>) -> Option<Long> {
+    kept(mapped(v?, Big::from_f64))
+}
+
+/// What an answer's error is counted against.
+fn size(worked: &Worked, i: usize) -> f64 {
+    let r = &worked.results[i];
+    let size = r.computed.magnitude().max(1e-3 * r.scale);
+    if size > 0.0 { size } else { 1.0 }
+}
+
+/// The worst of each level; `None` where nothing of the level is asked.
+fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
+    [Level::Velocity, Level::Acceleration].map(|level| {
+        let of_level = (0..worked.results.len()).filter(|&i| level_of(&scene.find[worked.results[i].find].what) == level);
+        of_level.map(&error).map(|e| if e.is_nan() { f64::INFINITY } else { e }).reduce(f64::max)
+    })
+}
+
+fn worst(scene: &Scene, worked: &Worked, truth: &[Option<Long>], answers: Option<Vec<Option<Long>>>) -> [Option<f64>; 2] {
+    let answers = answers.unwrap_or_default();
+    within(TRUTH_BITS, || {
+        by_level(scene, worked, |i| {
+            let (Some(Some(a)), Some(t)) = (answers.get(i), &truth[i]) else { return f64::INFINITY };
+            let difference = a.iter().zip(t).map(|(a, t)| (a.take() - t.take()).approx().abs()).fold(0.0, f64::hypot);
+            difference / size(worked, i)
+        })
+    })
+}
