@@ -2,4 +2,4 @@
 
 mod agreement;
 
-pub use agreement::{Agreement, compare};
+pub use agreement::{Agreement, ROUNDING, compare};

@@ -7,7 +7,18 @@
 //! # Source
 //! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 3.
 
+mod blocks;
+mod factor;
+mod fork;
+mod jet;
+mod pose;
 mod rows;
+mod series;
+mod singular;
+mod words;
+
+pub use fork::Decided;
+pub use pose::{SingularKind, Singularity};
 
 use crate::answer::Source;
 use crate::diag::{Diagnostic, Faults};
@@ -16,6 +27,8 @@ use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::position::Configuration;
 use crate::scene::{DriverKind, LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
+use pose::Pose;
+use singular::Blocks;
 
 /// Velocities and accelerations of all links that the demand reaches.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,8 +44,12 @@ pub struct Solution {
     origins: Vec<Option<crate::geom::Point>>,
     ground: LinkId,
     carriers: Vec<Vec<LinkId>>,
-    /// Estimated condition number of the scaled Jacobian (1-norm).
+    /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
     pub condition: f64,
+    /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
+    pub singular: Vec<Singularity>,
+    /// What the reader should know of the pose.
+    pub notes: Vec<Diagnostic>,
     /// Number of unknowns.
     pub size: usize,
 }
@@ -52,8 +69,15 @@ pub struct LinkMotion {
 
 /// Solves the loop equations of everything the demand reaches.
 ///
+/// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
+/// on the way that is meant, a driver at its limit by the way back.
+///
 /// # Errors
-/// A singular Jacobian: the pose does not determine the velocities.
+/// - `dead-centre`: the drivers cannot move the links through the pose, velocities are unbounded;
+/// - `locked`: the pose can be assembled but not left as asked;
+/// - `undetermined`: links can move while the drivers stand; `singular`: more than one freedom is open;
+/// - `acceleration-undetermined`: velocities are finite, accelerations are not;
+/// - `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
     let layout = rows::Layout::new(scene, m, at, demand);
     let n = layout.unknowns;
@@ -67,6 +91,8 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         ground: scene.ground,
         carriers,
         condition: 1.0,
+        singular: Vec::new(),
+        notes: Vec::new(),
         size: n,
     };
     solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, a: Vec2::ZERO, alpha: 0.0 });
@@ -89,19 +115,45 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
     let lu = jacobian.clone().lu();
     let inverse_norm = inverse_one_norm(&lu, n);
     solution.condition = norm * inverse_norm;
-    // Beyond 1/ε the matrix cannot be told from a singular one in double precision.
-    if !solution.condition.is_finite() || solution.condition > 0.25 / f64::EPSILON {
-        return Err(singular(scene, &layout).into());
+    let pose = Pose { scene, at, demand, layout: &layout };
+    // NaN included: whatever is not surely well conditioned is looked into.
+    if !(solution.condition < SUSPECT) {
+        let rounding = layout.rounding(at);
+        let blocks = Blocks::new(&system, n, rounding, |b| pose.blur(b, rounding));
+        if blocks.singular() {
+            return pose.singular(&system, &blocks, solution).map_err(Faults::from);
+        }
+        solution.notes.extend(pose.near_singular(&system, &blocks, rounding, solution.condition));
     }
-    let rates = refined(&jacobian, &lu, &rhs).ok_or_else(|| singular(scene, &layout))?;
+    let rates = refined(&jacobian, &lu, &rhs).ok_or_else(|| overflow(scene, &layout))?;
     let accelerations = if demand.level >= Level::Acceleration {
         let gamma = DVector::from_iterator(n, system.iter().map(|r| r.acceleration(&rates)));
-        refined(&jacobian, &lu, &gamma).ok_or_else(|| singular(scene, &layout))?
+        refined(&jacobian, &lu, &gamma).ok_or_else(|| overflow(scene, &layout))?
     } else {
         DVector::zeros(n)
     };
     layout.unpack(&rates, &accelerations, &mut solution);
     Ok(solution)
+}
+
+/// Above this condition number the blocks are looked at one by one: below it, double precision leaves ten digits even where
+/// it counts twice (a pose by lengths near its limit), which is more than is printed.
+const SUSPECT: f64 = 1e4;
+
+impl Solution {
+    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
+    /// the normal ones included: what a small answer is judged by where nothing was drawn.
+    pub fn largest(&self, level: Level, turning: bool) -> f64 {
+        let moving = || self.links.iter().flatten();
+        let acceleration = level == Level::Acceleration;
+        if turning {
+            let of = |m: &LinkMotion| if acceleration { m.alpha.abs().max(m.omega * m.omega) } else { m.omega.abs() };
+            return moving().map(of).fold(0.0, f64::max);
+        }
+        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
+        let of_links = moving().map(|m| if acceleration { m.a.norm() } else { m.v.norm() });
+        of_points.chain(of_links).fold(0.0, f64::max)
+    }
 }
 
 fn one_norm(m: &DMatrix<f64>) -> f64 {
@@ -148,13 +200,9 @@ fn refined(a: &DMatrix<f64>, lu: &LU<f64, Dyn, Dyn>, b: &DVector<f64>) -> Option
     x.iter().all(|v| v.is_finite()).then_some(x)
 }
 
-fn singular(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
+fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
-    Diagnostic::error(
-        "singular",
-        format!("the loop equations of links {} are singular in this pose: the driver does not determine the motion", names.join(", ")),
-    )
-    .help("it is a dead centre or a change point: choose another pose, or drive another link")
+    Diagnostic::error("overflow", format!("the numbers of links {} are too large or too small to be solved", names.join(", ")))
 }
 
 impl Source for Solution {

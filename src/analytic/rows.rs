@@ -3,7 +3,9 @@
 //! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
 //! and so that scaling the scene by 2^k changes no digit.
 //!
-//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
+//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈
+//! ([`Relation::gamma`]). Which equation between positions it comes from is kept with it, for derivatives of any order
+//! ([`super::series`]).
 
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
@@ -18,27 +20,105 @@ pub(super) struct Row {
     pub coefficients: Vec<(usize, f64)>,
     /// Right-hand side of the velocity equation.
     pub rate: f64,
-    /// Right-hand side of the acceleration equation, given the solved rates.
-    gamma: Gamma,
+    /// The equation between positions.
+    pub relation: Relation,
+    /// What it is an equation of.
+    pub of: Pair,
 }
-
-/// γ as a function of the rates.
-type Gamma = Box<dyn Fn(&DVector<f64>) -> f64>;
 
 impl Row {
     pub fn acceleration(&self, rates: &DVector<f64>) -> f64 {
-        (self.gamma)(rates)
+        self.relation.gamma(rates)
+    }
+
+    /// The same with t² for t, for drivers that start from rest: what they do is ½ s̈ t².
+    pub fn from_rest(&self) -> Row {
+        let mut relation = self.relation;
+        if let Some(drive) = relation.drive_mut() {
+            *drive = [0.5 * drive[1], 0.0];
+        }
+        Row { coefficients: self.coefficients.clone(), rate: relation.drive()[0], relation, of: self.of }
+    }
+}
+
+/// The pair or driver that an equation belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pair {
+    /// Two links, or a link and a bare pin, meet at a point.
+    Pin(PointId),
+    /// A runner and its guide.
+    Guide(GuideId),
+    /// A driver (index).
+    Driver(usize),
+}
+
+/// An equation between positions. Lengths are scaled; `drive` is the first and second derivative of what a driver adds.
+#[derive(Clone, Copy)]
+pub(super) enum Relation {
+    /// k·(P − Q) = 0 with k fixed in the plane.
+    Meet { p: Handle, q: Handle, k: Vec2 },
+    /// φ_a − φ_b is given.
+    Turn { a: Handle, b: Handle, drive: [f64; 2] },
+    /// k·(P − Q) is given, k fixed in the body of Q; P − Q is `arm` now.
+    Along { p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2] },
+    /// |P − Q| is given; P − Q is `d` now.
+    Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
+    /// The angle of P − Q, counted from `body`, is given; P − Q is `d` now.
+    Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
+}
+
+impl Relation {
+    fn drive_mut(&mut self) -> Option<&mut [f64; 2]> {
+        match self {
+            Relation::Meet { .. } => None,
+            Relation::Turn { drive, .. }
+            | Relation::Along { drive, .. }
+            | Relation::Distance { drive, .. }
+            | Relation::Line { drive, .. } => Some(drive),
+        }
+    }
+
+    /// First and second derivative of what a driver adds.
+    pub fn drive(mut self) -> [f64; 2] {
+        self.drive_mut().copied().unwrap_or_default()
+    }
+
+    /// What the second derivative leaves besides the second derivatives of the unknowns, taken to the right-hand side.
+    fn gamma(&self, x: &DVector<f64>) -> f64 {
+        match *self {
+            Relation::Meet { p, q, k } => k.dot(q.bias(x) - p.bias(x)),
+            Relation::Turn { drive, .. } => drive[1],
+            // d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
+            Relation::Along { p, q, k, arm, drive } => {
+                let w = q.omega(x);
+                drive[1] - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * k.perp().dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
+            }
+            // d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈, divided by l.
+            Relation::Distance { p, q, d, drive } => {
+                let l = d.norm();
+                let u = d * (1.0 / l);
+                let v = p.velocity(x) - q.velocity(x);
+                drive[1] - u.dot(p.bias(x) - q.bias(x)) + (drive[0] * drive[0] - v.norm2()) / l
+            }
+            // α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
+            Relation::Line { body, p, q, d, drive } => {
+                let l2 = d.norm2();
+                let k = d.perp() * (1.0 / l2);
+                let v = p.velocity(x) - q.velocity(x);
+                2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x)) + drive[1]
+            }
+        }
     }
 }
 
 /// A point of a body, as a function of the unknowns: v = v₀ + ω r⊥.
 #[derive(Clone, Copy)]
-struct Handle {
+pub(super) struct Handle {
     /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
-    first: Option<usize>,
-    turns: bool,
+    pub first: Option<usize>,
+    pub turns: bool,
     /// From the body's origin.
-    r: Vec2,
+    pub r: Vec2,
 }
 
 impl Handle {
@@ -115,6 +195,22 @@ impl Layout {
         Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
     }
 
+    /// The link of an unknown; `None` for one of a bare pin.
+    pub fn link_of(&self, unknown: usize) -> Option<LinkId> {
+        self.links.get(unknown / 3).copied()
+    }
+
+    /// The bare pin of an unknown.
+    pub fn bare_of(&self, unknown: usize) -> Option<PointId> {
+        self.bare.get(unknown.checked_sub(3 * self.links.len())? / 2).copied()
+    }
+
+    /// The relative rounding of the coefficients: arms are differences of places, which are rounded where they are.
+    pub fn rounding(&self, at: &Configuration) -> f64 {
+        let far = at.points.iter().flatten().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+        f64::EPSILON * (far * self.scale).max(1.0)
+    }
+
     /// The moving thing at a pin: a link that carries it, or the bare pin.
     fn pin(&self, scene: &Scene, p: PointId, at: Point) -> Option<Handle> {
         if let Some(i) = self.bare.iter().position(|q| *q == p) {
@@ -146,14 +242,14 @@ impl Layout {
                     let mut c = Vec::new();
                     a.add(&mut c, k);
                     b.add(&mut c, -k);
-                    rows.push(Row { coefficients: c, rate: 0.0, gamma: Box::new(move |q| k.dot(b.bias(q) - a.bias(q))) });
+                    rows.push(Row { coefficients: c, rate: 0.0, relation: Relation::Meet { p: a, q: b, k }, of: Pair::Pin(p) });
                 }
             }
         }
     }
 
     /// ω_a − ω_b = rate.
-    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, rate: f64, acceleration: f64) -> Option<Row> {
+    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: Pair) -> Option<Row> {
         let (ha, hb) = (self.body(scene, a, Point::ORIGIN)?, self.body(scene, b, Point::ORIGIN)?);
         let mut c = Vec::new();
         if let Some(i) = ha.first {
@@ -162,21 +258,21 @@ impl Layout {
         if let Some(i) = hb.first {
             c.push((i + 2, -1.0));
         }
-        Some(Row { coefficients: c, rate, gamma: Box::new(move |_| acceleration) })
+        Some(Row { coefficients: c, rate: drive[0], relation: Relation::Turn { a: ha, b: hb, drive }, of })
     }
 
     fn guide(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
         let guide = &scene.guides[g.0];
         let Some(path) = at.guides[g.0] else { return };
         if let (Some(s), Path::Line { .. }) = (guide.slider, path)
-            && let Some(row) = self.lock(scene, s, guide.on, 0.0, 0.0)
+            && let Some(row) = self.lock(scene, s, guide.on, [0.0; 2], Pair::Guide(g))
             && self.links.contains(&s) | self.links.contains(&guide.on)
         {
             rows.push(row);
         }
         if let (Some(s), Path::Arc { .. }, Some(p)) = (guide.slider, path, guide.pin) {
             // A block in a curved slot turns with the radius to its pin.
-            self.block_on_arc(scene, at, s, p, path, guide.on, rows);
+            self.block_on_arc(scene, at, (s, g), p, path, rows);
         }
         let runner = match guide.pin {
             Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
@@ -193,77 +289,59 @@ impl Layout {
                     return;
                 }
                 // n·(P − Q) = const, n and Q fixed in the carrier.
-                rows.push(self.projection(runner, carrier, direction.perp(), place - through, 0.0, 0.0));
+                rows.push(self.projection(runner, carrier, direction.perp(), place - through, [0.0; 2], Pair::Guide(g)));
             }
             Path::Arc { centre, .. } => {
                 let Some(carrier) = self.body(scene, guide.on, centre) else { return };
-                rows.push(self.distance(runner, carrier, place - centre, 0.0, 0.0));
+                rows.push(self.distance(runner, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
             }
         }
     }
 
-    /// k·(P − Q) = s(t) with k fixed in the body of Q: the row for its first and second derivative.
-    ///
-    /// d/dt: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ. d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
-    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, rate: f64, acceleration: f64) -> Row {
+    /// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
+    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let arm = arm * self.scale;
-        let turned = k.perp();
         let mut c = Vec::new();
         p.add(&mut c, k);
         q.add(&mut c, -k);
         if let (Some(i), true) = (q.first, q.turns) {
-            c.push((i + 2, turned.dot(arm)));
+            c.push((i + 2, k.perp().dot(arm)));
         }
-        let gamma = move |x: &DVector<f64>| {
-            let w = q.omega(x);
-            acceleration - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * turned.dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
-        };
-        Row { coefficients: c, rate, gamma: Box::new(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Along { p, q, k, arm, drive }, of }
     }
 
-    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇, d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈; divided by l.
-    fn distance(&self, p: Handle, q: Handle, d: Vec2, rate: f64, acceleration: f64) -> Row {
+    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
+    fn distance(&self, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let d = d * self.scale;
-        let l = d.norm();
-        let u = d * (1.0 / l);
+        let u = d * (1.0 / d.norm());
         let mut c = Vec::new();
         p.add(&mut c, u);
         q.add(&mut c, -u);
-        let gamma = move |x: &DVector<f64>| {
-            let v = p.velocity(x) - q.velocity(x);
-            acceleration - u.dot(p.bias(x) - q.bias(x)) + (rate * rate - v.norm2()) / l
-        };
-        Row { coefficients: c, rate, gamma: Box::new(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
     }
 
-    /// Turning of the line Q→P against which a body is held: ω_body l² = d × (v_P − v_Q), and its derivative
-    /// α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
-    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2) -> Row {
+    /// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
+    /// (ω_body + ψ̇) l² = d × (v_P − v_Q).
+    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let d = d * self.scale;
-        let l2 = d.norm2();
-        let k = d.perp() * (1.0 / l2);
+        let k = d.perp() * (1.0 / d.norm2());
         let mut c = Vec::new();
         p.add(&mut c, k);
         q.add(&mut c, -k);
         if let Some(i) = body.first {
             c.push((i + 2, -1.0));
         }
-        let gamma = move |x: &DVector<f64>| {
-            let v = p.velocity(x) - q.velocity(x);
-            2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x))
-        };
-        Row { coefficients: c, rate: 0.0, gamma: Box::new(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Line { body, p, q, d, drive }, of }
     }
 
-    #[allow(clippy::too_many_arguments)] // a block, its pin, its path and carrier: none of them belongs together elsewhere
-    fn block_on_arc(&self, scene: &Scene, at: &Configuration, s: LinkId, p: PointId, path: Path, on: LinkId, rows: &mut Vec<Row>) {
+    fn block_on_arc(&self, scene: &Scene, at: &Configuration, (s, g): (LinkId, GuideId), p: PointId, path: Path, rows: &mut Vec<Row>) {
         let Path::Arc { centre, .. } = path else { return };
         let Some(place) = at.points[p.0] else { return };
         if let (Some(body), Some(pin), Some(carrier)) =
-            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, on, centre))
+            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, scene.guides[g.0].on, centre))
             && self.links.contains(&s)
         {
-            rows.push(self.along_line(body, pin, carrier, place - centre));
+            rows.push(self.along_line(body, pin, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
         }
     }
 
@@ -273,7 +351,7 @@ impl Layout {
         match &driver.kind {
             DriverKind::Turn { link, against, .. } => {
                 if self.links.contains(link) || self.links.contains(against) {
-                    rows.extend(self.lock(scene, *link, *against, rate, acceleration));
+                    rows.extend(self.lock(scene, *link, *against, [rate, acceleration], Pair::Driver(d)));
                 }
             }
             DriverKind::Slide { guide, .. } => {
@@ -291,25 +369,23 @@ impl Layout {
                     Path::Line { through, direction } => {
                         let Some(carrier) = self.body(scene, g.on, through) else { return };
                         if runner.first.is_some() || carrier.first.is_some() {
-                            rows.push(self.projection(runner, carrier, direction, place - through, rate, acceleration));
+                            rows.push(self.projection(runner, carrier, direction, place - through, [rate, acceleration], Pair::Driver(d)));
                         }
                     }
                     Path::Arc { centre, radius } => {
                         // s = ρ (angle of the radius − angle of the carrier).
                         let Some(carrier) = self.body(scene, g.on, centre) else { return };
-                        let mut row = self.along_line(carrier, runner, carrier, place - centre);
                         let rho = radius * self.scale;
-                        row.rate = rate / rho;
-                        let inner = row.gamma;
-                        row.gamma = Box::new(move |x| inner(x) + acceleration / rho);
-                        rows.push(row);
+                        let drive = [rate / rho, acceleration / rho];
+                        rows.push(self.along_line(carrier, runner, carrier, place - centre, drive, Pair::Driver(d)));
                     }
                 }
             }
             DriverKind::Cylinder { a, b, links, .. } => {
                 let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
                 let (Some(ha), Some(hb)) = (self.pin(scene, *a, pa), self.pin(scene, *b, pb)) else { return };
-                rows.push(self.distance(hb, ha, pb - pa, rate * self.scale, acceleration * self.scale));
+                let drive = [rate * self.scale, acceleration * self.scale];
+                rows.push(self.distance(hb, ha, pb - pa, drive, Pair::Driver(d)));
                 for (i, l) in links.iter().enumerate() {
                     // Barrel and rod: each sits on its end and turns with the line.
                     let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
@@ -321,10 +397,11 @@ impl Layout {
                                 let mut c = Vec::new();
                                 body.add(&mut c, k);
                                 end.add(&mut c, -k);
-                                rows.push(Row { coefficients: c, rate: 0.0, gamma: Box::new(move |q| k.dot(end.bias(q) - body.bias(q))) });
+                                let relation = Relation::Meet { p: body, q: end, k };
+                                rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
                             }
                         }
-                        rows.push(self.along_line(body, hb, ha, pb - pa));
+                        rows.push(self.along_line(body, hb, ha, pb - pa, [0.0; 2], Pair::Driver(d)));
                     }
                 }
             }

@@ -1,6 +1,7 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
+use crate::analytic::SingularKind;
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -22,6 +23,8 @@ use super::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
+/// Distance of the baselines of the remarks below.
+const REMARK_MM: f64 = 5.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
 /// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
@@ -67,19 +70,41 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     }
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
-    if let Some(worst) = worst(worked) {
-        let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
-        let cell = Cell {
-            label: Phrase::new(&text).label(),
-            size_mm: style.small_mm,
-            anchor: Anchor::Start,
-            class: "agreement".into(),
-            id: "agreement".into(),
-        };
-        let below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
+    let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
+    for (id, text) in remarks(scene, worked, notation, words) {
+        let cell =
+            Cell { label: Phrase::new(&text).label(), size_mm: style.small_mm, anchor: Anchor::Start, class: id.into(), id: id.into() };
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+        below += REMARK_MM;
     }
     Part::of(items)
+}
+
+/// What stands below the results, with the name of each line: how far drawing and analysis are apart, and what is singular
+/// in the pose.
+fn remarks(scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Vec<(&'static str, String)> {
+    let mut out = Vec::new();
+    if let Some(worst) = worst(worked) {
+        out.push(("agreement", words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1))));
+    }
+    for s in &worked.solution.singular {
+        let links: Vec<&str> = s.named.iter().map(|l| scene.link_name(*l)).collect();
+        let text = match s.kind {
+            SingularKind::ChangePoint => words.change_point,
+            SingularKind::Limit => words.driver_at_limit,
+            SingularKind::Rest => words.at_rest,
+        };
+        out.push(("singular", text.replace("{}", &links.join(words.comma))));
+    }
+    // Only the answers that differ, and of those only the first: the whole list is in `solve`.
+    let differs = |r: &&Outcome| r.others.first().is_some_and(|v| *v != r.value());
+    if let Some((r, other)) = worked.results.iter().find(differs).and_then(|r| Some((r, *r.others.first()?))) {
+        let find = &scene.find[r.find];
+        let sense = sense(find, other, words).plain();
+        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(find, other));
+        out.push(("other-motion", words.other_motion.replace("{}", value.trim_end())));
+    }
+    out
 }
 
 /// All results in one sentence, for readers who do not see the figure.

@@ -40,6 +40,16 @@ pub struct Words {
     pub agreement: &'static str,
     /// Instead of a measurement: a result that is not drawn.
     pub computed: &'static str,
+    /// A change point; `{}` are its links.
+    pub change_point: &'static str,
+    /// A driver that turns back; `{}` are the links in line.
+    pub driver_at_limit: &'static str,
+    /// A dead centre with all drivers at rest; `{}` are its links.
+    pub at_rest: &'static str,
+    /// The answers on the motion that was not taken; `{}` are they.
+    pub other_motion: &'static str,
+    /// Between the members of a list.
+    pub comma: &'static str,
     /// Begins the description of a figure; `{}` is the title.
     pub described: &'static str,
 }
@@ -62,6 +72,11 @@ const EN: Words = Words {
     square_to_guide: "the normal to the guide at ${}$",
     agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
     computed: "from the loop equations",
+    change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
+    driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
+    at_rest: "Dead centre of links {}: the driver stands, everything rests.",
+    other_motion: "The other motion: {}.",
+    comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
 
@@ -83,6 +98,11 @@ const ZH: Words = Words {
     square_to_guide: "过 ${}$ 的导路垂线",
     agreement: "图解与解析的相对差不超过 ${}$。",
     computed: "由解析法求得",
+    change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",
+    driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
+    at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
+    other_motion: "另一种运动：{}。",
+    comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };
 

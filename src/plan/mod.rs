@@ -12,7 +12,7 @@ mod locus;
 pub mod notation;
 pub mod text;
 
-pub use build::plan;
+pub use build::{plan, plan_without};
 
 use crate::mechanism::Level;
 use crate::scene::{GuideId, LinkId, PointId, Scene};
@@ -268,7 +268,7 @@ pub struct Plan {
     pub level: Level,
     /// Effects considered: what, in or out, why.
     pub effects: Vec<(Effect, bool, Reason)>,
-    /// Groups higher than class III, and those that rest on them: not drawn.
+    /// Groups that are not drawn, and those that rest on them: higher than class III, or left out by [`plan_without`].
     pub undrawable: Vec<usize>,
 }
 

@@ -1,6 +1,7 @@
 //! The answers: as text for people, as JSON for programs.
 
 use super::phrase::{sense, tr};
+use crate::analytic::{Decided, SingularKind, Singularity};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
 use crate::quantity::{direction_degrees, shortest, significant};
@@ -29,7 +30,7 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     let mut rows: Vec<[String; 4]> = Vec::new();
     for r in &worked.results {
         let find = &scene.find[r.find];
-        rows.push([find.text.clone(), value_words(find, r.value(), lang), measured_words(r, lang), agreement_words(r, lang)]);
+        rows.push([find.text.clone(), value_words(find, r.value(), lang), measured_words(find, r, lang), agreement_words(r, lang)]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2)];
@@ -77,8 +78,13 @@ fn value_words(find: &Find, value: Value, lang: Lang) -> String {
     }
 }
 
-fn measured_words(r: &Outcome, lang: Lang) -> String {
+fn measured_words(find: &Find, r: &Outcome, lang: Lang) -> String {
+    let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, lang)).collect();
     match &r.drawn {
+        None if !others.is_empty() => match lang {
+            Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
+            Lang::Zh => format!("（解析；另一运动：{}）", others.join("，")),
+        },
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match a.measured {
             Some(m) => {
@@ -115,25 +121,47 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
             json!({
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
+                "value": value(r.value()),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": value(r.computed),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
                 "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
+                "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),
             })
         })
         .collect();
     json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
+        // Infinite where singular, which JSON writes as null.
         "condition": worked.solution.condition,
+        "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
         "scales": {
             "mu_l": worked.construction.diagram.mu_l,
             "mu_v": worked.construction.velocity.as_ref().map(|p| p.mu),
             "mu_a": worked.construction.acceleration.as_ref().map(|p| p.mu),
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}
+
+fn singularity(scene: &Scene, s: &Singularity) -> Json {
+    json!({
+        "kind": match s.kind {
+            SingularKind::ChangePoint => "change-point",
+            SingularKind::Limit => "driver-at-limit",
+            SingularKind::Rest => "at-rest",
+        },
+        "links": s.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        "words": s.words,
+        "decided": s.decided.map(|d| match d {
+            Decided::Side => "side",
+            Decided::Sketch => "sketch",
+            Decided::Kind => "kind",
+            Decided::Sense => "sense",
+        }),
     })
 }
 
