@@ -7,7 +7,7 @@
 //! The fine decomposition of A. L. Dulmage and N. S. Mendelsohn; strong components by R. E. Tarjan, *Depth-first search and
 //! linear graph algorithms*, SIAM J. Comput. 1 (1972).
 
-use super::rows::Row;
+use super::relation::Row;
 
 /// Some equations and as many unknowns.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,7 +1,6 @@
 //! A square block factored so that it shows its rank: QR with column pivoting.
 //!
-//! Columns are scaled by powers of two first: the turning of a short link has small coefficients, which says nothing of
-//! its pose.
+//! Columns are scaled by powers of two first: the turning of a short link has small coefficients in every pose.
 //!
 //! # Source
 //! P. Businger, G. H. Golub, *Linear least squares solutions by Householder transformations*, Numer. Math. 7 (1965).
@@ -16,32 +15,30 @@ pub(super) struct Factor {
     scale: Vec<f64>,
     /// By how much scaling may have magnified the rounding of the coefficients.
     pub magnified: f64,
-    /// |r_nn| / |r_11|: near 0 where the block is near singular.
+    /// The last pivot, relative to the first or to what the first would be in a good pose: near 0 where the block is near
+    /// singular.
     pub ratio: f64,
 }
 
 impl Factor {
-    /// Factors a square matrix of at least one column.
-    pub fn new(mut a: DMatrix<f64>) -> Factor {
-        let mut scale = Vec::with_capacity(a.ncols());
-        for mut column in a.column_iter_mut() {
-            let k = power_of_two_scale(column.amax());
-            column *= k;
-            scale.push(k);
+    /// Factors a square matrix of at least one column; `reach` is the size that the coefficients of each column have in the
+    /// poses in which they are largest.
+    pub fn new(mut a: DMatrix<f64>, reach: &[f64]) -> Factor {
+        let scale: Vec<f64> = reach.iter().map(|r| power_of_two_scale(*r)).collect();
+        for (mut column, k) in a.column_iter_mut().zip(&scale) {
+            column *= *k;
         }
         let magnified = scale.iter().copied().fold(1.0, f64::max);
         let qr = a.col_piv_qr();
-        let r = qr.r();
-        let (first, last) = (r[(0, 0)].abs(), r[(r.nrows() - 1, r.ncols() - 1)].abs());
-        let ratio = if first > 0.0 { last / first } else { 0.0 };
+        let pivots = qr.r().diagonal().abs();
+        let ratio = pivots[pivots.len() - 1] / pivots[0].max(1.0);
         Factor { qr, scale, magnified, ratio }
     }
 
-    /// How many pivots are no larger than `bound` times the first.
+    /// How many pivots are no larger than `bound`, relative as in [`Factor::ratio`].
     pub fn deficiency(&self, bound: f64) -> usize {
-        let r = self.qr.r();
-        let first = r[(0, 0)].abs();
-        r.diagonal().iter().filter(|d| first == 0.0 || d.abs() <= bound * first).count()
+        let pivots = self.qr.r().diagonal().abs();
+        pivots.iter().filter(|d| **d <= bound * pivots[0].max(1.0)).count()
     }
 
     fn unscaled(&self, mut y: DVector<f64>) -> DVector<f64> {
@@ -92,7 +89,7 @@ mod tests {
     #[test]
     fn null_vectors_of_rank_one() {
         let a = DMatrix::from_row_slice(2, 2, &[3.0, 4.0, 6.0, 8.0]);
-        let f = Factor::new(a.clone());
+        let f = Factor::new(a.clone(), &[6.0, 8.0]);
         assert_eq!((f.deficiency(1e-15), f.deficiency(0.0) <= 1), (1, true));
         let (z, l) = (f.right().unwrap(), f.left());
         assert!((&a * &z).norm() < 1e-14 && (l.transpose() * &a).norm() < 1e-14);

@@ -122,18 +122,17 @@ fn scene_runner<'a>(scene: &'a Scene, g: &'a crate::scene::Guide) -> impl Iterat
     g.slider.into_iter().chain(g.pin.into_iter().flat_map(|p| scene.carriers(p)))
 }
 
-/// How many joints of the block neither turn nor slide.
+/// At how many joints a link of the block neither turns nor slides against any other.
 fn resting_joints(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> usize {
     let links = joined(scene, at, way, of);
     let fastest = links.iter().map(|l| turning(way, *l).abs()).fold(0.0, f64::max);
     let mut rest = 0;
-    for (i, a) in links.iter().enumerate() {
-        for b in &links[i + 1..] {
-            let ours = of.contains(a) || of.contains(b);
-            let pinned = scene.links[a.0].points.iter().any(|p| scene.links[b.0].points.contains(p));
-            if ours && pinned && (turning(way, *a) - turning(way, *b)).abs() <= SAME * fastest {
-                rest += 1;
-            }
+    for link in of {
+        for p in &scene.links[link.0].points {
+            // Where several links meet, one of them may well turn like another.
+            let mut there = scene.carriers(*p).filter(|k| k != link && links.contains(k)).peekable();
+            let same = |k: LinkId| (turning(way, k) - turning(way, *link)).abs() <= SAME * fastest;
+            rest += usize::from(there.peek().is_some() && there.all(same));
         }
     }
     for guide in &scene.guides {

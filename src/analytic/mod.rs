@@ -12,6 +12,7 @@ mod factor;
 mod fork;
 mod jet;
 mod pose;
+mod relation;
 mod rows;
 mod series;
 mod singular;
@@ -116,8 +117,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
     let inverse_norm = inverse_one_norm(&lu, n);
     solution.condition = norm * inverse_norm;
     let pose = Pose { scene, at, demand, layout: &layout };
-    // NaN included: whatever is not surely well conditioned is looked into.
-    if !(solution.condition < SUSPECT) {
+    if solution.condition > SUSPECT || solution.condition.is_nan() {
         let rounding = layout.rounding(at);
         let blocks = Blocks::new(&system, n, rounding, |b| pose.blur(b, rounding));
         if blocks.singular() {

@@ -1,8 +1,9 @@
 //! What is made of a pose that is singular, or nearly so.
 
 use super::fork::{self, Decided};
-use super::rows::{Layout, Row};
-use super::singular::{Blocks, Carried, Part, Passed, Refusal, Why};
+use super::relation::Row;
+use super::rows::Layout;
+use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
 use super::{LinkMotion, Solution, blocks::Block, words};
 use crate::diag::Diagnostic;
 use crate::mechanism::{Demand, Level};
@@ -104,7 +105,7 @@ impl Pose<'_> {
         // that is a dead point (a driver at its own limit) velocities come into being at once.
         let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0) && system.iter().any(|r| r.relation.drive()[1] != 0.0);
         if starts {
-            let slow: Vec<Row> = system.iter().map(Row::from_rest).collect();
+            let slow: Vec<Row> = system.iter().map(Row::started).collect();
             match self.ways(&slow, blocks, &empty, true) {
                 Err(Refusal { why: Why::DeadPoint, .. }) => {}
                 other => return other.map(|s| self.with_notes(s)).map_err(refused),
@@ -116,23 +117,33 @@ impl Pose<'_> {
     /// The motion that is meant, with the other one beside each change point.
     fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Result<Solution, Refusal> {
         let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
-        let mut decided: Vec<(usize, usize, Decided)> = Vec::new();
-        let taken = blocks.carry(rows, terms, |block, ways, turning| {
-            let of = words::links_of(self.layout, &blocks.list[block]);
-            let both = ways.each_ref().map(|w| self.unpacked(empty, w, &DVector::zeros(w.len())));
-            let (way, by) = fork::choose(self.scene, self.at, &both, &of, turning);
-            decided.push((block, way, by));
+        let choose = |fork: &Fork| {
+            let of = words::links_of(self.layout, &blocks.list[fork.block]);
+            let both = fork.ways.each_ref().map(|w| {
+                let mut way = self.unpacked(empty, w, &DVector::zeros(w.len()));
+                self.layout.keep(|u| fork.motion.order(u) > 0, &mut way);
+                way
+            });
+            fork::choose(self.scene, self.at, &both, &of, fork.turning)
+        };
+        let mut decided: Vec<(usize, Decided)> = Vec::new();
+        let taken = blocks.carry(rows, terms, |fork| {
+            let (way, by) = choose(fork);
+            decided.push((fork.block, by));
             way
         })?;
         let mut solution = self.solution(empty, &taken, from_rest);
         for passed in &taken.passed {
-            let mine = decided.iter().find(|d| d.0 == passed.block);
-            let other = mine.and_then(|(block, way, _)| {
-                let pick = |b: usize| decided.iter().find(|d| d.0 == b).map_or(0, |d| d.1);
-                let turned = blocks.carry(rows, terms, |b, _, _| if b == *block { 1 - way } else { pick(b) }).ok()?;
-                Some(Box::new(self.solution(empty, &turned, from_rest)))
+            let by = decided.iter().find(|d| d.0 == passed.block).map(|d| d.1);
+            // The other way through this block; what lies behind it is chosen by the same rules.
+            let other = by.and_then(|_| {
+                let turned = blocks.carry(rows, terms, |fork| {
+                    let way = choose(fork).0;
+                    if fork.block == passed.block { 1 - way } else { way }
+                });
+                Some(Box::new(self.solution(empty, &turned.ok()?, from_rest)))
             });
-            solution.singular.push(self.singularity(rows, blocks, passed, mine.map(|d| d.2), other));
+            solution.singular.push(self.singularity(rows, blocks, passed, by, other));
         }
         Ok(solution)
     }

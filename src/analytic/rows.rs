@@ -2,154 +2,14 @@
 //!
 //! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
 //! and so that scaling the scene by 2^k changes no digit.
-//!
-//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈
-//! ([`Relation::gamma`]). Which equation between positions it comes from is kept with it, for derivatives of any order
-//! ([`super::series`]).
 
+use super::relation::{Handle, Pair, Relation, Row};
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::DVector;
-
-/// One equation.
-pub(super) struct Row {
-    /// (unknown, coefficient); an unknown may occur twice.
-    pub coefficients: Vec<(usize, f64)>,
-    /// Right-hand side of the velocity equation.
-    pub rate: f64,
-    /// The equation between positions.
-    pub relation: Relation,
-    /// What it is an equation of.
-    pub of: Pair,
-}
-
-impl Row {
-    pub fn acceleration(&self, rates: &DVector<f64>) -> f64 {
-        self.relation.gamma(rates)
-    }
-
-    /// The same with t² for t, for drivers that start from rest: what they do is ½ s̈ t².
-    pub fn from_rest(&self) -> Row {
-        let mut relation = self.relation;
-        if let Some(drive) = relation.drive_mut() {
-            *drive = [0.5 * drive[1], 0.0];
-        }
-        Row { coefficients: self.coefficients.clone(), rate: relation.drive()[0], relation, of: self.of }
-    }
-}
-
-/// The pair or driver that an equation belongs to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pair {
-    /// Two links, or a link and a bare pin, meet at a point.
-    Pin(PointId),
-    /// A runner and its guide.
-    Guide(GuideId),
-    /// A driver (index).
-    Driver(usize),
-}
-
-/// An equation between positions. Lengths are scaled; `drive` is the first and second derivative of what a driver adds.
-#[derive(Clone, Copy)]
-pub(super) enum Relation {
-    /// k·(P − Q) = 0 with k fixed in the plane.
-    Meet { p: Handle, q: Handle, k: Vec2 },
-    /// φ_a − φ_b is given.
-    Turn { a: Handle, b: Handle, drive: [f64; 2] },
-    /// k·(P − Q) is given, k fixed in the body of Q; P − Q is `arm` now.
-    Along { p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2] },
-    /// |P − Q| is given; P − Q is `d` now.
-    Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
-    /// The angle of P − Q, counted from `body`, is given; P − Q is `d` now.
-    Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
-}
-
-impl Relation {
-    fn drive_mut(&mut self) -> Option<&mut [f64; 2]> {
-        match self {
-            Relation::Meet { .. } => None,
-            Relation::Turn { drive, .. }
-            | Relation::Along { drive, .. }
-            | Relation::Distance { drive, .. }
-            | Relation::Line { drive, .. } => Some(drive),
-        }
-    }
-
-    /// First and second derivative of what a driver adds.
-    pub fn drive(mut self) -> [f64; 2] {
-        self.drive_mut().copied().unwrap_or_default()
-    }
-
-    /// What the second derivative leaves besides the second derivatives of the unknowns, taken to the right-hand side.
-    fn gamma(&self, x: &DVector<f64>) -> f64 {
-        match *self {
-            Relation::Meet { p, q, k } => k.dot(q.bias(x) - p.bias(x)),
-            Relation::Turn { drive, .. } => drive[1],
-            // d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
-            Relation::Along { p, q, k, arm, drive } => {
-                let w = q.omega(x);
-                drive[1] - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * k.perp().dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
-            }
-            // d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈, divided by l.
-            Relation::Distance { p, q, d, drive } => {
-                let l = d.norm();
-                let u = d * (1.0 / l);
-                let v = p.velocity(x) - q.velocity(x);
-                drive[1] - u.dot(p.bias(x) - q.bias(x)) + (drive[0] * drive[0] - v.norm2()) / l
-            }
-            // α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
-            Relation::Line { body, p, q, d, drive } => {
-                let l2 = d.norm2();
-                let k = d.perp() * (1.0 / l2);
-                let v = p.velocity(x) - q.velocity(x);
-                2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x)) + drive[1]
-            }
-        }
-    }
-}
-
-/// A point of a body, as a function of the unknowns: v = v₀ + ω r⊥.
-#[derive(Clone, Copy)]
-pub(super) struct Handle {
-    /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
-    pub first: Option<usize>,
-    pub turns: bool,
-    /// From the body's origin.
-    pub r: Vec2,
-}
-
-impl Handle {
-    /// Adds k·v to a row.
-    fn add(&self, row: &mut Vec<(usize, f64)>, k: Vec2) {
-        let Some(i) = self.first else { return };
-        row.push((i, k.x));
-        row.push((i + 1, k.y));
-        if self.turns {
-            row.push((i + 2, k.dot(self.r.perp())));
-        }
-    }
-
-    fn omega(&self, q: &DVector<f64>) -> f64 {
-        match self.first {
-            Some(i) if self.turns => q[i + 2],
-            _ => 0.0,
-        }
-    }
-
-    fn velocity(&self, q: &DVector<f64>) -> Vec2 {
-        let Some(i) = self.first else { return Vec2::ZERO };
-        Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
-    }
-
-    /// The part of the acceleration that is not linear in q̈: −ω² r.
-    fn bias(&self, q: &DVector<f64>) -> Vec2 {
-        let w = self.omega(q);
-        self.r * -(w * w)
-    }
-}
 
 pub(super) struct Layout {
     pub links: Vec<LinkId>,
@@ -406,6 +266,17 @@ impl Layout {
                 }
             }
         }
+    }
+
+    /// Takes out of a solution the links and pins whose unknowns are not solved.
+    pub fn keep(&self, solved: impl Fn(usize) -> bool, out: &mut Solution) {
+        for (i, l) in self.links.iter().enumerate() {
+            if !(0..3).all(|k| solved(3 * i + k)) {
+                out.links[l.0] = None;
+            }
+        }
+        let first = 3 * self.links.len();
+        out.bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| solved(first + 2 * i) && solved(first + 2 * i + 1)));
     }
 
     pub fn unpack(&self, rates: &DVector<f64>, accelerations: &DVector<f64>, out: &mut Solution) {

@@ -4,7 +4,7 @@
 //! order are needed where the rows alone do not determine the motion.
 
 use super::jet::Jet;
-use super::rows::{Handle, Relation};
+use super::relation::{Handle, Relation};
 use crate::geom::Vec2;
 
 /// For each unknown the factors of t, t², … that are known.
@@ -119,5 +119,55 @@ impl Motion {
             }
         };
         left.term(n)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Motion, Relation};
+    use crate::analytic::rows::Layout;
+    use crate::mechanism::{Demand, Mechanism};
+    use crate::scene::{read, templates};
+    use nalgebra::DVector;
+
+    /// The terms of t and t² say what the rows and their γ say, which were differentiated by hand.
+    #[test]
+    fn the_first_two_terms_are_the_rows() {
+        let mut kinds = [0; 5];
+        for t in templates::list() {
+            let scene = read(templates::get(t.name).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let demand = Demand::of(&scene, &m);
+            let at = crate::position::configure(&scene, &m, &demand).unwrap().value;
+            let layout = Layout::new(&scene, &m, &at, &demand);
+            let mut motion = Motion::new(layout.unknowns);
+            // Any rates and accelerations will do; these repeat after a prime number.
+            let rate = |u: usize| ((7 * u + 3) % 13) as f64 / 13.0 - 0.5;
+            let acceleration = |u: usize| ((5 * u + 1) % 11) as f64 / 11.0 - 0.4;
+            for u in 0..layout.unknowns {
+                motion.set(u, 1, rate(u));
+                motion.set(u, 2, 0.5 * acceleration(u));
+            }
+            let rates = DVector::from_iterator(layout.unknowns, (0..layout.unknowns).map(rate));
+            for row in layout.rows(&scene, &at) {
+                let sum = |of: &dyn Fn(usize) -> f64| row.coefficients.iter().map(|(u, c)| c * of(*u)).sum::<f64>();
+                let first = sum(&rate) - row.rate;
+                let second = 0.5 * (sum(&acceleration) - row.acceleration(&rates));
+                let [one, two] = [1, 2].map(|n| motion.residual(&row.relation, n));
+                let size = 1.0 + first.abs() + second.abs() + row.rate.abs() + row.acceleration(&rates).abs();
+                // Along a driven arc the hand-written γ leaves out d·v, which another row makes zero.
+                let slides = matches!(row.relation, Relation::Line { drive, .. } if drive != [0.0; 2]);
+                assert!((one - first).abs() < 1e-13 * size, "{}: {one} {first}", t.name);
+                assert!(slides || (two - second).abs() < 1e-13 * size, "{}: {two} {second}", t.name);
+                kinds[match row.relation {
+                    Relation::Meet { .. } => 0,
+                    Relation::Turn { .. } => 1,
+                    Relation::Along { .. } => 2,
+                    Relation::Distance { .. } => 3,
+                    Relation::Line { .. } => 4,
+                }] += 1;
+            }
+        }
+        assert!(kinds.iter().all(|n| *n > 0), "an equation that no template has: {kinds:?}");
     }
 }

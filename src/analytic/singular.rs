@@ -16,7 +16,7 @@
 
 use super::blocks::{Block, blocks};
 use super::factor::Factor;
-use super::rows::Row;
+use super::relation::Row;
 use super::series::Motion;
 use nalgebra::{DMatrix, DVector};
 
@@ -58,6 +58,17 @@ pub(super) struct Refusal {
     pub why: Why,
 }
 
+/// Two ways on from a block.
+pub(super) struct Fork<'a> {
+    pub block: usize,
+    /// Rates of all unknowns on each; zero for those that are not solved yet.
+    pub ways: [DVector<f64>; 2],
+    /// What is solved so far, the block included.
+    pub motion: &'a Motion,
+    /// Whether the drivers stand still, so that the ways differ by the sense of time only.
+    pub turning: bool,
+}
+
 /// A block through which the motion was carried on.
 #[derive(Clone, Debug)]
 pub(super) struct Passed {
@@ -92,7 +103,9 @@ impl Blocks {
                         }
                     }
                 }
-                let factor = Factor::new(a);
+                let reach = |u: usize| block.rows.iter().map(|r| rows[*r].relation.reach(u)).fold(0.0, f64::max);
+                let reach: Vec<f64> = block.unknowns.iter().map(|u| reach(*u)).collect();
+                let factor = Factor::new(a, &reach);
                 // A few units of each coefficient's rounding add up over the unknowns.
                 let data = 4.0 * size as f64 * data * factor.magnified;
                 let deficiency = factor.deficiency(data.max(bound_of(&block)));
@@ -107,14 +120,9 @@ impl Blocks {
         self.list.iter().any(|p| p.deficiency > 0)
     }
 
-    /// Carries the motion through all blocks of the equations (which may drive otherwise than those that were factored), `terms` terms far (1: velocities, 2: accelerations too). Where two ways lead
-    /// on, `pick` is given the block and the rates of both and says which is meant.
-    pub fn carry(
-        &self,
-        rows: &[Row],
-        terms: usize,
-        mut pick: impl FnMut(usize, &[DVector<f64>; 2], bool) -> usize,
-    ) -> Result<Carried, Refusal> {
+    /// Carries the motion through all blocks, `terms` terms far (1: velocities, 2: accelerations too). The equations may
+    /// drive otherwise than those that were factored. Where two ways lead on, `pick` says which is meant.
+    pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Result<Carried, Refusal> {
         let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
         let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new() };
         for (i, part) in self.list.iter().enumerate() {
@@ -142,7 +150,7 @@ impl Blocks {
         index: usize,
         known: usize,
         motion: &mut Motion,
-        pick: &mut impl FnMut(usize, &[DVector<f64>; 2], bool) -> usize,
+        pick: &mut impl FnMut(&Fork) -> usize,
     ) -> Result<Passed, Why> {
         let part = &self.list[index];
         if part.deficiency > 1 {
@@ -212,7 +220,8 @@ impl Blocks {
             // The larger sum first, so that no digits cancel.
             let s = -0.5 * (b + d.sqrt().copysign(b));
             let roots = [s / a, c / s];
-            roots[pick(index, &roots.map(&mut rates), still).min(1)]
+            let ways = roots.map(&mut rates);
+            roots[pick(&Fork { block: index, ways, motion, turning: still }).min(1)]
         };
         set(part, motion, 1, &(&p + &z * y));
         let slope = 2.0 * a * y + b;

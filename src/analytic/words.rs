@@ -4,7 +4,8 @@
 //! links in line, from a bar into the guide that it meets squarely. The links and joints that those forces load are the
 //! ones to name.
 
-use super::rows::{Layout, Pair, Row};
+use super::relation::{Pair, Row};
+use super::rows::Layout;
 use super::singular::{Part, Refusal, Why};
 use crate::diag::Diagnostic;
 use crate::geom::Vec2;

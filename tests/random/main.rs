@@ -10,6 +10,8 @@ mod higher;
 mod hostile;
 mod long;
 mod mech;
+mod near_singular;
 mod properties;
 mod regressions;
 mod rng;
+mod singular;
