@@ -35,7 +35,8 @@
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
-//! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart.
+//! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
+//!   true, and what a pencil makes of the drawing; [`effort`]: what was done for it.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
@@ -57,6 +58,7 @@ pub mod answer;
 pub mod cli;
 pub mod construct;
 pub mod diag;
+pub mod effort;
 pub mod figure;
 pub mod geom;
 pub mod mechanism;

@@ -9,20 +9,23 @@ pub fn metres(value_m: f64) -> String {
 ///
 /// Zero is `0`. Trailing zeros are kept: they are digits.
 pub fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 {
+    plain(&format!("{:.*e}", digits.max(1) - 1, value))
+}
+
+/// A number in e notation as people write it: without an exponent between 1e-4 and 1e6, its digits kept.
+pub fn plain(scientific: &str) -> String {
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific.into() };
+    if mantissa.bytes().all(|b| matches!(b, b'0' | b'.' | b'-')) {
         return "0".into();
     }
-    let digits = digits.max(1);
-    let text = format!("{:.*e}", digits - 1, value);
-    let (mantissa, exponent) = text.split_once('e').expect("the e format has an exponent");
-    let e: i32 = exponent.parse().expect("the exponent is an integer");
+    let e: i32 = exponent.parse().unwrap_or(0);
     if !(-4..6).contains(&e) {
         return format!("{mantissa}e{e}");
     }
-    let decimals = (digits as i32 - 1 - e).max(0) as usize;
-    // Rounded once, by the e format: the decimal point is only moved.
+    // Rounded once, by whoever wrote the digits: the decimal point is only moved.
     let negative = mantissa.starts_with('-');
     let ciphers: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+    let decimals = (ciphers.len() as i32 - 1 - e).max(0);
     let plain = if e < 0 {
         format!("0.{}{}", "0".repeat((-e - 1) as usize), ciphers)
     } else {

@@ -3,7 +3,7 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
-use crate::accuracy::{Agreement, compare};
+use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting};
 use crate::analytic::{self, Solution};
 use crate::answer::{Value, evaluate, level_of};
 use crate::construct::scale::Boxes;
@@ -41,6 +41,35 @@ pub struct Worked {
     pub solution: Solution,
     /// One result for each question.
     pub results: Vec<Outcome>,
+    /// Crossings under less than 10°, with what helps.
+    pub bad_angles: Vec<BadAngle>,
+    /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
+    pub drafting: Option<Drafting>,
+}
+
+impl Worked {
+    /// All that is needed to draw the construction again with another pencil.
+    pub fn drawn<'a>(&'a self, scene: &'a Scene) -> Drawn<'a> {
+        Drawn {
+            scene,
+            mechanism: &self.mechanism,
+            configuration: &self.configuration,
+            plan: &self.plan,
+            construction: &self.construction,
+            values: self.results.iter().map(|r| r.drawn.as_ref().map(|_| r.value())).collect(),
+        }
+    }
+
+    /// The same with the tolerances that drawing by hand has: for the scene's pencil, or the usual one.
+    pub fn with_drafting(mut self, scene: &Scene) -> Worked {
+        self.drafting = Some(drafting(&self.drawn(scene), pencil_mm(scene)));
+        self
+    }
+}
+
+/// The pencil error of a scene (mm).
+fn pencil_mm(scene: &Scene) -> f64 {
+    scene.paper.pencil_mm.unwrap_or(construct::pencil::USUAL_MM)
 }
 
 /// The answers to one question.
@@ -54,11 +83,16 @@ pub struct Outcome {
     pub computed: Value,
     /// How far the two are apart; `None` for positions and where nothing was drawn.
     pub agreement: Option<Agreement>,
+    /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
+    pub scale: f64,
     /// The answer on the other motion through each change point of the pose (see [`analytic::Singularity::other`]); empty
     /// for positions and in every other pose.
     pub others: Vec<Value>,
     /// A value of no more than this (SI) cannot be told from zero.
     pub noise: f64,
+    /// Where the answer comes from the next order of the loop equations, because the pose is singular: how many of its
+    /// digits are true.
+    pub next_order: Option<usize>,
 }
 
 impl Outcome {
@@ -77,11 +111,11 @@ fn above(noise: f64, value: Value) -> Value {
     }
 }
 
-/// What cannot be told from zero in a solution of which nothing was drawn: rounding, and how far the pose is from the
-/// singular one for which it was solved.
-fn noise_of(solution: &Solution, pose: &Solution, level: Level, value: &Value) -> f64 {
+/// What cannot be told from zero in a solution of which nothing was drawn, relative to the largest of its kind: rounding, and
+/// how far the pose is from the singular one for which it was solved.
+fn blur_of(pose: &Solution) -> f64 {
     let off = pose.singular.iter().map(|s| s.off).fold(0.0, f64::max);
-    (crate::accuracy::ROUNDING + 16.0 * off) * solution.largest(level, matches!(value, Value::Scalar(_)))
+    crate::accuracy::ROUNDING + 16.0 * off
 }
 
 /// Works a scene through.
@@ -101,7 +135,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(solution.notes.iter().cloned());
     let plan = plan::plan_without(scene, &mechanism, &demand, &singular_groups(&mechanism, &solution));
     let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
-    notes.extend(construction.warnings.iter().cloned());
+    let blur = blur_of(&solution);
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
     let mut results = Vec::new();
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
@@ -109,27 +143,40 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
             return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
         };
         let level = level_of(&find.what);
+        let scale = match level {
+            Level::Position => configuration.extent(),
+            _ => scale_of(scene, &construction, &configuration, level, &computed),
+        };
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let scale = scale_of(scene, &construction, &configuration, level, &computed);
                 let worst = construction.magnification[usize::from(level == Level::Acceleration)];
                 Some(compare(d.value, computed, scale, worst))
             }
         };
+        let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
             (_, Some(a)) => a.noise,
-            (_, None) => noise_of(&solution, &solution, level, &computed),
+            (_, None) => noise_of(&solution, &computed),
         };
         let mut others = Vec::new();
         for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
             let value = evaluate(scene, &configuration, other, &find.what);
-            others.extend(value.map(|v| above(noise_of(other, &solution, level, &v), v)));
+            others.extend(value.map(|v| above(noise_of(other, &v), v)));
         }
-        results.push(Outcome { find: i, drawn, computed, agreement, others, noise });
+        let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
+        let next_order = by_next_order.then(|| (-libm::log10(blur)).floor().max(1.0) as usize);
+        results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order });
     }
-    Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
+
+    let mut worked =
+        Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
+    let drawn = worked.drawn(scene);
+    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
+    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
+    worked.bad_angles = bad_angles;
+    Ok(Warned { value: worked, notes })
 }
 
 /// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
@@ -150,9 +197,13 @@ fn singular_groups(m: &Mechanism, solution: &Solution) -> Vec<usize> {
 /// divided by a small length, and α may vanish where ω² l does not).
 fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Level, value: &Value) -> f64 {
     let extent = at.extent();
-    let driven = |d: &crate::scene::Driver| match d.kind {
-        crate::scene::DriverKind::Turn { .. } => d.rate.value.abs() * extent,
-        _ => d.rate.value.abs(),
+    // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
+    let driven = |d: &crate::scene::Driver| {
+        let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
+        match d.kind {
+            crate::scene::DriverKind::Turn { .. } => rate.max(a.sqrt()) * extent,
+            _ => rate.max((a * extent).sqrt()),
+        }
     };
     let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
     let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);

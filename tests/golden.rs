@@ -1,17 +1,22 @@
-//! Golden files of every template: plan and construction as text, the sheet as SVG (outlines folded to a hash) and PNG.
+//! Golden files of every template: plan and construction as text, for some the plan as JSON, the sheet as SVG (outlines folded to a hash) and PNG.
 //!
 //! To accept what the program now makes, look at the new files and run `HODOGRAPH_ACCEPT=1 cargo test --test golden`.
 
+use hodograph::accuracy::certify;
+use hodograph::effort::Work;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
-use hodograph::report::{construction, plan};
+use hodograph::report::{answers, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 
 const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --test golden";
+
+/// Templates whose plan is kept as JSON too: Coriolis, in both languages; a triad; cylinders.
+const PLANS_AS_JSON: [(&str, &str); 4] = [("shaper", "en"), ("shaper", "zh"), ("class-iii-six-bar", "en"), ("excavator", "en")];
 
 fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
@@ -99,6 +104,8 @@ fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
 #[test]
 fn templates_look_as_accepted() {
     let mut failures = Vec::new();
+    let schema = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/plan.schema.json")).unwrap();
+    let schema = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
     for t in templates::list() {
         let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value;
@@ -107,8 +114,29 @@ fn templates_look_as_accepted() {
             let notation = Notation::of_language(lang);
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
-            check_text(&folder.join(format!("construction.{suffix}.txt")), &construction::text(&w, &worked.construction), &mut failures);
-            let figure = sheet(&scene, &worked, &Options { lang, notation }).unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            check_text(
+                &folder.join(format!("construction.{suffix}.txt")),
+                &construction::text(&w, &worked.construction, None),
+                &mut failures,
+            );
+            if t.name == "shaper" {
+                let asked = work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene);
+                let w = Writer { plan: &asked.plan, ..w };
+                let text = format!(
+                    "{}\n{}",
+                    answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
+                    drafting::text(&w, &asked)
+                );
+                check_text(&folder.join(format!("drafting.{suffix}.txt")), &text, &mut failures);
+            }
+            let figure = sheet(&scene, &worked, &Options { notation: notation.clone(), ..Options::of_language(lang) })
+                .unwrap_or_else(|f| panic!("{}: {f}", t.name));
+            let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_figure(&figure);
+            let json = plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &[]);
+            failures.extend(schema.iter_errors(&json).map(|e| format!("{}: docs/plan.schema.json: {}: {e}", t.name, e.instance_path())));
+            if PLANS_AS_JSON.contains(&(t.name, suffix)) {
+                check_text(&folder.join(format!("plan.{suffix}.json")), &format!("{json:#}\n"), &mut failures);
+            }
             let drawn = svg::write(&figure).unwrap_or_else(|f| panic!("{}: {f}", t.name));
             assert!(drawn.notes.is_empty(), "{}: {:?}", t.name, drawn.notes);
             check_text(&folder.join(format!("sheet.{suffix}.svg.txt")), &folded(&drawn.value), &mut failures);

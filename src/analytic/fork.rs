@@ -10,7 +10,7 @@
 //! 3. Where the ways differ by the sense of time only (a driver that turns back at its limit): the one on which the first
 //!    link that turns does so counter-clockwise.
 
-use super::{LinkMotion, Solution};
+use super::Solution;
 use crate::answer::Source;
 use crate::geom::Vec2;
 use crate::mechanism::Level;
@@ -150,9 +150,4 @@ fn spread(scene: &Scene, at: &Configuration, way: &Solution, of: &[LinkId]) -> f
     let rates: Vec<f64> = joined(scene, at, way, of).into_iter().map(|l| turning(way, l)).collect();
     let mean = rates.iter().sum::<f64>() / rates.len().max(1) as f64;
     rates.iter().map(|w| (w - mean) * (w - mean)).sum()
-}
-
-impl LinkMotion {
-    /// A link that does not move.
-    pub(super) const REST: LinkMotion = LinkMotion { v: Vec2::ZERO, omega: 0.0, a: Vec2::ZERO, alpha: 0.0 };
 }

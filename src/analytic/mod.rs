@@ -31,44 +31,40 @@ use nalgebra::{DMatrix, DVector, Dyn, LU};
 use pose::Pose;
 use singular::Blocks;
 
-/// Velocities and accelerations of all links that the demand reaches.
+/// Velocities and accelerations of all links that the demand reaches, each as far as it is wanted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// For each link: velocity and acceleration of its frame's origin, ω, α.
     links: Vec<Option<LinkMotion>>,
-    /// For pins that sit on no link.
-    bare: Vec<(PointId, Vec2, Vec2)>,
-    /// Whether accelerations were asked for.
-    level: Level,
+    /// Velocities and accelerations of pins that sit on no link.
+    bare: [Vec<(PointId, Vec2)>; 2],
+    /// For velocities and for accelerations, the first solved link that carries each point.
+    home: [Vec<Option<LinkId>>; 2],
     /// Places, for the vectors of further points.
     points: Vec<Option<crate::geom::Point>>,
     origins: Vec<Option<crate::geom::Point>>,
     ground: LinkId,
-    carriers: Vec<Vec<LinkId>>,
     /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
     pub condition: f64,
     /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
     pub singular: Vec<Singularity>,
     /// What the reader should know of the pose.
     pub notes: Vec<Diagnostic>,
-    /// Number of unknowns.
-    pub size: usize,
+    /// Number of unknowns solved for, at velocity and at acceleration level.
+    pub size: [usize; 2],
 }
 
 /// Motion of a link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LinkMotion {
+struct LinkMotion {
     /// Velocity of the frame's origin (m/s).
-    pub v: Vec2,
+    v: Vec2,
     /// ω (rad/s).
-    pub omega: f64,
-    /// Acceleration of the origin (m/s²).
-    pub a: Vec2,
-    /// α (rad/s²).
-    pub alpha: f64,
+    omega: f64,
+    /// Acceleration of the origin (m/s²) and α (rad/s²), where they are wanted.
+    second: Option<(Vec2, f64)>,
 }
 
-/// Solves the loop equations of everything the demand reaches.
+/// Solves the loop equations of everything the demand reaches: accelerations only of what is wanted so far.
 ///
 /// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
 /// on the way that is meant, a driver at its limit by the way back.
@@ -80,59 +76,56 @@ pub struct LinkMotion {
 /// - `acceleration-undetermined`: velocities are finite, accelerations are not;
 /// - `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
-    let layout = rows::Layout::new(scene, m, at, demand);
-    let n = layout.unknowns;
-    let carriers = (0..scene.points.len()).map(|p| scene.carriers(PointId(p)).collect()).collect();
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
-        bare: Vec::new(),
-        level: demand.level,
-        points: at.points.clone(),
-        origins: layout.origins.clone(),
+        bare: [Vec::new(), Vec::new()],
+        home: [Vec::new(), Vec::new()],
+        points: Vec::new(),
+        origins: Vec::new(),
         ground: scene.ground,
-        carriers,
         condition: 1.0,
         singular: Vec::new(),
         notes: Vec::new(),
-        size: n,
+        size: [0; 2],
     };
-    solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, a: Vec2::ZERO, alpha: 0.0 });
-    if demand.level == Level::Position || n == 0 {
+    solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
+    if demand.level == Level::Position {
         return Ok(solution);
     }
-    let system = layout.rows(scene, at);
-    if system.len() != n {
-        return Err(Diagnostic::error("not-square", format!("{} equations for {n} unknowns", system.len())).into());
-    }
-    let mut jacobian = DMatrix::zeros(n, n);
-    let mut rhs = DVector::zeros(n);
-    for (i, row) in system.iter().enumerate() {
-        for &(k, c) in &row.coefficients {
-            jacobian[(i, k)] += c;
+    let layout = rows::Layout::new(scene, m, at, demand, Level::Velocity);
+    solution.points.clone_from(&at.points);
+    if layout.unknowns > 0 {
+        let system = System::new(scene, at, &layout)?;
+        solution.condition = system.condition;
+        solution.size[0] = layout.unknowns;
+        if system.condition > SUSPECT || system.condition.is_nan() {
+            let pose = Pose { scene, at, demand, layout: &layout };
+            let rounding = layout.rounding(at);
+            let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
+            if blocks.singular() {
+                return pose.singular(&system.rows, &blocks, solution).map_err(Faults::from);
+            }
+            solution.notes.extend(pose.near_singular(&system.rows, &blocks, rounding, system.condition));
         }
-        rhs[i] = row.rate;
-    }
-    let norm = one_norm(&jacobian);
-    let lu = jacobian.clone().lu();
-    let inverse_norm = inverse_one_norm(&lu, n);
-    solution.condition = norm * inverse_norm;
-    let pose = Pose { scene, at, demand, layout: &layout };
-    if solution.condition > SUSPECT || solution.condition.is_nan() {
-        let rounding = layout.rounding(at);
-        let blocks = Blocks::new(&system, n, rounding, |b| pose.blur(b, rounding));
-        if blocks.singular() {
-            return pose.singular(&system, &blocks, solution).map_err(Faults::from);
+        let rhs = DVector::from_iterator(layout.unknowns, system.rows.iter().map(|r| r.rate));
+        let rates = system.solve(&rhs).ok_or_else(|| overflow(scene, &layout))?;
+        layout.unpack_rates(&rates, &mut solution);
+        if layout.second {
+            let gamma = system.solve(&system.gamma(&rates));
+            layout.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &layout))?, &mut solution);
+            solution.size[1] = layout.unknowns;
+        } else if demand.level >= Level::Acceleration {
+            // What only its velocity is wanted of takes no part in the second system.
+            let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
+            if part.unknowns > 0 {
+                let system = System::new(scene, at, &part)?;
+                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.solve(&system.gamma(&q)));
+                part.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &part))?, &mut solution);
+                solution.size[1] = part.unknowns;
+            }
         }
-        solution.notes.extend(pose.near_singular(&system, &blocks, rounding, solution.condition));
     }
-    let rates = refined(&jacobian, &lu, &rhs).ok_or_else(|| overflow(scene, &layout))?;
-    let accelerations = if demand.level >= Level::Acceleration {
-        let gamma = DVector::from_iterator(n, system.iter().map(|r| r.acceleration(&rates)));
-        refined(&jacobian, &lu, &gamma).ok_or_else(|| overflow(scene, &layout))?
-    } else {
-        DVector::zeros(n)
-    };
-    layout.unpack(&rates, &accelerations, &mut solution);
+    solution.settle(scene, &layout);
     Ok(solution)
 }
 
@@ -140,19 +133,41 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
 /// it counts twice (a pose by lengths near its limit), which is more than is printed.
 const SUSPECT: f64 = 1e4;
 
-impl Solution {
-    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
-    /// the normal ones included: what a small answer is judged by where nothing was drawn.
-    pub fn largest(&self, level: Level, turning: bool) -> f64 {
-        let moving = || self.links.iter().flatten();
-        let acceleration = level == Level::Acceleration;
-        if turning {
-            let of = |m: &LinkMotion| if acceleration { m.alpha.abs().max(m.omega * m.omega) } else { m.omega.abs() };
-            return moving().map(of).fold(0.0, f64::max);
+/// The rows of a layout and its decomposed Jacobian.
+struct System {
+    rows: Vec<relation::Row>,
+    jacobian: DMatrix<f64>,
+    lu: LU<f64, Dyn, Dyn>,
+    condition: f64,
+}
+
+impl System {
+    /// # Errors
+    /// Not as many rows as unknowns.
+    fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
+        let n = layout.unknowns;
+        let rows = layout.rows(scene, at);
+        if rows.len() != n {
+            return Err(Diagnostic::error("not-square", format!("{} equations for {n} unknowns", rows.len())).into());
         }
-        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
-        let of_links = moving().map(|m| if acceleration { m.a.norm() } else { m.v.norm() });
-        of_points.chain(of_links).fold(0.0, f64::max)
+        let mut jacobian = DMatrix::zeros(n, n);
+        for (i, row) in rows.iter().enumerate() {
+            for &(k, c) in &row.coefficients {
+                jacobian[(i, k)] += c;
+            }
+        }
+        let lu = jacobian.clone().lu();
+        let condition = one_norm(&jacobian) * inverse_one_norm(&lu, n);
+        Ok(System { rows, jacobian, lu, condition })
+    }
+
+    fn solve(&self, rhs: &DVector<f64>) -> Option<DVector<f64>> {
+        refined(&self.jacobian, &self.lu, rhs)
+    }
+
+    /// The right-hand side of the accelerations at the given rates.
+    fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
+        DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
     }
 }
 
@@ -205,40 +220,86 @@ fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
     Diagnostic::error("overflow", format!("the numbers of links {} are too large or too small to be solved", names.join(", ")))
 }
 
+impl Solution {
+    /// Remembers where the links' vectors are counted from, and by which link each point is looked up.
+    fn settle(&mut self, scene: &Scene, layout: &rows::Layout) {
+        self.origins.clone_from(&layout.origins);
+        self.home = [false, true].map(|second| self.homes(scene, second));
+    }
+
+    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
+    /// the normal ones included: what a small answer is judged by where nothing was drawn.
+    pub fn largest(&self, level: Level, turning: bool) -> f64 {
+        let moving = || self.links.iter().flatten();
+        let acceleration = level == Level::Acceleration;
+        if turning {
+            let of = |m: &LinkMotion| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
+            return moving().map(of).fold(0.0, f64::max);
+        }
+        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
+        let of_links = moving().map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
+        of_points.chain(of_links).fold(0.0, f64::max)
+    }
+
+    fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
+        let mut home = vec![None; scene.points.len()];
+        for (l, motion) in self.links.iter().enumerate() {
+            if motion.is_some_and(|m| !second || m.second.is_some()) {
+                for p in &scene.links[l].points {
+                    home[p.0].get_or_insert(LinkId(l));
+                }
+            }
+        }
+        home
+    }
+
+    /// Whether the motion of a pin was solved for, up to a level.
+    pub fn reaches_pin(&self, level: Level, p: PointId) -> bool {
+        let slot = usize::from(level == Level::Acceleration);
+        self.bare[slot].iter().any(|b| b.0 == p) || self.home[slot].get(p.0).is_some_and(|l| l.is_some())
+    }
+
+    /// Whether the motion of a link was solved for, up to a level.
+    pub fn reaches(&self, level: Level, link: LinkId) -> bool {
+        self.links[link.0].is_some_and(|m| level < Level::Acceleration || m.second.is_some())
+    }
+}
+
 impl Source for Solution {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
-        if level > self.level {
-            return None;
-        }
-        if let Some((_, v, a)) = self.bare.iter().find(|b| b.0 == p)
-            && on.is_none()
+        let slot = usize::from(level == Level::Acceleration);
+        if on.is_none()
+            && let Some((_, v)) = self.bare[slot].iter().find(|b| b.0 == p)
         {
-            return Some(if level == Level::Velocity { *v } else { *a });
+            return Some(*v);
         }
         let link = match on {
             Some(l) => l,
-            None => *self.carriers[p.0].iter().find(|l| self.links[l.0].is_some())?,
+            None => (*self.home[slot].get(p.0)?)?,
         };
         if link == self.ground {
             return Some(Vec2::ZERO);
         }
         let motion = self.links[link.0]?;
-        let r = self.points[p.0]? - self.origins[link.0]?;
+        let r = (*self.points.get(p.0)?)? - self.origins[link.0]?;
         Some(match level {
             Level::Velocity => motion.v + r.perp() * motion.omega,
-            _ => motion.a + r.perp() * motion.alpha - r * (motion.omega * motion.omega),
+            _ => {
+                let (a, alpha) = motion.second?;
+                a + r.perp() * alpha - r * (motion.omega * motion.omega)
+            }
         })
     }
 
     fn turning(&self, level: Level, link: LinkId) -> Option<f64> {
         let m = self.links[link.0]?;
-        Some(if level == Level::Velocity { m.omega } else { m.alpha })
+        if level == Level::Velocity { Some(m.omega) } else { m.second.map(|s| s.1) }
     }
 }
 
-/// Which links take part: those of demanded groups, and the numbered ones that follow them.
-fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Vec<LinkId> {
-    let reached = |l: LinkId| m.group_of_link[l.0].is_some_and(|g| demand.wants(g, Level::Velocity));
+/// Which links take part at a level: those of groups wanted so far, and the numbered ones that follow them.
+fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Vec<LinkId> {
+    let reached = |l: LinkId| m.group_of_link[l.0].is_some_and(|g| demand.wants(g, level));
     (0..scene.links.len())
         .map(LinkId)
         .filter(|&l| l != scene.ground && at.poses[l.0].is_some())
@@ -246,13 +307,11 @@ fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand
             None => reached(l),
             Some(Passive::Block(g)) => {
                 let guide = &scene.guides[g.0];
-                let pin = guide.pin.is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)));
+                let pin = guide.pin.is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)));
                 pin && (guide.on == scene.ground || reached(guide.on))
             }
             Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => {
-                    [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)))
-                }
+                DriverKind::Cylinder { a, b, .. } => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
                 _ => false,
             },
         })

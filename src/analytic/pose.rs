@@ -4,7 +4,7 @@ use super::fork::{self, Decided};
 use super::relation::Row;
 use super::rows::Layout;
 use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
-use super::{LinkMotion, Solution, blocks::Block, words};
+use super::{Solution, blocks::Block, words};
 use crate::diag::Diagnostic;
 use crate::mechanism::{Demand, Level};
 use crate::position::Configuration;
@@ -88,7 +88,7 @@ impl Pose<'_> {
         let d = Diagnostic::warning(
             "near-singular",
             format!(
-                "{} but for a hair: the condition number is {}, and {true_digits} of the velocities there are true, fewer of the accelerations",
+                "{} but for a hair: the condition number is {}, and double precision keeps {true_digits} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
                 held.text,
                 significant(condition, 2)
             ),
@@ -120,8 +120,9 @@ impl Pose<'_> {
         let choose = |fork: &Fork| {
             let of = words::links_of(self.layout, &blocks.list[fork.block]);
             let both = fork.ways.each_ref().map(|w| {
-                let mut way = self.unpacked(empty, w, &DVector::zeros(w.len()));
+                let mut way = self.unpacked(empty, w, None);
                 self.layout.keep(|u| fork.motion.order(u) > 0, &mut way);
+                way.settle(self.scene, self.layout);
                 way
             });
             fork::choose(self.scene, self.at, &both, &of, fork.turning)
@@ -169,22 +170,24 @@ impl Pose<'_> {
         Singularity { kind, links, pins, named: held.links, words: held.text, off: passed.off, decided, other }
     }
 
-    fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: &DVector<f64>) -> Solution {
+    /// A solution of the rates, and of the accelerations where they are known.
+    fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: Option<&DVector<f64>>) -> Solution {
         let mut out = empty.clone();
-        out.links[self.scene.ground.0] = Some(LinkMotion::REST);
-        self.layout.unpack(rates, accelerations, &mut out);
+        self.layout.unpack_rates(rates, &mut out);
+        if let Some(accelerations) = accelerations {
+            self.layout.unpack_accelerations(accelerations, &mut out);
+            out.size[1] = self.layout.unknowns;
+        }
+        out.settle(self.scene, self.layout);
         out
     }
 
     fn solution(&self, empty: &Solution, carried: &Carried, from_rest: bool) -> Solution {
-        let n = empty.size;
+        let n = self.layout.unknowns;
         let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
-        match (from_rest, self.demand.level >= Level::Acceleration) {
-            (true, true) => self.unpacked(empty, &DVector::zeros(n), &(term(1) * 2.0)),
-            (true, false) => self.unpacked(empty, &DVector::zeros(n), &DVector::zeros(n)),
-            (false, true) => self.unpacked(empty, &term(1), &(term(2) * 2.0)),
-            (false, false) => self.unpacked(empty, &term(1), &DVector::zeros(n)),
-        }
+        let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
+        let wanted = self.demand.level >= Level::Acceleration;
+        self.unpacked(empty, &rates, wanted.then_some(&accelerations))
     }
 
     fn with_notes(&self, mut s: Solution) -> Solution {

@@ -150,7 +150,7 @@ impl Handle {
         }
     }
 
-    fn velocity(&self, q: &DVector<f64>) -> Vec2 {
+    pub fn velocity(&self, q: &DVector<f64>) -> Vec2 {
         let Some(i) = self.first else { return Vec2::ZERO };
         Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
     }

@@ -11,47 +11,73 @@ use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::DVector;
 
+/// The unknowns of one level: the links and pins that the demand reaches there.
 pub(super) struct Layout {
     pub links: Vec<LinkId>,
     bare: Vec<PointId>,
     pub unknowns: usize,
+    /// For each link of the scene its place among the unknown ones.
+    index: Vec<Option<usize>>,
+    /// Whether everything here is wanted up to its acceleration.
+    pub second: bool,
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
     scale: f64,
 }
 
 impl Layout {
-    pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Layout {
-        let links = super::taking_part(scene, m, at, demand);
+    /// What the demand wants at `level` (velocity or acceleration) and what that rests on.
+    pub fn new(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, level: Level) -> Layout {
+        let links = super::taking_part(scene, m, at, demand, level);
+        let mut index = vec![None; scene.links.len()];
+        for (i, l) in links.iter().enumerate() {
+            index[l.0] = Some(i);
+        }
         // A pin may be called for without the links that it carries, which only follow it.
         let bare: Vec<PointId> = m
             .pins
             .iter()
             .copied()
-            .filter(|p| !scene.carriers(*p).any(|l| l == scene.ground || links.contains(&l)))
-            .filter(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, Level::Velocity)))
+            .filter(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)))
+            .filter(|p| !scene.carriers(*p).any(|l| l == scene.ground || index[l.0].is_some()))
             .collect();
         // The origin of a link's unknowns is one of its own points, so that arms are short and an offset of all
         // coordinates takes no digits.
-        let origins = (0..scene.links.len())
-            .map(|l| {
-                scene.links[l]
-                    .points
-                    .iter()
-                    .find_map(|p| at.points[p.0])
-                    .or_else(|| scene.guides.iter().filter(|g| g.on == LinkId(l)).find_map(|g| at.points[g.pin?.0]))
-                    .or_else(|| at.poses[l].map(|p| p.origin))
-            })
-            .collect();
+        let mut origins = vec![None; scene.links.len()];
+        for &l in links.iter().chain([&scene.ground]) {
+            origins[l.0] = scene.links[l.0]
+                .points
+                .iter()
+                .find_map(|p| at.points[p.0])
+                .or_else(|| scene.guides.iter().filter(|g| g.on == l).find_map(|g| at.points[g.pin?.0]))
+                .or_else(|| at.poses[l.0].map(|p| p.origin));
+        }
         let unknowns = 3 * links.len() + 2 * bare.len();
-        Layout { links, bare, unknowns, origins, scale: crate::position::kernel::power_of_two_scale(at.extent()) }
+        let second = level == Level::Acceleration || (0..m.groups.len()).all(|g| deepest(demand, g));
+        let scale = crate::position::kernel::power_of_two_scale(at.extent());
+        Layout { links, bare, unknowns, index, second, origins, scale }
+    }
+
+    /// The rates of this layout's unknowns, from those of a layout that holds more.
+    pub fn rates_from(&self, scene: &Scene, at: &Configuration, whole: &Layout, rates: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut out = Vec::with_capacity(self.unknowns);
+        for l in &self.links {
+            let i = 3 * whole.index[l.0]?;
+            out.extend([rates[i], rates[i + 1], rates[i + 2]]);
+        }
+        for &p in &self.bare {
+            // A pin that is bare here may sit on a link there.
+            let v = whole.pin(scene, p, at.points[p.0]?)?.velocity(rates);
+            out.extend([v.x, v.y]);
+        }
+        Some(DVector::from_vec(out))
     }
 
     fn body(&self, scene: &Scene, l: LinkId, p: Point) -> Option<Handle> {
         if l == scene.ground {
             return Some(Handle { first: None, turns: false, r: Vec2::ZERO });
         }
-        let i = self.links.iter().position(|k| *k == l)?;
+        let i = self.index[l.0]?;
         Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
     }
 
@@ -93,17 +119,23 @@ impl Layout {
 
     /// All links at a pin have its velocity.
     fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
-        for p in (0..scene.points.len()).map(PointId) {
+        // Links in the order of the scene under each point, without looking at those that take no part.
+        let taking_part = |l: &LinkId| *l == scene.ground || self.index[l.0].is_some();
+        let mut carried: Vec<(PointId, LinkId)> = (0..scene.links.len())
+            .map(LinkId)
+            .filter(taking_part)
+            .flat_map(|l| scene.links[l.0].points.iter().map(move |p| (*p, l)))
+            .collect();
+        carried.sort_by_key(|c| c.0.0);
+        for pair in carried.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
+            let [(p, a), (_, b)] = [pair[0], pair[1]];
             let Some(place) = at.points[p.0] else { continue };
-            let here: Vec<Handle> = scene.carriers(p).filter_map(|l| self.body(scene, l, place)).collect();
-            for pair in here.windows(2) {
-                let (a, b) = (pair[0], pair[1]);
-                for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
-                    let mut c = Vec::new();
-                    a.add(&mut c, k);
-                    b.add(&mut c, -k);
-                    rows.push(Row { coefficients: c, rate: 0.0, relation: Relation::Meet { p: a, q: b, k }, of: Pair::Pin(p) });
-                }
+            let (Some(a), Some(b)) = (self.body(scene, a, place), self.body(scene, b, place)) else { continue };
+            for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+                let mut c = Vec::new();
+                a.add(&mut c, k);
+                b.add(&mut c, -k);
+                rows.push(Row { coefficients: c, rate: 0.0, relation: Relation::Meet { p: a, q: b, k }, of: Pair::Pin(p) });
             }
         }
     }
@@ -276,23 +308,39 @@ impl Layout {
             }
         }
         let first = 3 * self.links.len();
-        out.bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| solved(first + 2 * i) && solved(first + 2 * i + 1)));
+        for bare in &mut out.bare {
+            bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| (0..2).all(|k| solved(first + 2 * i + k))));
+        }
     }
 
-    pub fn unpack(&self, rates: &DVector<f64>, accelerations: &DVector<f64>, out: &mut Solution) {
-        let back = 1.0 / self.scale;
-        let vec = |x: &DVector<f64>, i: usize| Vec2::new(x[i], x[i + 1]) * back;
+    /// Velocities of the layout's links and pins.
+    pub fn unpack_rates(&self, x: &DVector<f64>, out: &mut Solution) {
         for (i, l) in self.links.iter().enumerate() {
-            out.links[l.0] = Some(LinkMotion {
-                v: vec(rates, 3 * i),
-                omega: rates[3 * i + 2],
-                a: vec(accelerations, 3 * i),
-                alpha: accelerations[3 * i + 2],
-            });
+            out.links[l.0] = Some(LinkMotion { v: self.vector(x, 3 * i), omega: x[3 * i + 2], second: None });
         }
         for (i, p) in self.bare.iter().enumerate() {
-            let k = 3 * self.links.len() + 2 * i;
-            out.bare.push((*p, vec(rates, k), vec(accelerations, k)));
+            out.bare[0].push((*p, self.vector(x, 3 * self.links.len() + 2 * i)));
         }
     }
+
+    /// Accelerations of the layout's links and pins, whose velocities are there.
+    pub fn unpack_accelerations(&self, x: &DVector<f64>, out: &mut Solution) {
+        for (i, l) in self.links.iter().enumerate() {
+            if let Some(motion) = &mut out.links[l.0] {
+                motion.second = Some((self.vector(x, 3 * i), x[3 * i + 2]));
+            }
+        }
+        for (i, p) in self.bare.iter().enumerate() {
+            out.bare[1].push((*p, self.vector(x, 3 * self.links.len() + 2 * i)));
+        }
+    }
+
+    fn vector(&self, x: &DVector<f64>, i: usize) -> Vec2 {
+        Vec2::new(x[i], x[i + 1]) * (1.0 / self.scale)
+    }
+}
+
+/// Whether a group is wanted up to its acceleration, or not in motion at all.
+fn deepest(demand: &Demand, group: usize) -> bool {
+    demand.wants(group, Level::Acceleration) || !demand.wants(group, Level::Velocity)
 }

@@ -126,7 +126,7 @@ impl Motion {
 mod tests {
     use super::{Motion, Relation};
     use crate::analytic::rows::Layout;
-    use crate::mechanism::{Demand, Mechanism};
+    use crate::mechanism::{Demand, Level, Mechanism};
     use crate::scene::{read, templates};
     use nalgebra::DVector;
 
@@ -139,7 +139,7 @@ mod tests {
             let m = Mechanism::new(&scene).unwrap().value;
             let demand = Demand::of(&scene, &m);
             let at = crate::position::configure(&scene, &m, &demand).unwrap().value;
-            let layout = Layout::new(&scene, &m, &at, &demand);
+            let layout = Layout::new(&scene, &m, &at, &demand, Level::Velocity);
             let mut motion = Motion::new(layout.unknowns);
             // Any rates and accelerations will do; these repeat after a prime number.
             let rate = |u: usize| ((7 * u + 3) % 13) as f64 / 13.0 - 0.5;

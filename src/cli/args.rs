@@ -1,5 +1,6 @@
 //! The arguments.
 
+use crate::accuracy::ladder::MOST_DIGITS;
 use crate::scene::Lang;
 use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
 
@@ -23,7 +24,7 @@ pub enum Command {
     Draw(Draw),
     /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
     Solve(Solve),
-    /// Write the vector equations in solving order, and why each effect is in or out
+    /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
     Plan(Plan),
     /// Write a template's scene, with other parameters if wanted
     New {
@@ -66,6 +67,12 @@ pub struct Draw {
     /// Which files to write into a folder
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
+    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    #[arg(long, default_value_t = 4, value_parser = digits)]
+    pub digits: usize,
+    /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
@@ -78,6 +85,13 @@ pub struct Solve {
     /// Answers as JSON, in SI, with both ways and their difference
     #[arg(long)]
     pub json: bool,
+    /// Significant digits, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    #[arg(long, default_value_t = 6, value_parser = digits)]
+    pub digits: usize,
+    /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm): of each answer, of each
+    /// crossing, and the scales for 1 %
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// The construction too, step by step, with the lengths measured on paper
     #[arg(long, conflicts_with = "json")]
     pub steps: bool,
@@ -87,6 +101,12 @@ pub struct Solve {
 pub struct Plan {
     #[command(flatten)]
     pub common: Common,
+    /// The plan as JSON, with counters of the work that the questions made: groups, equations, vectors, unknowns, values
+    #[arg(long)]
+    pub json: bool,
+    /// Lay the sheet out too, so that the labels placed on it are counted
+    #[arg(long, requires = "json")]
+    pub figure: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -107,6 +127,23 @@ impl From<Language> for Lang {
             Language::En => Lang::En,
             Language::Zh => Lang::Zh,
         }
+    }
+}
+
+/// As many digits as the precision ladder vouches for.
+fn digits(s: &str) -> Result<usize, String> {
+    match s.parse::<usize>() {
+        Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
+        _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
+    }
+}
+
+/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
+fn length(s: &str) -> Result<String, String> {
+    match s.trim_start().chars().next() {
+        None => Ok(String::new()),
+        Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
+        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
     }
 }
 

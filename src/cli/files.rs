@@ -62,7 +62,8 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
     let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
     let figure =
-        crate::figure::sheet::sheet(scene, worked, &crate::figure::sheet::Options { lang, notation: notation.clone() }).map_err(input)?;
+        crate::figure::sheet::sheet(scene, worked, &crate::figure::sheet::Options { lang, notation: notation.clone(), digits: a.digits })
+            .map_err(input)?;
     let svg = crate::render::svg::write(&figure).map_err(input)?.value;
     let out = Path::new(&a.output);
     let single = match out.extension().and_then(|e| e.to_str()) {

@@ -6,10 +6,13 @@
 mod args;
 mod files;
 
+use crate::accuracy::certify;
 use crate::diag::{Diagnostic, Faults, Warned};
+use crate::effort::Work;
+use crate::figure::sheet;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, plan as plan_text};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json};
 use crate::scene::{self, Lang, Scene, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -79,6 +82,15 @@ impl Input {
         }
     }
 
+    /// Takes the pencil of the command line; whether tolerances are asked for.
+    fn pencil(&mut self, drafting: Option<&str>) -> Result<bool, Failure> {
+        if let Some(text) = drafting.filter(|t| !t.is_empty()) {
+            let mm = scene::pencil(text).map_err(|faults| Failure::Input(faults, "--drafting".into(), text.into()))?;
+            self.scene.paper.pencil_mm = Some(mm);
+        }
+        Ok(drafting.is_some())
+    }
+
     fn say_notes(&self) {
         if !self.notes.is_empty() {
             eprint!("{}", diagnostics::render(&Faults { list: self.notes.clone() }, &self.name, &self.source));
@@ -100,7 +112,11 @@ fn verdict(worked: &Worked) -> ExitCode {
 
 fn draw(a: args::Draw) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    let worked = input.work(Scope::Figure)?;
+    let drafting = input.pencil(a.drafting.as_deref())?;
+    let mut worked = input.work(Scope::Figure)?;
+    if drafting {
+        worked = worked.with_drafting(&input.scene);
+    }
     let (lang, notation) = choices(&input.scene, &a.common);
     files::draw(&input.scene, &worked, lang, &notation, &input.name, &a)?;
     input.say_notes();
@@ -109,17 +125,26 @@ fn draw(a: args::Draw) -> Run {
 
 fn solve(a: args::Solve) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    let worked = input.work(Scope::Questions)?;
+    let drafting = input.pencil(a.drafting.as_deref())?;
+    let mut worked = input.work(Scope::Questions)?;
+    if drafting {
+        worked = worked.with_drafting(&input.scene);
+    }
     let (lang, notation) = choices(&input.scene, &a.common);
+    let certified = certify(&input.scene, &worked, a.digits);
     if a.json {
-        let value = answers::json(&input.scene, &worked, &input.notes);
+        let value = answers::json(&input.scene, &worked, &certified, a.digits, &input.notes);
         files::print(&format!("{value:#}\n"))?;
         return Ok(verdict(&worked));
     }
-    files::print(&answers::text(&input.scene, &worked, lang))?;
+    files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
+    let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
+    if drafting {
+        files::print(&format!("\n{}", tolerances::text(&w, &worked)))?;
+    }
     if a.steps {
-        let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
-        files::print(&format!("\n{}", construction::text(&w, &worked.construction)))?;
+        let pencil_mm = worked.drafting.as_ref().map(|d| d.pencil_mm);
+        files::print(&format!("\n{}", construction::text(&w, &worked.construction, pencil_mm)))?;
     }
     input.say_notes();
     Ok(verdict(&worked))
@@ -128,6 +153,9 @@ fn solve(a: args::Solve) -> Run {
 fn plan(a: args::Plan) -> Run {
     let input = Input::read(&a.common.scene)?;
     let (lang, notation) = choices(&input.scene, &a.common);
+    if a.json {
+        return plan_for_programs(input, lang, &notation, a.figure);
+    }
     let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
         Ok(Warned { value, notes }) => (value, notes),
         Err(faults) => return Err(Failure::Input(faults, input.name, input.source)),
@@ -141,6 +169,37 @@ fn plan(a: args::Plan) -> Run {
         eprint!("{}", diagnostics::render(&Faults { list: notes }, &input.name, &input.source));
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
+/// notes say why.
+fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
+    let fail = |input: &Input, faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mut code = ExitCode::SUCCESS;
+    let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
+        Ok(Warned { value: worked, notes }) => {
+            input.notes.extend(notes);
+            code = verdict(&worked);
+            let certified = certify(&input.scene, &worked, answers::DIGITS);
+            let mut done = Work::of(&worked).with_certified(&certified);
+            if figure {
+                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
+                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
+            }
+            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
+            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
+        }
+        Err(faults) => {
+            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
+            let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
+            let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
+            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
+            input.notes.extend(faults.list);
+            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
+        }
+    };
+    files::print(&format!("{document:#}\n"))?;
+    Ok(code)
 }
 
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {

@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use crate::geom::{Point, Vec2};
 
 use super::extent::{Rect, bounds, translate};
-use super::item::{Item, Shape, tag};
+use super::item::{Item, PLACED, Shape, tag};
 use super::label::Label;
 use super::place::{LabelRequest, Obstacles, Placement, place};
 use super::style::Style;
@@ -90,7 +90,7 @@ impl Drawing {
     /// Asks for a label; it is placed when the drawing is finished.
     pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) {
         let id = self.name(&format!("label-{name}"));
-        self.wanted.push((request, id, format!("{} {class} label", self.kind)));
+        self.wanted.push((request, id, format!("{} {class} {PLACED}", self.kind)));
     }
 
     /// A label at a point.

@@ -25,6 +25,17 @@ pub struct Figure {
     pub items: Vec<Item>,
 }
 
+impl Figure {
+    /// Labels for which a place was searched among the lines of a drawing; captions, tables and results have theirs given.
+    pub fn labels_placed(&self) -> usize {
+        let placed = |i: &&Item| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
+        self.items.iter().filter(placed).count()
+    }
+}
+
+/// The last word of the class of every label that was placed by search.
+pub(super) const PLACED: &str = "label";
+
 /// One element of a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Item {

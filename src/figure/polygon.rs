@@ -110,6 +110,7 @@ impl Draft<'_> {
                     }
                     self.image(*target, step);
                 }
+                Action::Nothing { term, at } => self.zeros.push((*at, format!("{} = 0", self.w.symbol(p.level, term)), step)),
                 Action::Reach(v) | Action::Same { target: v, .. } => self.image(*v, step),
                 Action::Copy { target, from } => {
                     self.image(*target, step);

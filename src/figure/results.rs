@@ -1,13 +1,14 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
-use crate::analytic::SingularKind;
+use crate::accuracy::ladder::{Certified, Part as Kind, Why};
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
 use crate::quantity::{direction_degrees, significant};
 use crate::report::answers::worst;
+use crate::report::drafting;
 use crate::report::phrase::Phrase;
 use crate::scene::{Asked, Axis, Find, Scene};
 use crate::worked::{Outcome, Worked};
@@ -16,6 +17,7 @@ use super::drawing::Part;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
+use super::remarks::remarks;
 use super::style::Style;
 use super::words::Words;
 
@@ -23,15 +25,33 @@ use super::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
-/// Distance of the baselines of the remarks below.
+/// Distance of the lines of remarks below.
 const REMARK_MM: f64 = 5.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
-/// Digits shown: one more than a ruler gives, so that rounding is not mistaken for the drawing's error.
-pub(super) const DIGITS: usize = 4;
+/// Digits shown unless others are asked for: one more than a ruler gives, so that rounding is not mistaken for the
+/// drawing's error.
+pub const DIGITS: usize = 4;
+
+/// What the block of results shows.
+pub struct Answers<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its answers.
+    pub worked: &'a Worked,
+    /// How many of their digits are true.
+    pub certified: &'a [Certified],
+    /// Marks.
+    pub notation: &'a Notation,
+    /// Words.
+    pub words: &'static Words,
+    /// Significant digits asked for.
+    pub digits: usize,
+}
 
 /// The block of results.
-pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Part {
+pub fn results(style: &Style, answers: &Answers) -> Part {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let heading = Cell {
         label: Label::text(words.results),
         size_mm: style.caption_mm,
@@ -40,8 +60,14 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
         id: "heading-results".into(),
     };
     let mut rows = Vec::new();
-    for r in &worked.results {
+    let mut lines = Vec::new();
+    for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
+        // A singular pose is told once for all, below.
+        if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
+            let text = words.uncertain.replace("{}", &format!("${}$", symbol(find, notation))).replace("{why}", &why.words(words.lang()));
+            lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
+        }
         let id = format!("result-{}", find.text);
         let cell = |text: Label, anchor, what: &str| {
             Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
@@ -62,58 +88,38 @@ pub fn results(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
                 first,
                 from,
                 second,
-                cell(Label::math(amount(find, value)), Anchor::Start, "value"),
-                cell(sense(find, value, words), Anchor::Start, "sense"),
+                cell(Label::math(amount(find, value, c, digits)), Anchor::Start, "value"),
+                cell(sense(find, value, c, words, digits), Anchor::Start, "sense"),
+                tolerance(worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
             ],
             height_mm: ROW_MM,
         });
     }
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
+    if let Some(worst) = worst(worked) {
+        let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
+        lines.push(("agreement", "agreement".into(), Phrase::new(&text)));
+    }
+    let others = remarks(answers).into_iter().enumerate();
+    lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
-    for (id, text) in remarks(scene, worked, notation, words) {
-        let cell =
-            Cell { label: Phrase::new(&text).label(), size_mm: style.small_mm, anchor: Anchor::Start, class: id.into(), id: id.into() };
+    for (class, id, line) in lines {
+        let cell = Cell { label: line.label(), size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
         below += REMARK_MM;
     }
     Part::of(items)
 }
 
-/// What stands below the results, with the name of each line: how far drawing and analysis are apart, and what is singular
-/// in the pose.
-fn remarks(scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> Vec<(&'static str, String)> {
-    let mut out = Vec::new();
-    if let Some(worst) = worst(worked) {
-        out.push(("agreement", words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1))));
-    }
-    for s in &worked.solution.singular {
-        let links: Vec<&str> = s.named.iter().map(|l| scene.link_name(*l)).collect();
-        let text = match s.kind {
-            SingularKind::ChangePoint => words.change_point,
-            SingularKind::Limit => words.driver_at_limit,
-            SingularKind::Rest => words.at_rest,
-        };
-        out.push(("singular", text.replace("{}", &links.join(words.comma))));
-    }
-    // Only the answers that differ, and of those only the first: the whole list is in `solve`.
-    let differs = |r: &&Outcome| r.others.first().is_some_and(|v| *v != r.value());
-    if let Some((r, other)) = worked.results.iter().find(differs).and_then(|r| Some((r, *r.others.first()?))) {
-        let find = &scene.find[r.find];
-        let sense = sense(find, other, words).plain();
-        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(find, other));
-        out.push(("other-motion", words.other_motion.replace("{}", value.trim_end())));
-    }
-    out
-}
-
 /// All results in one sentence, for readers who do not see the figure.
-pub fn sentence(scene: &Scene, worked: &Worked, notation: &Notation, words: &Words) -> String {
-    let each = worked.results.iter().map(|r| {
+pub fn sentence(answers: &Answers) -> String {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let each = worked.results.iter().zip(certified).map(|(r, c)| {
         let find = &scene.find[r.find];
         let value = r.value();
-        let plain = format!("{} = {} ", symbol(find, notation), amount(find, value));
-        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, words)).plain();
+        let plain = format!("{} = {} ", symbol(find, notation), amount(find, value, c, digits));
+        let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
     each.collect::<Vec<_>>().join("; ")
@@ -141,6 +147,18 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 
+/// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
+fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
+    let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
+    let (value, unit) = drafting::amount(find, t)?;
+    let number = number(value, drafting::DIGITS);
+    Some(match unit {
+        "%" => Label::math(format!("\\pm\\,{number}")).then(Label::text(" %")),
+        "°" => Label::math(format!("\\pm\\,{number}\\degree")),
+        unit => Label::math(format!("\\pm\\,{number} {}", unit.replace('²', "^2"))),
+    })
+}
+
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
 fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
@@ -160,13 +178,27 @@ fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
     }))
 }
 
-fn amount(find: &Find, value: Value) -> String {
+/// A certified number, `shift` powers of ten up; where not a digit is certain, about what the `f64` solution says.
+fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> String {
+    match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
+        Some((text, _)) => inked(&text),
+        None => match c.rough_digits(digits) {
+            (known, true) => number(rough, known),
+            (known, false) => format!("\\approx {}", number(rough, known)),
+        },
+    }
+}
+
+pub(super) fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     match (find.what, value) {
-        (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", number(s.to_degrees(), DIGITS)),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => format!("{} mm", number(s * 1e3, DIGITS)),
-        (_, Value::Vector(v)) => format!("{} {}", number(v.norm(), DIGITS), unit(find)),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) => format!("{} m", number(s, DIGITS)),
-        (_, Value::Scalar(s)) => format!("{} {}", number(s.abs(), DIGITS), unit(find)),
+        (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
+        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
+            format!("{} mm", certain(c, Kind::Scalar, digits, 3, s * 1e3))
+        }
+        (_, Value::Vector(v)) => format!("{} {}", certain(c, Kind::Magnitude, digits, 0, v.norm()), unit(find)),
+        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) => format!("{} m", certain(c, Kind::Scalar, digits, 0, s)),
+        // The sense is told in words.
+        (_, Value::Scalar(s)) => format!("{} {}", certain(c, Kind::Scalar, digits, 0, s).trim_start_matches('−'), unit(find)),
     }
 }
 
@@ -179,11 +211,13 @@ fn unit(find: &Find) -> &'static str {
     }
 }
 
-fn sense(find: &Find, value: Value, words: &Words) -> Label {
+pub(super) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if v.norm() > 0.0 => Label::text(format!("∠ {}°", number(direction_degrees(v.angle()), DIGITS))),
+        (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
+            Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))
+        }
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
-            Label::text(words.sense(s))
+            Label::text(words.sense(c.part(Kind::Scalar).map_or(s, |n| n.sign())))
         }
         _ => Label::text(""),
     }
@@ -191,11 +225,15 @@ fn sense(find: &Find, value: Value, words: &Words) -> Label {
 
 /// A number in the label language: `12.35`, `1.5 \times 10^{9}`.
 pub fn number(value: f64, digits: usize) -> String {
-    let text = significant(value, digits);
+    inked(&significant(value, digits))
+}
+
+/// A plain number in the label language.
+fn inked(text: &str) -> String {
     let text = match text.split_once('e') {
         // The power closes with a brace, and the unit after it begins with a space.
         Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
-        None => text,
+        None => text.to_owned(),
     };
     text.replace('-', "−")
 }

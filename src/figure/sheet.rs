@@ -16,10 +16,12 @@ use super::arrange::{Pieces, arrange};
 use super::drawing::Part;
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::label::Label;
+use super::results::Answers;
 use super::style::Style;
 use super::tables::Tables;
 use super::words::{Words, words};
 use super::{mechanism, polygon, results};
+use crate::accuracy::{Certified, certify};
 
 /// How a sheet is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +30,8 @@ pub struct Options {
     pub lang: Lang,
     /// Marks.
     pub notation: Notation,
+    /// Significant digits of the results, as far as they are certain.
+    pub digits: usize,
 }
 
 /// Weights and sizes of all sheets.
@@ -36,7 +40,7 @@ const STYLE: &Style = &Style::TEXTBOOK;
 impl Options {
     /// The usual look of a language's textbooks.
     pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang) }
+        Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS }
     }
 }
 
@@ -61,13 +65,14 @@ const SCALE_MM: f64 = 5.6;
 /// # Errors
 /// `paper-too-small` when the scene fixes a size of paper on which the parts do not fit.
 pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure, Faults> {
-    let maker = Maker { scene, worked, options };
+    let certified = certify(scene, worked, options.digits);
+    let maker = Maker { scene, worked, options, certified };
     let title = maker.title();
     let drawings = maker.drawings(true);
     let levels = [Level::Velocity, Level::Acceleration];
     let tables = maker.tables();
     let equations = levels.map(|l| (maker.heading(l), tables.parts(l)));
-    let results = results::results(STYLE, scene, worked, &options.notation, maker.words());
+    let results = results::results(STYLE, &maker.answers());
     let pieces = Pieces { title, drawings, equations: equations.into(), results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
@@ -75,7 +80,8 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
 
 /// One drawing alone, with its scale; `None` where the scene does not call for it.
 pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) -> Option<Figure> {
-    let maker = Maker { scene, worked, options };
+    let certified = certify(scene, worked, options.digits);
+    let maker = Maker { scene, worked, options, certified };
     let part = match which {
         Single::Mechanism => maker.mechanism(),
         Single::Polygon(level) => maker.polygon(worked.construction.polygon(level)?),
@@ -91,9 +97,15 @@ struct Maker<'a> {
     scene: &'a Scene,
     worked: &'a Worked,
     options: &'a Options,
+    certified: Vec<Certified>,
 }
 
 impl Maker<'_> {
+    fn answers(&self) -> Answers<'_> {
+        let Options { notation, digits, .. } = self.options;
+        Answers { scene: self.scene, worked: self.worked, certified: &self.certified, notation, words: self.words(), digits: *digits }
+    }
+
     fn words(&self) -> &'static Words {
         words(self.options.lang)
     }
@@ -178,7 +190,7 @@ impl Maker<'_> {
         let words = self.words();
         let title = self.scene.title.get(self.options.lang);
         let title = if title.is_empty() { words.diagram } else { title };
-        let found = results::sentence(self.scene, self.worked, &self.options.notation, words);
+        let found = results::sentence(&self.answers());
         Figure {
             width_mm: size[0],
             height_mm: size[1],

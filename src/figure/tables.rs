@@ -6,7 +6,7 @@ use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
 use crate::report::phrase::Phrase;
-use crate::scene::PointId;
+use crate::scene::{PointId, Scene};
 
 use super::drawing::Part;
 use super::grid::{self, Cell, Row};
@@ -46,7 +46,7 @@ impl Tables<'_> {
         let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
         let mut parts = Vec::new();
         for group in self.writer.plan.steps(level) {
-            let chosen = self.construction.chosen[group.group].min(group.alternatives.len().saturating_sub(1));
+            let chosen = group.drawn(self.construction.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));
                 match step {
@@ -94,7 +94,7 @@ impl Tables<'_> {
                 // On the drawing it is the whole vector that is named.
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
-                let magnitude = match (w.magnitude(&term), self.construction.vector(level, target)) {
+                let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
                     (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
                     (formula, _) => formula,
                 };
@@ -193,14 +193,19 @@ impl Tables<'_> {
     }
 
     fn constraint_line(&self, leg: &Leg) -> String {
-        let name = |p: PointId| crate::plan::text::point_label(self.writer.scene.point_name(p));
-        match *leg {
-            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
-            Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
-                self.words().square_to_guide.replace("{}", &name(pin))
-            }
-            _ => String::new(),
+        constraint_line(self.writer.scene, self.words(), leg)
+    }
+}
+
+/// The line on which a leg gives a locus for every point of its link, in words.
+pub(super) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
+    let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
+    match *leg {
+        Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
+        Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
+            words.square_to_guide.replace("{}", &name(pin))
         }
+        _ => String::new(),
     }
 }
 
@@ -238,7 +243,7 @@ fn step_class(p: &Polygon, v: VertexId) -> String {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
-        Action::Line { .. } | Action::Rate(_) => false,
+        Action::Nothing { .. } | Action::Line { .. } | Action::Rate(_) => false,
     };
     p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
 }

@@ -31,7 +31,7 @@ pub struct Demand {
     pub groups: Vec<Option<Level>>,
     /// The deepest level asked for anywhere.
     pub level: Level,
-    /// The single things asked for, with their level, in order of the questions, without repetition.
+    /// The single things asked for, each with the level of motion asked for, in order of the questions, without repetition.
     pub needs: Vec<(Need, Level)>,
 }
 
@@ -49,9 +49,8 @@ impl Demand {
 
     /// Adds one need and everything upstream of it.
     pub fn add(&mut self, scene: &Scene, m: &Mechanism, need: Need, level: Level) {
-        match self.needs.iter_mut().find(|(n, _)| *n == need) {
-            Some((_, l)) => *l = (*l).max(level),
-            None => self.needs.push((need, level)),
+        if !self.needs.contains(&(need, level)) {
+            self.needs.push((need, level));
         }
         self.level = self.level.max(level);
         for n in nodes_of(scene, m, need) {
@@ -123,11 +122,13 @@ fn needs_of(what: &Asked) -> Vec<(Need, Level)> {
         Asked::Velocity(p) => vec![(at(p), Velocity)],
         Asked::Acceleration(p) => vec![(at(p), Acceleration)],
         Asked::RelativeVelocity(a, b) | Asked::SlidingVelocity(a, b) => vec![(at(a), Velocity), (at(b), Velocity)],
-        Asked::RelativeAcceleration(a, b)
-        | Asked::NormalAcceleration(a, b)
-        | Asked::TangentialAcceleration(a, b)
-        | Asked::SlidingAcceleration(a, b)
-        | Asked::Coriolis(a, b) => vec![(at(a), Acceleration), (at(b), Acceleration)],
+        Asked::RelativeAcceleration(a, b) | Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
+            vec![(at(a), Acceleration), (at(b), Acceleration)]
+        }
+        // 2 ω × v_r is made of velocities.
+        Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => {
+            vec![(at(a), Velocity), (at(b), Velocity), (at(a), Acceleration), (at(b), Acceleration)]
+        }
         Asked::Omega(l) => vec![(Need::Turning(*l), Velocity)],
         Asked::Alpha(l) => vec![(Need::Turning(*l), Acceleration)],
         Asked::RelativeOmega(a, b) => vec![(Need::Turning(*a), Velocity), (Need::Turning(*b), Velocity)],

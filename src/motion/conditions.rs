@@ -4,8 +4,8 @@
 //! turns against another at a given rate. Each is differentiated twice by hand; the same coefficients serve velocities,
 //! accelerations, and the derivatives of the closure equations.
 //!
-//! Lengths are multiplied by a power of two near 1/(size of the mechanism), so that the choice of pivots does not depend on
-//! the unit, and scaling a scene by 2^k changes no digit.
+//! Lengths are multiplied by a power of two near 1/(size of the group), so that the choice of pivots depends neither on the
+//! unit nor on what else is placed: scaling a scene by 2^k changes no digit, and neither does asking for more.
 
 use super::{LinkMotion, Motion};
 use crate::geom::{Point, Vec2};
@@ -158,7 +158,7 @@ impl<N: Real> Conditions<N> {
     ) -> Conditions<N> {
         let links: Vec<(LinkId, Point<N>)> = group.links.iter().map(|&l| (l, own_point(scene, at, l))).collect();
         let pins = group.pins.clone();
-        let scale = power_of_two_scale(at.extent());
+        let scale = power_of_two_scale(extent(scene, m, at, group));
         let b = Builder { scene, m, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
         let mut list = Vec::new();
         for &c in &group.constraints {
@@ -202,6 +202,21 @@ impl<N: Real> Conditions<N> {
             motion.pins[p.0] = Some((vec(v, i), vec(a, i)));
         }
     }
+}
+
+/// The largest distance of two points of the group (m), those on which it rests among them.
+fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &Group) -> f64 {
+    let of_links = group.links.iter().flat_map(|l| scene.links[l.0].points.iter().copied());
+    let of_pairs = group.constraints.iter().flat_map(|c| {
+        let (a, b) = m.ends(scene, m.constraints[*c]);
+        [a, b].into_iter().filter_map(|n| if let Node::Pin(p) = n { Some(p) } else { None })
+    });
+    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for p in of_links.chain(of_pairs).filter_map(|p| at.points[p.0]).map(|p| p.approx()) {
+        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
+    }
+    if lo.x > hi.x { 0.0 } else { (hi - lo).norm() }
 }
 
 /// The point of a link by whose motion it is described: one of its own, so that arms are short and an offset of all

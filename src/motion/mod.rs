@@ -62,36 +62,40 @@ pub struct Motion<N = f64> {
     carriers: Vec<Vec<LinkId>>,
     /// How many groups were solved, for velocities and for accelerations.
     pub groups: [usize; 2],
-}
-
-/// A group whose equations have no single solution in the numbers used.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Singular {
-    /// Index into [`Mechanism::groups`].
-    pub group: usize,
+    /// Groups (indices into [`Mechanism::groups`]) that have no single solution in the numbers used.
+    pub singular: Vec<usize>,
 }
 
 /// Solves the groups that the demand reaches, each up to the level at which it is asked for.
 ///
-/// # Errors
-/// A group whose matrix has no pivot that is surely not zero: a dead centre or a change point, or a pose too close to one
-/// for the numbers used.
-pub fn solve<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Result<Motion<N>, Singular> {
+/// A group whose matrix has a pivot that may be zero (a dead centre, a change point, or a pose too close to one for the
+/// numbers used) is left without motion and listed in [`Motion::singular`], and so is all that rests on it.
+pub fn solve<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
     let mut motion = Motion {
         links: vec![None; scene.links.len()],
         pins: vec![None; scene.points.len()],
         points: at.points.clone(),
         carriers: (0..scene.points.len()).map(|p| scene.carriers(PointId(p)).collect()).collect(),
         groups: [0, 0],
+        singular: Vec::new(),
     };
+    let mut missing = vec![false; m.groups.len()];
     motion.links[scene.ground.0] = Some(LinkMotion::rest(Point::origin()));
     let inputs = Inputs::of(scene);
     for (g, group) in m.groups.iter().enumerate() {
         if !demand.wants(g, Level::Velocity) {
             continue;
         }
+        missing[g] = group.upstream.iter().any(|u| missing[*u]);
+        if missing[g] {
+            continue;
+        }
         let conditions = Conditions::of_group(scene, m, at, &inputs, group, &motion);
-        let both = conditions.solve(demand.wants(g, Level::Acceleration)).ok_or(Singular { group: g })?;
+        let Some(both) = conditions.solve(demand.wants(g, Level::Acceleration)) else {
+            missing[g] = true;
+            motion.singular.push(g);
+            continue;
+        };
         motion.groups[0] += 1;
         motion.groups[1] += usize::from(demand.wants(g, Level::Acceleration));
         conditions.store(&both, &mut motion);
@@ -101,7 +105,7 @@ pub fn solve<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, deman
             motion.links[l.0] = motion.following(scene, at, passive);
         }
     }
-    Ok(motion)
+    motion
 }
 
 impl<N: Real> Motion<N> {

@@ -6,7 +6,15 @@
 //! No comparison is in the trait: a ball has no order. Code decides by [`Real::approx`], the nearest `f64`, and says why
 //! that suffices.
 
+pub mod ball;
+mod big;
+mod dd;
+pub mod decimal;
 mod float;
+
+pub use ball::Ball;
+pub use big::{Big, within};
+pub use dd::Dd;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -91,4 +99,29 @@ pub trait Real:
 
     /// π.
     fn pi() -> Self;
+}
+
+/// (sin, cos) turned by quarters of a full turn; zeros come out without a sign.
+fn quarter_turns<N: Real>(quarters: f64, s: N, c: N) -> (N, N) {
+    let plain = |x: N| if x.approx() == 0.0 && x.radius() == 0.0 { N::from_f64(0.0) } else { x };
+    let (s, c) = match (quarters as i64).rem_euclid(4) {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    };
+    (plain(s), plain(c))
+}
+
+/// A power with a whole exponent of at most 64, by multiplication; `None` for others.
+fn whole_power<N: Real>(base: N, exponent: N) -> Option<N> {
+    let e = exponent.approx();
+    if libm::rint(e) != e || e.abs() > 64.0 || exponent.radius() != 0.0 || exponent != N::from_f64(e) {
+        return None;
+    }
+    let mut power = N::from_f64(1.0);
+    for _ in 0..e.abs() as u32 {
+        power = power * base;
+    }
+    Some(if e < 0.0 { N::from_f64(1.0) / power } else { power })
 }

@@ -1,6 +1,6 @@
 //! Walks the groups and writes their equations.
 
-use super::{Body, Chain, Effect, GroupSteps, Method, Plan, Rate, Reason, Spot, Step, Vertex, VertexId, canonical};
+use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
 use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need, Passive};
 use crate::scene::{LinkId, PointId, Scene};
 
@@ -25,22 +25,26 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         sources: [Vec::new(), Vec::new()],
         pending: Vec::new(),
         undrawable: undrawable.to_vec(),
+        due: vec![Vec::new(); m.groups.len()],
     };
+    b.assign_needs();
     for level in [Level::Velocity, Level::Acceleration] {
         if demand.level >= level {
             b.walk(level);
         }
     }
-    let effects = b.effects();
-    Plan {
+    let mut plan = Plan {
         vertices: b.vertices,
         velocity: b.velocity,
         acceleration: b.acceleration,
         still: m.never_turns.clone(),
+        rest: Rest::of(scene, m),
         level: demand.level,
-        effects,
+        effects: Vec::new(),
         undrawable: b.undrawable,
-    }
+    };
+    plan.effects = effects::considered(scene, m, demand, &plan);
+    plan
 }
 
 pub(super) struct Builder<'a> {
@@ -57,6 +61,8 @@ pub(super) struct Builder<'a> {
     /// Steps of the group being written.
     pending: Vec<Step>,
     undrawable: Vec<usize>,
+    /// For each group the things asked for that can be told once it is done, with their level.
+    due: Vec<Vec<(Need, Level)>>,
 }
 
 fn slot(level: Level) -> usize {
@@ -307,13 +313,21 @@ impl Builder<'_> {
         self.source(level, Body::Link(l), Rate::Measured { of, to });
     }
 
+    /// Gives each thing asked for to the last group that it needs.
+    fn assign_needs(&mut self) {
+        for (need, level) in &self.demand.needs {
+            let nodes = crate::mechanism::nodes_of(self.scene, self.m, *need);
+            if let Some(g) = nodes.into_iter().filter_map(|n| self.m.group_of(n)).max() {
+                self.due[g].push((*need, *level));
+            }
+        }
+    }
+
     /// Points and turning rates of this group that are asked for.
     fn answer_needs(&mut self, level: Level, g: usize) {
-        let needs: Vec<Need> = self.demand.needs.iter().filter(|(_, l)| *l >= level).map(|(n, _)| *n).collect();
-        for need in needs {
-            let nodes = crate::mechanism::nodes_of(self.scene, self.m, need);
-            let groups: Vec<usize> = nodes.iter().filter_map(|n| self.m.group_of(*n)).collect();
-            if groups.iter().max() != Some(&g) {
+        for i in 0..self.due[g].len() {
+            let (need, wanted) = self.due[g][i];
+            if wanted != level {
                 continue;
             }
             match need {
@@ -522,39 +536,5 @@ impl Builder<'_> {
         let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
         self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
-    }
-
-    fn effects(&self) -> Vec<(Effect, bool, Reason)> {
-        let mut out = Vec::new();
-        let d = self.demand;
-        for (effect, level) in [(Effect::Velocities, Level::Velocity), (Effect::Accelerations, Level::Acceleration)] {
-            let on = d.level >= level;
-            out.push((effect, on, if on { Reason::Asked } else { Reason::NotAsked }));
-        }
-        if d.level >= Level::Acceleration {
-            for (i, driver) in self.scene.drivers.iter().enumerate() {
-                let on = driver.acceleration.is_some();
-                out.push((Effect::DriverAcceleration(i), on, if on { Reason::Accelerated } else { Reason::ConstantRate }));
-            }
-            for (i, g) in self.scene.guides.iter().enumerate() {
-                let id = crate::scene::GuideId(i);
-                let used =
-                    self.acceleration.iter().any(|s| s.alternatives.iter().flatten().chain(&s.further).any(|step| step.slides_along(id)));
-                let (on, reason) = if self.m.never_turns[g.on.0] {
-                    (false, Reason::GuideDoesNotTurn)
-                } else if used {
-                    (true, Reason::GuideTurns)
-                } else {
-                    (false, Reason::GuideNotReached)
-                };
-                out.push((Effect::Coriolis(id), on, reason));
-            }
-        }
-        for (g, level) in d.groups.iter().enumerate() {
-            if level.is_none() && self.m.groups[g].class().is_some() {
-                out.push((Effect::Group(g), false, Reason::NotAsked));
-            }
-        }
-        out
     }
 }

@@ -8,11 +8,14 @@
 //! unknown magnitude, two chains for one point make an equation, and further points follow by images.
 
 mod build;
+mod effects;
 mod locus;
 pub mod notation;
+mod rest;
 pub mod text;
 
 pub use build::{plan, plan_without};
+pub use rest::Rest;
 
 use crate::mechanism::Level;
 use crate::scene::{GuideId, LinkId, PointId, Scene};
@@ -213,6 +216,11 @@ pub struct GroupSteps {
 }
 
 impl GroupSteps {
+    /// The alternative that is drawn when the board's choice for the group is `chosen`.
+    pub fn drawn(&self, chosen: usize) -> usize {
+        chosen.min(self.alternatives.len().saturating_sub(1))
+    }
+
     /// The steps of one alternative, further points included.
     pub fn steps(&self, alternative: usize) -> impl Iterator<Item = &Step> {
         self.alternatives.get(alternative).into_iter().flatten().chain(&self.further)
@@ -226,6 +234,8 @@ pub enum Effect {
     Velocities,
     /// Accelerations at all.
     Accelerations,
+    /// The motion of a driver: considered where its rate is 0.
+    DriverRate(usize),
     /// The tangential acceleration of a turning driver, or the acceleration of a sliding one.
     DriverAcceleration(usize),
     /// The Coriolis acceleration at a guide.
@@ -243,6 +253,8 @@ pub enum Reason {
     NotAsked,
     /// The driver has an acceleration.
     Accelerated,
+    /// The driver is at rest at the instant.
+    AtRest,
     /// The driver's rate is constant.
     ConstantRate,
     /// The guide turns.
@@ -264,6 +276,8 @@ pub struct Plan {
     pub acceleration: Vec<GroupSteps>,
     /// For each link, whether it keeps its direction for topological reasons.
     pub still: Vec<bool>,
+    /// What stands still because a driver does.
+    pub rest: Rest,
     /// How far the questions go.
     pub level: Level,
     /// Effects considered: what, in or out, why.

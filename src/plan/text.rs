@@ -61,6 +61,16 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
     format!("{}{}", plain(a), plain(b))
 }
 
+/// What leaves a term's direction open, in words of diagnostics: `link 3 (CD)`, `the guide on link 4`.
+pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> String {
+    let line = || line_name(scene, plan, t.to, t.of);
+    match t.by {
+        By::Turning(Body::Link(l)) => format!("link {} ({})", scene.link_name(l), line()),
+        By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
+        By::Guide { guide, .. } => format!("the guide on link {}", scene.link_name(scene.guides[guide.0].on)),
+    }
+}
+
 /// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
 fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     let rank = |v: VertexId| match plan.vertex(v).spot {
@@ -281,8 +291,12 @@ impl Writer<'_> {
         }
     }
 
-    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, or the sign for unknown.
-    pub fn magnitude(&self, t: &Term) -> String {
+    /// Magnitude of a term: `\omega_1 l_{AB}`, `\omega_3^2 l_{BC}`, `0` where a driver at rest leaves nothing of it, or the
+    /// sign for unknown.
+    pub fn magnitude(&self, level: Level, t: &Term) -> String {
+        if self.plan.vanishes(self.scene, level, t) {
+            return "0".into();
+        }
         if !t.known {
             return self.notation.unknown.clone();
         }
@@ -346,7 +360,7 @@ impl Writer<'_> {
                     joint: joint(),
                     symbol: self.symbol(level, t),
                     direction: self.direction(t),
-                    magnitude: self.magnitude(t),
+                    magnitude: self.magnitude(level, t),
                     term: Some(*t),
                 });
             }
@@ -364,7 +378,7 @@ impl Writer<'_> {
             && self.plan.vertex(c.start).fixed
             && let [t] = c.known[..]
         {
-            return (self.direction(&t), self.magnitude(&t));
+            return (self.direction(&t), self.magnitude(level, &t));
         }
         (self.notation.known.clone(), self.notation.known.clone())
     }

@@ -176,6 +176,11 @@ impl<'a> System<'a> {
     ///
     /// Converged means that the last correction was as small as rounding makes it, or stopped shrinking below 1e-9.
     pub fn solve(&self, start: &Configuration, drivers: &DriverValues) -> Option<Solved> {
+        self.solve_to(start, drivers, 1e-15)
+    }
+
+    /// The same, content with a last correction below `tolerance` (relative to the mechanism's size, or in radians).
+    pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<Solved> {
         let mut x = self.pack(start)?;
         let mut last = f64::INFINITY;
         for _ in 0..60 {
@@ -192,7 +197,7 @@ impl<'a> System<'a> {
             // A rough sketch may be far off: a step of more than half a radian (or half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
-            if size < 1e-15 || (size < 1e-9 && size >= last) {
+            if size < tolerance || (size < 1e-9 && size >= last) {
                 return Some(self.unpack(&x));
             }
             last = size;
@@ -243,6 +248,17 @@ pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
 ///
 /// All groups that `start` places are moved at once; `None` where the iteration does not converge.
 pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, drivers: &DriverValues) -> Option<Configuration> {
+    moved_to(scene, mechanism, start, drivers, 1e-15)
+}
+
+/// The same, content with a last correction below `tolerance`: see [`System::solve_to`].
+pub fn moved_to(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    start: &Configuration,
+    drivers: &DriverValues,
+    tolerance: f64,
+) -> Option<Configuration> {
     let groups: Vec<usize> = (0..mechanism.groups.len())
         .filter(|&g| {
             let group = &mechanism.groups[g];
@@ -250,6 +266,6 @@ pub fn moved(scene: &Scene, mechanism: &Mechanism, start: &Configuration, driver
         })
         .collect();
     let system = System::new(scene, mechanism, &start.shapes, start, &groups);
-    let (poses, points) = system.solve(start, drivers)?;
+    let (poses, points) = system.solve_to(start, drivers, tolerance)?;
     Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points, start.closures.clone()))
 }

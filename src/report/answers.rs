@@ -1,6 +1,8 @@
 //! The answers: as text for people, as JSON for programs.
 
+use super::drafting;
 use super::phrase::{sense, tr};
+use crate::accuracy::ladder::{Certified, Part, Why};
 use crate::analytic::{Decided, SingularKind, Singularity};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
@@ -22,18 +24,22 @@ pub fn unit(what: &Asked) -> &'static str {
     }
 }
 
-/// Digits that text answers show.
-const DIGITS: usize = 6;
+/// Digits that text answers show unless more or fewer are asked for.
+pub const DIGITS: usize = 6;
 
-/// Everything `solve` prints: one line a question.
-pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
-    let mut rows: Vec<[String; 4]> = Vec::new();
-    for r in &worked.results {
+/// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
+pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
+    let mut rows: Vec<[String; 5]> = Vec::new();
+    for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
-        rows.push([find.text.clone(), value_words(find, r.value(), lang), measured_words(find, r, lang), agreement_words(r, lang)]);
+        let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let value = value_words(find, r.value(), c, digits, lang);
+        let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
+        let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
+        rows.push([find.text.clone(), value, tolerance, measured_words(find, r, c, digits, lang), remarks.join("  ")]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
-    let widths = [width(0), width(1), width(2)];
+    let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -42,7 +48,8 @@ pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     }
     for r in &rows {
         let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i] - r[i].width()));
-        out.push_str(format!("  {} = {}  {}  {}", pad(0), pad(1), pad(2), r[3]).trim_end());
+        let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
+        out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
         out.push('\n');
     }
     if let Some(worst) = worst(worked) {
@@ -60,26 +67,63 @@ pub fn worst(worked: &Worked) -> Option<f64> {
     worked.results.iter().filter_map(|r| r.agreement).map(|a| a.difference).reduce(f64::max)
 }
 
-fn value_words(find: &Find, value: Value, lang: Lang) -> String {
+/// The value as certified; where nothing is, about what the `f64` solution says.
+fn value_words(find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
     let unit = unit(&find.what);
+    let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
+        Some((text, _)) => text,
+        None => match c.rough_digits(digits) {
+            (known, true) => significant(rough, known),
+            (known, false) => format!("≈ {}", significant(rough, known)),
+        },
+    };
     match value {
         Value::Vector(v) => {
-            let angle = if v.norm() > 0.0 { format!(" ∠ {}°", significant(direction_degrees(v.angle()), 5)) } else { String::new() };
-            format!("{} {unit}{angle}", significant(v.norm(), DIGITS))
+            let magnitude = number(Part::Magnitude, digits, v.norm());
+            let direction = match c.part(Part::Direction) {
+                None if v.norm() > 0.0 && matches!(c.why, Some(Why::NextOrder(_))) => {
+                    format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
+                }
+                Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
+                None => String::new(),
+            };
+            format!("{magnitude} {unit}{direction}")
         }
         Value::Scalar(s) => match find.what {
-            Asked::LinkAngle(_) => format!("{}°", significant(s.to_degrees(), DIGITS)),
+            Asked::LinkAngle(_) => format!("{}°", number(Part::Degrees, digits, s.to_degrees())),
             Asked::Omega(_) | Asked::Alpha(_) | Asked::RelativeOmega(..) | Asked::RelativeAlpha(..) => {
-                let sense = if s == 0.0 { String::new() } else { format!(" {}", sense(lang, s)) };
-                format!("{} {unit}{sense}", significant(s.abs(), DIGITS))
+                let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
+                let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
+                format!("{} {unit}{sense}", number(Part::Scalar, digits, s).trim_start_matches('-'))
             }
-            _ => format!("{} {unit}", significant(s, DIGITS)),
+            _ => format!("{} {unit}", number(Part::Scalar, digits, s)),
         },
     }
 }
 
-fn measured_words(find: &Find, r: &Outcome, lang: Lang) -> String {
-    let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, lang)).collect();
+/// Why fewer digits than asked for are printed; nothing where all are certain.
+fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
+    let Some(why) = &c.why else { return String::new() };
+    if let Why::NextOrder(known) = why {
+        // Said once for all by the note on the pose; here only where digits are missing.
+        return match lang {
+            _ if *known >= digits => String::new(),
+            Lang::En => format!("[{known} digits are true: {}]", why.words(lang)),
+            Lang::Zh => format!("[仅 {known} 位数字可靠：{}]", why.words(lang)),
+        };
+    }
+    let certain = c.parts.iter().filter(|(p, _)| !matches!(p, Part::X | Part::Y)).map(|(_, n)| n.text(digits).map_or(0, |t| t.1)).min();
+    let why = why.words(lang);
+    match (certain, lang) {
+        (Some(k @ 1..), Lang::En) => format!("[{k} digits are certain: {why}]"),
+        (Some(k @ 1..), Lang::Zh) => format!("[仅 {k} 位数字可靠：{why}]"),
+        (_, Lang::En) => format!("[not certified: {why}]"),
+        (_, Lang::Zh) => format!("[未经验证：{why}]"),
+    }
+}
+
+fn measured_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
+    let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, c, digits, lang)).collect();
     match &r.drawn {
         None if !others.is_empty() => match lang {
             Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
@@ -107,7 +151,7 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 }
 
 /// The answers for programs: SI values, components, the measured length, both ways and their difference.
-pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
+pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let value = |v: Value| match v {
         Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
         Value::Scalar(s) => json!({"value": s}),
@@ -115,12 +159,14 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
     let answers: Vec<Json> = worked
         .results
         .iter()
-        .map(|r| {
+        .zip(certified)
+        .map(|(r, c)| {
             let find = &scene.find[r.find];
             let radians = matches!(find.what, Asked::LinkAngle(_));
-            json!({
+            let mut answer = json!({
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
+                "certified": certificate(c, digits),
                 "value": value(r.value()),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": value(r.computed),
@@ -129,10 +175,15 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
                 "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),
-            })
+            });
+            if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+                let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
+                fields.extend(of.map(|(key, value)| (key.to_string(), value)));
+            }
+            answer
         })
         .collect();
-    json!({
+    let mut all = json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         // Infinite where singular, which JSON writes as null.
@@ -144,7 +195,26 @@ pub fn json(scene: &Scene, worked: &Worked, notes: &[Diagnostic]) -> Json {
             "mu_a": worked.construction.acceleration.as_ref().map(|p| p.mu),
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
-    })
+    });
+    if let Some(d) = &worked.drafting {
+        all["drafting"] = drafting::json(scene, worked, d);
+    }
+    all
+}
+
+/// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and
+/// the digits on which both ends agree.
+fn certificate(c: &Certified, digits: usize) -> Json {
+    let numbers: serde_json::Map<String, Json> = c
+        .parts
+        .iter()
+        .map(|(part, n)| {
+            let (text, certain) = n.text(digits).map_or((None, 0), |(t, k)| (Some(t), k));
+            let e = n.enclosure();
+            (part.key().into(), json!({"value": e.approx, "radius": e.radius, "text": text, "digits": certain}))
+        })
+        .collect();
+    json!({"rung": c.rung.name(), "complete": c.why.is_none(), "why": c.why.as_ref().map(|w| w.words(Lang::En)), "numbers": numbers})
 }
 
 fn singularity(scene: &Scene, s: &Singularity) -> Json {

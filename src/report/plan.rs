@@ -1,9 +1,10 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use super::phrase::{formula, tr};
+use crate::effort::is_carried;
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
-use crate::plan::{Effect, GroupSteps, Method, Rate, Reason, Spot, Step};
+use crate::plan::{Body, Effect, GroupSteps, Method, Rate, Reason, Spot, Step};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 
@@ -37,7 +38,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     line(tr(lang, "groups in solving order", "杆组（按求解顺序）").into());
     let mut number = 0;
     for g in &m.groups {
-        if matches!(&g.core, Core::Pin { legs, .. } if matches!(legs[..], [Leg::Carried { .. }])) {
+        if is_carried(g) {
             continue;
         }
         number += 1;
@@ -86,7 +87,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     out
 }
 
-fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
+pub(super) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
     let mut links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
     // A block belongs to the group that holds its guide or its pin.
     for l in (0..scene.links.len()).map(LinkId) {
@@ -138,11 +139,11 @@ fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: 
     format!("{links}{what}{at}")
 }
 
-fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
+pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
     match e {
         Effect::Velocities => tr(lang, "velocities", "速度").into(),
         Effect::Accelerations => tr(lang, "accelerations", "加速度").into(),
-        Effect::DriverAcceleration(d) => {
+        Effect::DriverRate(d) | Effect::DriverAcceleration(d) => {
             let name = match &scene.drivers[d].kind {
                 DriverKind::Turn { link, .. } => format!("{} {}", tr(lang, "link", "构件"), scene.link_name(*link)),
                 DriverKind::Slide { guide, .. } => {
@@ -157,9 +158,11 @@ fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
                     format!("{} {}{}", tr(lang, "cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
                 }
             };
-            match lang {
-                Lang::En => format!("acceleration of the driver ({name})"),
-                Lang::Zh => format!("原动件的（角）加速度（{name}）"),
+            match (e, lang) {
+                (Effect::DriverRate(_), Lang::En) => format!("velocity of the driver ({name})"),
+                (Effect::DriverRate(_), Lang::Zh) => format!("原动件的（角）速度（{name}）"),
+                (_, Lang::En) => format!("acceleration of the driver ({name})"),
+                (_, Lang::Zh) => format!("原动件的（角）加速度（{name}）"),
             }
         }
         Effect::Coriolis(g) => {
@@ -182,11 +185,12 @@ fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) -> String {
     }
 }
 
-fn reason_words(r: Reason, lang: Lang) -> &'static str {
+pub(super) fn reason_words(r: Reason, lang: Lang) -> &'static str {
     match r {
         Reason::Asked => tr(lang, "asked for", "题目要求"),
         Reason::NotAsked => tr(lang, "no question calls for it", "题目未涉及"),
         Reason::Accelerated => tr(lang, "it is given", "题目给出"),
+        Reason::AtRest => tr(lang, "the driver is at rest at this instant", "原动件该瞬时静止"),
         Reason::ConstantRate => tr(lang, "its rate is constant", "速度恒定"),
         Reason::GuideTurns => tr(lang, "the guide turns", "导路转动"),
         Reason::GuideDoesNotTurn => tr(lang, "the guide does not turn", "导路不转动"),
@@ -210,23 +214,26 @@ fn group_lines(w: &Writer, level: Level, group: &GroupSteps, equation: &mut usiz
     for step in group.alternatives.first().into_iter().flatten() {
         out.extend(step_lines(w, level, step, equation));
     }
-    for (body, rate) in &group.rates {
-        let symbol = formula(&w.turning(level, *body));
-        out.push(match rate {
-            Rate::Zero => continue,
-            Rate::Given { .. } => format!("{symbol}: {}", tr(lang, "given by the driver", "由原动件给定")),
-            Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, crate::plan::Body::Link(*l)))),
-            Rate::Measured { of, to } => {
-                let v = if level == Level::Acceleration { "a^t" } else { "v" };
-                let sub = if w.plan.vertex(*to).fixed { w.name(*of) } else { format!("{}{}", w.name(*of), w.name(*to)) };
-                formula(&format!("{symbol} = {v}_{{{sub}}} / {}", w.length(*of, *to)))
-            }
-        });
-    }
+    out.extend(group.rates.iter().filter_map(|(body, rate)| rate_words(w, level, *body, *rate)));
     for step in &group.further {
         out.extend(step_lines(w, level, step, equation));
     }
     out
+}
+
+/// How a turning rate is found; nothing is said of a link that does not turn.
+pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Option<String> {
+    let symbol = formula(&w.turning(level, body));
+    Some(match rate {
+        Rate::Zero => return None,
+        Rate::Given { .. } => format!("{symbol}: {}", tr(w.lang, "given by the driver", "由原动件给定")),
+        Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, Body::Link(l)))),
+        Rate::Measured { of, to } => {
+            let v = if level == Level::Acceleration { "a^t" } else { "v" };
+            let sub = if w.plan.vertex(to).fixed { w.name(of) } else { format!("{}{}", w.name(of), w.name(to)) };
+            formula(&format!("{symbol} = {v}_{{{sub}}} / {}", w.length(of, to)))
+        }
+    })
 }
 
 fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Vec<String> {
@@ -234,12 +241,7 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
     match step {
         Step::Equation { target, chains, method } => {
             *equation += 1;
-            let why = match method {
-                Method::Driven => tr(lang, "known", "已知"),
-                Method::SameLink => tr(lang, "points of one link", "基点法"),
-                Method::Coincident => tr(lang, "coincident points", "重合点法"),
-                Method::Special => tr(lang, "special point", "特殊点法"),
-            };
+            let why = method_words(*method, lang);
             let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(level, *target)))];
             if let Spot::Special { legs, .. } = w.plan.vertex(*target).spot {
                 out.push(format!(
@@ -274,6 +276,15 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
                 Lang::Zh => format!("构件 {} 作平动", w.scene.link_name(*link)),
             }
         )],
+    }
+}
+
+pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
+    match method {
+        Method::Driven => tr(lang, "known", "已知"),
+        Method::SameLink => tr(lang, "points of one link", "基点法"),
+        Method::Coincident => tr(lang, "coincident points", "重合点法"),
+        Method::Special => tr(lang, "special point", "特殊点法"),
     }
 }
 

@@ -1,9 +1,12 @@
-//! The value of an expression in `f64`, with its dimension; degrees stay degrees as long as they can.
+//! The value of an expression in any number, with its dimension; degrees stay degrees as long as they can.
+//!
+//! What is decided (domains, whole exponents, sizes) is decided by the nearest `f64`.
 
 use super::expr::{Expr, ExprKind, Function, Op};
 use super::model::Angle;
-use super::units::{Dim, Unit, radians};
+use super::units::{Dim, Unit};
 use crate::diag::Diagnostic;
+use crate::number::Real;
 use crate::trig;
 
 /// Larger or (unless zero) smaller values are refused. Squares and products of three values of this size still are
@@ -12,42 +15,45 @@ const HUGE: f64 = 1e90;
 
 /// A number with its dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Value {
+pub struct Value<N = f64> {
     /// In SI units (metres, seconds, radians), or in degrees to the first power where `degrees` says so.
-    pub number: f64,
+    pub number: N,
     /// Its dimension.
     pub dim: Dim,
     /// Whether one angle in the dimension is counted in degrees: `60 deg` stays 60, `300 rpm` is 1800 per second.
     pub degrees: bool,
 }
 
-impl Value {
-    const fn number(number: f64) -> Value {
+impl<N: Real> Value<N> {
+    fn number(number: N) -> Self {
         Value { number, dim: Dim::NUMBER, degrees: false }
     }
 
     /// The SI value (radians).
-    pub fn si(self) -> f64 {
-        if self.degrees { radians(self.number) } else { self.number }
+    pub fn si(self) -> N {
+        if self.degrees { self.number * N::pi() / N::from_f64(180.0) } else { self.number }
     }
 
     /// The same in SI units throughout.
-    fn plain(self) -> Value {
+    fn plain(self) -> Self {
         Value { number: self.si(), degrees: false, ..self }
     }
 
-    /// As an angle; meaningful where `dim` is that of an angle.
-    pub fn angle(self) -> Angle {
-        if self.degrees { Angle::Deg(self.number) } else { Angle::Rad(self.number) }
+    /// (sin, cos); meaningful where `dim` is that of an angle.
+    pub fn sin_cos(self) -> (N, N) {
+        if self.degrees { self.number.sin_cos_degrees() } else { self.number.sin_cos() }
+    }
+
+    /// An angle in degrees.
+    fn deg(number: N) -> Self {
+        Value { number, dim: Dim::ANGLE, degrees: true }
     }
 }
 
-impl From<Angle> for Value {
-    fn from(angle: Angle) -> Value {
-        match angle {
-            Angle::Deg(number) => Value { number, dim: Dim::ANGLE, degrees: true },
-            Angle::Rad(number) => Value { number, dim: Dim::ANGLE, degrees: false },
-        }
+impl Value {
+    /// As an angle; meaningful where `dim` is that of an angle.
+    pub fn angle(self) -> Angle {
+        if self.degrees { Angle::Deg(self.number) } else { Angle::Rad(self.number) }
     }
 }
 
@@ -64,13 +70,13 @@ pub enum NoValue {
 ///
 /// # Errors
 /// Dimensions that do not fit, functions outside their domain, values that are not finite or beyond all measure.
-pub fn evaluate(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value>) -> Result<Value, NoValue> {
+pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>) -> Result<Value<N>, NoValue> {
     let of = |e: &Expr| evaluate(e, lookup);
     let fault = |message: String| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
     let value = match &expr.kind {
         ExprKind::Number(text) => Value::number(literal(text).map_err(fault)?),
-        ExprKind::Pi => Value::number(std::f64::consts::PI),
-        ExprKind::Unit(unit) => in_unit(Value::number(1.0), unit),
+        ExprKind::Pi => Value::number(N::pi()),
+        ExprKind::Unit(unit) => in_unit(Value::number(N::from_f64(1.0)), unit),
         ExprKind::Parameter(name) => lookup(name).ok_or(NoValue::Reported)?,
         ExprKind::Neg(a) => {
             let a = of(a)?;
@@ -84,43 +90,48 @@ pub fn evaluate(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value>) -> Result<V
         ExprKind::Binary(op, a, b) => {
             let (a, b) = (of(a)?, of(b)?);
             match op {
-                Op::Add => add(a, b, 1.0).map_err(fault)?,
-                Op::Sub => add(a, b, -1.0).map_err(fault)?,
+                Op::Add => add(a, b, false).map_err(fault)?,
+                Op::Sub => add(a, b, true).map_err(fault)?,
                 Op::Mul => multiply(a, b, 1),
-                Op::Div if b.number == 0.0 => return Err(fault("division by zero".to_owned())),
+                Op::Div if b.number.approx() == 0.0 => return Err(fault("division by zero".to_owned())),
                 Op::Div => multiply(a, b, -1),
                 Op::Pow => power(a, b).map_err(fault)?,
             }
         }
         ExprKind::Call(f, a) => call(*f, of(a)?).map_err(fault)?,
     };
-    let size = value.number.abs();
+    let size = value.number.approx().abs();
     // Twenty: no quantity of kinematics comes near, and the exponents' own arithmetic stays small.
     if [value.dim.length, value.dim.time, value.dim.angle].iter().any(|k| k.abs() > 20) {
         return Err(fault("the powers of the units are beyond all measure".to_owned()));
     }
     if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
-        return Err(fault(format!("the value {:e} is beyond all measure (1e-90 to 1e90)", value.number)));
+        return Err(fault(format!("the value {:e} is beyond all measure (1e-90 to 1e90)", value.number.approx())));
     }
     Ok(value)
 }
 
-fn literal(text: &str) -> Result<f64, String> {
+fn literal<N: Real>(text: &str) -> Result<N, String> {
     let number: f64 = text.parse().map_err(|e| format!("`{text}` is not a number: {e}"))?;
     let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
     if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
         return Err(format!("`{text}` is too small for a number"));
     }
-    Ok(number)
+    // What is too large is refused by its size, and need not be multiplied out.
+    Ok(if number == 0.0 || number.abs() > HUGE { N::from_f64(number) } else { N::from_decimal(text) })
 }
 
-fn in_unit(a: Value, unit: &Unit) -> Value {
+fn in_unit<N: Real>(a: Value<N>, unit: &Unit) -> Value<N> {
     // Only one factor can be kept in degrees.
     let a = if unit.degrees { a.plain() } else { a };
-    Value { number: a.number * unit.numerator / unit.denominator, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
+    let (up, down) = (N::from_f64(unit.numerator), N::from_f64(unit.denominator));
+    // A factor of one is left out: it would only add to the bound of the error.
+    let number = if unit.numerator == 1.0 { a.number } else { a.number * up };
+    let number = if unit.denominator == 1.0 { number } else { number / down };
+    Value { number, dim: a.dim.times(unit.dim, 1), degrees: a.degrees || unit.degrees }
 }
 
-fn multiply(a: Value, b: Value, k: i32) -> Value {
+fn multiply<N: Real>(a: Value<N>, b: Value<N>, k: i32) -> Value<N> {
     let dim = a.dim.times(b.dim, k);
     let (a, b, degrees) = match (a.degrees, b.degrees) {
         // The degrees of a ratio cancel exactly.
@@ -132,30 +143,32 @@ fn multiply(a: Value, b: Value, k: i32) -> Value {
     Value { number: if k < 0 { a / b } else { a * b }, dim, degrees }
 }
 
-fn add(a: Value, b: Value, sign: f64) -> Result<Value, String> {
+fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, String> {
     if a.dim != b.dim && !(a.dim.serves(b.dim) && b.dim.serves(a.dim)) {
-        let verb = if sign > 0.0 { "be added to" } else { "be subtracted from" };
-        let (first, second) = if sign > 0.0 { (a.dim, b.dim) } else { (b.dim, a.dim) };
+        let verb = if minus { "be subtracted from" } else { "be added to" };
+        let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
         return Err(format!("{} cannot {verb} {}", first.describe(), second.describe()));
     }
     // A length in metres and an arc in metres times radians: the radians are pure numbers there.
     let dim = if a.dim.angle == 0 { a.dim } else { b.dim };
     let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
-    Ok(Value { number: a.number + sign * b.number, dim, degrees: a.degrees })
+    let number = if minus { a.number - b.number } else { a.number + b.number };
+    Ok(Value { number, dim, degrees: a.degrees })
 }
 
-fn power(a: Value, b: Value) -> Result<Value, String> {
+fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, String> {
     if b.dim != Dim::NUMBER {
         return Err(format!("an exponent is a pure number, this is {}", b.dim.describe()));
     }
-    let whole = libm::rint(b.number);
+    let exponent = b.number.approx();
+    let whole = libm::rint(exponent);
     if a.dim == Dim::NUMBER {
-        if a.number < 0.0 && whole != b.number {
+        if a.number.approx() < 0.0 && whole != exponent {
             return Err("a negative number has no broken power".to_owned());
         }
-        return Ok(Value::number(libm::pow(a.number, b.number)));
+        return Ok(Value::number(a.number.pow(b.number)));
     }
-    if whole != b.number || whole.abs() > 6.0 {
+    if whole != exponent || whole.abs() > 6.0 {
         return Err("the exponent of a quantity with a unit is a whole number from -6 to 6".to_owned());
     }
     let k = whole as i32;
@@ -163,31 +176,36 @@ fn power(a: Value, b: Value) -> Result<Value, String> {
         return Ok(a);
     }
     let a = a.plain();
-    Ok(Value { number: libm::pow(a.number, whole), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
+    Ok(Value { number: a.number.pow(N::from_f64(whole)), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
 }
 
-fn call(f: Function, a: Value) -> Result<Value, String> {
+fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, String> {
     let wants = |dim: Dim, name: &str| match a.dim == dim {
         true => Ok(()),
-        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number == 0.0 => Ok(()),
+        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number.approx() == 0.0 => Ok(()),
         false if dim == Dim::ANGLE && a.dim == Dim::NUMBER => {
             Err(format!("{name} wants an angle, this is a pure number: write `deg` or `rad` after it"))
         }
         false => Err(format!("{name} wants {}, this is {}", dim.describe(), a.dim.describe())),
     };
-    let inverse = |name: &str, g: fn(f64) -> Angle| {
+    let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> Value<N>| {
         wants(Dim::NUMBER, name)?;
-        let angle = g(a.number);
-        match Value::from(angle).number.is_nan() {
-            true => Err(format!("{name} has no value at {}", a.number)),
-            false => Ok(Value::from(angle)),
+        let x = a.number.approx();
+        match known(x) {
+            Angle::Rad(r) if r.is_nan() => Err(format!("{name} has no value at {x}")),
+            // An angle known in degrees is meant only where the number is just that.
+            Angle::Deg(d) if a.number == N::from_f64(x) => Ok(Value::deg(N::from_f64(d))),
+            _ => Ok(g(a.number)),
         }
     };
+    let rad = |number: N| Value { number, dim: Dim::ANGLE, degrees: false };
+    // The other leg of a right triangle with hypotenuse one.
+    let leg = |x: N| ((N::from_f64(1.0) - x) * (N::from_f64(1.0) + x)).sqrt_or_zero();
     Ok(match f {
-        Function::Abs => Value { number: a.number.abs(), ..a },
+        Function::Abs => Value { number: if a.number.approx() < 0.0 { -a.number } else { a.number }, ..a },
         Function::Sqrt => {
-            if a.number < 0.0 {
-                return Err(format!("sqrt of the negative value {}", a.number));
+            if a.number.approx() < 0.0 {
+                return Err(format!("sqrt of the negative value {}", a.number.approx()));
             }
             let d = a.dim;
             if [d.length, d.time, d.angle].iter().any(|k| k % 2 != 0) {
@@ -197,29 +215,30 @@ fn call(f: Function, a: Value) -> Result<Value, String> {
         }
         Function::Sin => {
             wants(Dim::ANGLE, "sin")?;
-            Value::number(trig::sin_cos(a.angle()).0)
+            Value::number(a.sin_cos().0)
         }
         Function::Cos => {
             wants(Dim::ANGLE, "cos")?;
-            Value::number(trig::sin_cos(a.angle()).1)
+            Value::number(a.sin_cos().1)
         }
         Function::Tan => {
             wants(Dim::ANGLE, "tan")?;
-            let (s, c) = trig::sin_cos(a.angle());
-            if c == 0.0 {
+            let (s, c) = a.sin_cos();
+            if c.approx() == 0.0 {
                 return Err("tan of a right angle".to_owned());
             }
             Value::number(s / c)
         }
-        Function::Asin => inverse("asin", trig::asin)?,
-        Function::Acos => inverse("acos", trig::acos)?,
-        Function::Atan => inverse("atan", trig::atan)?,
+        Function::Asin => inverse("asin", trig::asin, &|x| rad(x.atan2(leg(x))))?,
+        Function::Acos => inverse("acos", trig::acos, &|x| rad(leg(x).atan2(x)))?,
+        Function::Atan => inverse("atan", trig::atan, &|x| rad(x.atan2(N::from_f64(1.0))))?,
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::expr::parse;
+    use super::super::units::radians;
     use super::*;
     use crate::diag::Span;
 
@@ -228,7 +247,7 @@ mod tests {
         let length = value_of("100 mm").expect("a length");
         let lookup = |name: &str| match name {
             "r" => Some(length),
-            "phi" => Some(Value::from(Angle::Deg(30.0))),
+            "phi" => Some(Value::deg(30.0)),
             "k" => Some(Value::number(2.0)),
             _ => None,
         };

@@ -1,33 +1,124 @@
-//! Stub until the real one is merged.
+//! The given numbers of a scene as they are written, in numbers of any kind.
+//!
+//! `39.3 mm` is no `f64`. A number that knows its error takes the `f64` with the bound that the reader found; a longer
+//! one reads the text again, the parameters first, in the order of the scene.
 
-use super::model::{Angle, Given, Scene};
+use super::eval::{Value, evaluate};
+use super::expr;
+use super::model::{Angle, Driver, Given, Scene};
 use crate::number::Real;
-use std::marker::PhantomData;
 
-/// The given numbers of a scene in numbers of one kind.
+/// A scene's quantities in numbers of one kind.
 #[derive(Clone, Debug)]
 pub struct Inputs<'a, N> {
-    scene: &'a Scene,
-    kind: PhantomData<N>,
+    /// Names and values of the parameters; empty where the `f64` of the reader is good enough.
+    parameters: Vec<(&'a str, Option<Value<N>>)>,
+    /// Time since the scene's instant (s): drivers have gone on for so long.
+    time: Option<N>,
 }
 
 impl<'a, N: Real> Inputs<'a, N> {
-    /// Of a scene.
+    /// The quantities of a scene.
     pub fn of(scene: &'a Scene) -> Self {
-        Inputs { scene, kind: PhantomData }
-    }
-
-    /// SI.
-    pub fn number(&self, given: &Given) -> N {
-        let _ = self.scene;
-        N::from_bounded(given.value, 0.0).unwrap_or(N::from_f64(given.value))
-    }
-
-    /// Sine and cosine.
-    pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
-        match given.value {
-            Angle::Deg(d) => N::from_f64(d).sin_cos_degrees(),
-            Angle::Rad(r) => N::from_f64(r).sin_cos(),
+        let mut inputs = Inputs { parameters: Vec::new(), time: None };
+        if N::from_bounded(0.0, 0.0).is_none() {
+            for (name, given) in &scene.parameters {
+                let value = inputs.read(&given.text);
+                inputs.parameters.push((name, value));
+            }
         }
+        inputs
+    }
+
+    /// A quantity in SI units; undecided where its text has no value in these numbers.
+    pub fn number(&self, given: &Given) -> N {
+        N::from_bounded(given.value, given.radius).or_else(|| self.read(&given.text).map(Value::si)).unwrap_or(N::from_f64(f64::NAN))
+    }
+
+    /// (sin, cos) of an angle, reduced in degrees where it is written in degrees.
+    pub fn sin_cos(&self, given: &Given<Angle>) -> (N, N) {
+        let nothing = N::from_f64(f64::NAN);
+        match given.value {
+            Angle::Deg(d) => N::from_bounded(d, given.radius).map(Real::sin_cos_degrees),
+            Angle::Rad(r) => N::from_bounded(r, given.radius).map(Real::sin_cos),
+        }
+        .or_else(|| self.read(&given.text).map(Value::sin_cos))
+        .unwrap_or((nothing, nothing))
+    }
+
+    /// The same quantities a time `t` (s) after the scene's instant.
+    pub fn later(self, t: N) -> Self {
+        Inputs { time: Some(t), ..self }
+    }
+
+    /// By how much a driver has gone on: rate · t + acceleration · t²/2.
+    fn gone_on(&self, driver: &Driver) -> Option<N> {
+        let t = self.time?;
+        let way = self.number(&driver.rate) * t;
+        Some(match &driver.acceleration {
+            Some(a) => way + self.number(a) * t * t * N::from_f64(0.5),
+            None => way,
+        })
+    }
+
+    /// The position of a sliding driver or the length of a cylinder (m).
+    pub fn driven(&self, driver: &Driver, given: &Given) -> N {
+        let start = self.number(given);
+        self.gone_on(driver).map_or(start, |way| start + way)
+    }
+
+    /// (sin, cos) of the angle of a turning driver.
+    pub fn driven_sin_cos(&self, driver: &Driver, given: &Given<Angle>) -> (N, N) {
+        let (s, c) = self.sin_cos(given);
+        match self.gone_on(driver).map(Real::sin_cos) {
+            None => (s, c),
+            Some((ds, dc)) => (s * dc + c * ds, c * dc - s * ds),
+        }
+    }
+
+    fn read(&self, text: &str) -> Option<Value<N>> {
+        let names: Vec<&str> = self.parameters.iter().map(|p| p.0).collect();
+        let expr = expr::parse(text, &names).ok()?;
+        // A name may be declared twice; the last one counts, as in the reader.
+        let lookup = |name: &str| self.parameters.iter().rev().find(|p| p.0 == name).and_then(|p| p.1);
+        evaluate(&expr, &lookup).ok()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::decimal::Certain;
+    use crate::number::{Ball, Big, Dd, within};
+    use crate::scene::{Place, read, templates};
+
+    /// Every given number of every template: the value that the reader found is as near to the written one as it says.
+    #[test]
+    fn values_are_within_their_radius_of_what_is_written() {
+        let mut checked = 0;
+        for template in templates::list() {
+            let name = template.name;
+            let text = templates::get(name).unwrap();
+            let scene = read(text).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+            within(300, || {
+                let (exact, double) = (Inputs::<Ball<Big>>::of(&scene), Inputs::<Ball<Dd>>::of(&scene));
+                let mut check = |given: &Given| {
+                    let (x, d) = (exact.number(given), double.number(given));
+                    let off = (x - Real::from_f64(given.value)).approx().abs();
+                    assert!(off <= given.radius && given.radius <= 1e-14 * given.value.abs(), "{name}: {given:?} is off by {off:e}");
+                    assert!(d.enclosure().unwrap().meets(&x.enclosure().unwrap()), "{name}: {given:?}");
+                    assert!(d.radius() <= 1e-29 * given.value.abs(), "{name}: {given:?}");
+                    checked += 1;
+                };
+                scene.lengths.iter().for_each(|l| check(&l.value));
+                scene.drivers.iter().for_each(|d| check(&d.rate));
+                for p in &scene.points {
+                    if let Place::At(xy) | Place::InLink { xy, .. } = &p.place {
+                        xy.iter().for_each(&mut check);
+                    }
+                }
+            });
+        }
+        assert!(checked > 200, "{checked}");
     }
 }

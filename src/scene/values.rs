@@ -11,13 +11,29 @@ use super::model::{Angle, Given};
 use super::raw::RawQuantity;
 use super::units::{Dim, Wanted};
 use crate::diag::{Diagnostic, Faults, Span};
+use crate::number::{Ball, Real};
+
+/// A parameter's value, and the same with a bound of its error.
+#[derive(Clone, Copy)]
+struct Known {
+    value: Value,
+    ball: Value<Ball<f64>>,
+}
+
+/// The full text of a quantity, its value, and the same with a bound of its error.
+type Read = (String, Value, Value<Ball<f64>>);
+
+/// How far a value may be from the true number in a ball.
+fn distance(value: f64, ball: Ball<f64>) -> f64 {
+    (ball.approx() - value).abs() + ball.radius()
+}
 
 /// Parameters and units of a scene, ready to read its quantities.
 pub(super) struct Values<'a> {
     source: &'a str,
     /// Names in the order of the file; a value is missing where the parameter had a fault.
     names: Vec<&'a str>,
-    known: HashMap<&'a str, Option<Value>>,
+    known: HashMap<&'a str, Option<Known>>,
     units: HashMap<&'static str, String>,
     used: RefCell<HashSet<String>>,
 }
@@ -38,7 +54,7 @@ impl<'a> Values<'a> {
         let mut list = Vec::new();
         for (name, quantity) in parameters {
             let value = match values.evaluate(quantity) {
-                Ok((_, value)) => Some(value),
+                Ok((expr, value)) => Some(Known { value, ball: values.ball(&expr, value) }),
                 Err(fault) => {
                     faults.list.extend(fault);
                     None
@@ -58,8 +74,10 @@ impl<'a> Values<'a> {
                 values.names.push(&name.text);
                 values.known.insert(&name.text, value);
             }
-            if let Some(value) = value {
-                list.push((name.text.clone(), Given { value: value.si(), text: quantity.text.clone(), span: quantity.span }));
+            if let Some(Known { value, ball }) = value {
+                let given =
+                    Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
+                list.push((name.text.clone(), given));
             }
         }
         (values, list)
@@ -101,8 +119,8 @@ impl<'a> Values<'a> {
 
     /// A quantity in SI units.
     pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
-        let (text, value) = self.value(quantity, wanted, faults)?;
-        Some(Given { value: value.si(), text, span: quantity.span })
+        let (text, value, ball) = self.value(quantity, wanted, faults)?;
+        Some(Given { value: value.si(), radius: distance(value.si(), ball.si()), text, span: quantity.span })
     }
 
     /// A length that must be greater than zero.
@@ -118,8 +136,11 @@ impl<'a> Values<'a> {
 
     /// An angle, in degrees where it is written in degrees.
     pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
-        let (text, value) = self.value(quantity, Wanted::Angle, faults)?;
-        Some(Given { value: value.angle(), text, span: quantity.span })
+        let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;
+        // In the unit of the value: an angle that is only known to be near a whole number of degrees is in radians.
+        let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
+        let number = if value.degrees { degrees } else { ball.si() };
+        Some(Given { value: value.angle(), radius: distance(value.number, number), text, span: quantity.span })
     }
 
     /// Two coordinates in metres.
@@ -130,7 +151,7 @@ impl<'a> Values<'a> {
     }
 
     /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
-    fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<(String, Value)> {
+    fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
         let result = self.evaluate(quantity).and_then(|(expr, value)| self.fit(quantity, &expr, value, wanted).map_err(Some));
         match result {
             Ok(found) => Some(found),
@@ -141,20 +162,23 @@ impl<'a> Values<'a> {
         }
     }
 
-    fn fit(&self, quantity: &RawQuantity, expr: &Expr, value: Value, wanted: Wanted) -> Result<(String, Value), Diagnostic> {
+    fn fit(&self, quantity: &RawQuantity, expr: &Expr, value: Value, wanted: Wanted) -> Result<Read, Diagnostic> {
         let text = &quantity.text;
         // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
         let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
         if !is_number {
             if value.dim.serves(wanted.dim()) {
-                return Ok((text.clone(), value));
+                return Ok((text.clone(), value, self.ball(expr, value)));
             }
             let message = format!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
             let d = Diagnostic::error("dimension", message).at(quantity.span);
             return Err(d.help(format!("write it in {}", wanted.usual_unit())));
         }
         if value.number == 0.0 {
-            return Ok((text.clone(), Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle }));
+            let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };
+            // An expression may be zero by rounding only.
+            let ball = self.ball(expr, zero);
+            return Ok((text.clone(), zero, Value { degrees: zero.degrees, ..ball }));
         }
         let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
         let with_unit = |unit: &str| match (simple, unit.bytes().all(|b| b.is_ascii_alphabetic())) {
@@ -174,7 +198,10 @@ impl<'a> Values<'a> {
         let text = with_unit(unit);
         let full = RawQuantity { text: text.clone(), span: quantity.span, bare: true };
         match self.evaluate(&full) {
-            Ok((_, value)) => Ok((text, value)),
+            Ok((expr, value)) => {
+                let ball = self.ball(&expr, value);
+                Ok((text, value, ball))
+            }
             // The number and the unit have been read one by one; together they can only be too large.
             Err(fault) => Err(fault.unwrap_or_else(|| Diagnostic::error("expression", format!("`{text}` has no value")).at(quantity.span))),
         }
@@ -185,13 +212,20 @@ impl<'a> Values<'a> {
         let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
         let lookup = |name: &str| {
             self.used.borrow_mut().insert(name.to_owned());
-            self.known.get(name).copied().flatten()
+            self.known.get(name).copied().flatten().map(|k| k.value)
         };
         match evaluate(&expr, &lookup) {
             Ok(value) => Ok((expr, value)),
             Err(NoValue::Reported) => Err(None),
             Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
         }
+    }
+
+    /// The same value with a bound of its error; without a bound where an operation may leave its domain by rounding.
+    fn ball(&self, expr: &Expr, value: Value) -> Value<Ball<f64>> {
+        let lookup = |name: &str| self.known.get(name).copied().flatten().map(|k| k.ball);
+        let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+        evaluate(expr, &lookup).unwrap_or(unknown)
     }
 
     /// Turns a place in the expression into a place in the file.

@@ -3,7 +3,9 @@
 //! Seeds are fixed, so that a run says the same everywhere. For a longer hunt: `HODOGRAPH_SEEDS=100 cargo test --release
 //! --test random -- --nocapture` takes a hundred times as many.
 
+mod asked;
 mod bad;
+mod digits;
 mod emit;
 mod groups;
 mod higher;

@@ -77,7 +77,7 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
 
 /// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
-    Given { value: 0.0, text: "0".to_owned(), span }
+    Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.
@@ -129,6 +129,12 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         }
     };
     Some(scene)
+}
+
+/// The error of a pencil outside any scene, in mm.
+pub(super) fn pencil(quantity: &RawQuantity, source: &str, faults: &mut Faults) -> Option<f64> {
+    let (values, _) = Values::new(source, &[], &[], faults);
+    paper::pencil_mm(quantity, &values, faults)
 }
 
 /// A text given in one language serves for both.

@@ -1,5 +1,7 @@
 //! Every template: solved both ways, against answers computed without this project, and drawn.
 
+mod asked;
+
 use hodograph::answer::Value;
 use hodograph::scene::{self, templates};
 use hodograph::worked::{Scope, work};

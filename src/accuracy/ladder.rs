@@ -1,0 +1,339 @@
+//! The precision ladder: every answer as a ball, in `f64` first and in longer numbers as far as digits call for it.
+//!
+//! What is certified is the mathematics of the scene *as written*: positions by the closed forms (or a proof of the root),
+//! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
+
+use crate::answer::{Value, evaluate};
+use crate::diag::Diagnostic;
+use crate::geom::Vec2;
+use crate::number::decimal::{Certain, Enclosure};
+use crate::number::{Ball, Big, Dd, Real, within};
+use crate::quantity;
+use crate::scene::{Asked, Lang, Scene};
+use crate::worked::Worked;
+use crate::{motion, position};
+
+/// A rung of the ladder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rung {
+    /// `f64` with a bound of its error.
+    Double,
+    /// Double-double with a bound of its error.
+    DoubleDouble,
+    /// Numbers of so many bits, with a bound of their error.
+    Long(usize),
+}
+
+impl Rung {
+    /// All of them, the cheapest first. The last is longer than any digits that are asked for by the depth of a dead centre
+    /// written with twenty decimals; beyond it lie only ties and poses that are singular as written.
+    pub const LADDER: [Rung; 5] = [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
+
+    /// For programs and tables: `f64`, `double-double`, `192 bit`.
+    pub fn name(self) -> String {
+        match self {
+            Rung::Double => "f64".into(),
+            Rung::DoubleDouble => "double-double".into(),
+            Rung::Long(bits) => format!("{bits} bit"),
+        }
+    }
+}
+
+/// Which number of an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Length of a vector (SI).
+    Magnitude,
+    /// Its direction, degrees in (−180, 180].
+    Direction,
+    /// Its component to the right (SI).
+    X,
+    /// Its component up (SI).
+    Y,
+    /// A scalar in SI units (an angle in radians).
+    Scalar,
+    /// An angle in degrees.
+    Degrees,
+}
+
+impl Part {
+    /// For programs.
+    pub fn key(self) -> &'static str {
+        match self {
+            Part::Magnitude => "magnitude",
+            Part::Direction => "angle_deg",
+            Part::X => "x",
+            Part::Y => "y",
+            Part::Scalar => "value",
+            Part::Degrees => "value_deg",
+        }
+    }
+}
+
+/// A number with an interval that surely contains it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    enclosure: Enclosure,
+    /// Whether it is zero, or so small a part of what it is measured against that it is printed as zero.
+    pub zero: bool,
+}
+
+impl Number {
+    /// To at most `digits` significant digits, all of them true, as people write numbers; and how many they are. `None` where
+    /// not even one is certain.
+    pub fn text(&self, digits: usize) -> Option<(String, usize)> {
+        let (e, digits) = self.scientific(digits)?;
+        Some((quantity::plain(&e), digits))
+    }
+
+    /// The same in e notation, the power of ten raised by `shift`.
+    fn scientific(&self, digits: usize) -> Option<(String, usize)> {
+        if self.zero {
+            return Some(("0e0".into(), digits));
+        }
+        // An exact tie never resolves; with a digit or two more it is no tie.
+        let more = [digits, digits + 1, digits + 2].into_iter();
+        more.chain((1..digits).rev()).find_map(|k| self.enclosure.rounded(k).map(|e| (e, k)))
+    }
+
+    /// Whether all of `digits` are certain.
+    fn holds(&self, digits: usize, last: bool) -> bool {
+        self.zero || self.enclosure.rounded(digits).is_some() || (last && self.enclosure.rounded(digits + 1).is_some())
+    }
+
+    /// To at most `digits` true digits, in a unit 10^`shift` times smaller (millimetres for metres: 3).
+    pub fn text_scaled(&self, digits: usize, shift: i32) -> Option<(String, usize)> {
+        let (e, digits) = self.scientific(digits)?;
+        let (mantissa, exponent) = e.split_once('e')?;
+        let exponent: i32 = exponent.parse().ok()?;
+        Some((quantity::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
+    }
+
+    /// −1, 0 or 1.
+    pub fn sign(&self) -> f64 {
+        if self.zero { 0.0 } else { self.enclosure.approx.signum() }
+    }
+
+    /// The interval.
+    pub fn enclosure(&self) -> &Enclosure {
+        &self.enclosure
+    }
+}
+
+/// What the ladder says of one answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Certified {
+    /// The rung that sufficed, or the last.
+    pub rung: Rung,
+    /// Its numbers; empty where no rung gave any.
+    pub parts: Vec<(Part, Number)>,
+    /// Why not all digits asked for are certain; `None`: they are.
+    pub why: Option<Why>,
+}
+
+/// Why digits are missing.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Why {
+    /// The rung has too few digits for this pose.
+    TooClose,
+    /// In the longest numbers still: a tie, or a value that cannot be told from zero.
+    Tie,
+    /// The links whose equations may be singular.
+    Singular(String),
+    /// The pose is singular, and the answer from the next order of the loop equations: in `f64` only, true to so many digits.
+    NextOrder(usize),
+    /// It has no value in this pose.
+    NoValue,
+    /// The position solver's own words.
+    Refused(Diagnostic),
+}
+
+impl Why {
+    /// In words, to stand in brackets after the number.
+    pub fn words(&self, lang: Lang) -> String {
+        match (self, lang) {
+            (Why::TooClose, Lang::En) => "the pose is too close to a dead centre for more".into(),
+            (Why::TooClose, Lang::Zh) => "该位置过于接近死点".into(),
+            (Why::Tie, Lang::En) => "the next digit is a tie, or the value cannot be told from zero".into(),
+            (Why::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
+            (Why::Singular(links), Lang::En) => format!("the equations of links {links} may be singular in this pose"),
+            (Why::Singular(links), Lang::Zh) => format!("构件{links}的方程在该位置可能奇异"),
+            (Why::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
+            (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
+            (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
+            (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
+            (Why::Refused(d), Lang::En) => d.message.clone(),
+            (Why::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message),
+        }
+    }
+}
+
+impl Certified {
+    /// One of its numbers.
+    pub fn part(&self, part: Part) -> Option<&Number> {
+        self.parts.iter().find(|(p, _)| *p == part).map(|(_, n)| n)
+    }
+
+    /// To how many digits the `f64` value is printed where nothing is certified: roughly, or as far as the next order of the
+    /// loop equations is known to be true.
+    pub fn rough_digits(&self, digits: usize) -> (usize, bool) {
+        match self.why {
+            Some(Why::NextOrder(known)) => (digits.min(known), true),
+            _ => (2, false),
+        }
+    }
+
+    /// How many numbers of it a reader sees certified.
+    pub fn count(&self) -> usize {
+        self.parts.len()
+    }
+}
+
+/// Digits that may be asked for: the last rung has some 230, and a reader no use for more.
+pub const MOST_DIGITS: usize = 30;
+
+/// Certifies every answer of a worked scene to `digits` significant digits (at most [`MOST_DIGITS`]), climbing only for
+/// those that call for it.
+pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> {
+    let digits = digits.clamp(1, MOST_DIGITS);
+    let mut out: Vec<Certified> =
+        worked.results.iter().map(|_| Certified { rung: Rung::Double, parts: Vec::new(), why: Some(Why::NoValue) }).collect();
+    // What the pose leaves singular no longer number mends, and where it is singular within the rounding of its lengths only
+    // the ladder would tell the motion of another pose.
+    for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
+        c.why = Some(Why::NextOrder(known));
+    }
+    let open = |c: &Certified| !matches!(c.why, None | Some(Why::NextOrder(_)));
+    for rung in Rung::LADDER {
+        let last = rung == Rung::LADDER[Rung::LADDER.len() - 1];
+        let seen = match rung {
+            Rung::Double => look::<Ball<f64>>(scene, worked, digits),
+            Rung::DoubleDouble => look::<Ball<Dd>>(scene, worked, digits),
+            Rung::Long(bits) => within(bits, || look::<Ball<Big>>(scene, worked, digits)),
+        };
+        for (i, c) in out.iter_mut().enumerate().filter(|(_, c)| open(c)) {
+            c.rung = rung;
+            match &seen {
+                Ok(answers) => match &answers[i] {
+                    Ok(parts) => {
+                        c.why = match parts.iter().find(|(_, n)| !n.holds(digits, last)) {
+                            None => None,
+                            Some(_) if last => Some(Why::Tie),
+                            Some(_) => Some(Why::TooClose),
+                        };
+                        c.parts.clone_from(parts);
+                    }
+                    Err(why) => c.why = Some(why.clone()),
+                },
+                Err(d) => c.why = Some(Why::Refused(d.clone())),
+            }
+        }
+        if !out.iter().any(open) {
+            break;
+        }
+        // What no longer number mends.
+        if let Err(d) = &seen
+            && d.code == "cannot-assemble"
+        {
+            break;
+        }
+    }
+    out
+}
+
+/// All answers in one kind of number.
+fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec<Parts>, Diagnostic> {
+    let (m, demand) = (&worked.mechanism, &worked.demand);
+    let at = position::recompute::<N>(scene, m, demand, &worked.configuration).map_err(|f| {
+        f.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
+    })?;
+    let motion = motion::solve(scene, m, &at, demand);
+    Ok(worked
+        .results
+        .iter()
+        .map(|r| {
+            let find = &scene.find[r.find];
+            match evaluate(scene, &at, &motion, &find.what) {
+                Some(value) => parts(find.what, value, r.scale, digits),
+                None => Err(match motion.singular.first() {
+                    Some(&g) => {
+                        let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
+                        Why::Singular(names.join(", "))
+                    }
+                    None => Why::NoValue,
+                }),
+            }
+        })
+        .collect())
+}
+
+/// The parts of an answer, or why it has none.
+pub type Parts = Result<Vec<(Part, Number)>, Why>;
+
+/// The numbers of one answer as they are printed; `scale` is the size against which it is judged to be zero.
+///
+/// # Errors
+/// An answer whose equations may be singular.
+pub fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize) -> Parts {
+    // Ten digits below the last that is asked for.
+    let nothing = libm::exp10(-(digits as f64 + 10.0));
+    let number = |x: N, against: f64| -> Result<Number, Why> {
+        let enclosure = x.enclosure().ok_or(Why::TooClose)?;
+        // Where nothing is driven, nothing moves: what may be zero is zero.
+        let zero = enclosure.contains_zero() && (against == 0.0 || enclosure.largest() <= nothing * against);
+        Ok(Number { enclosure, zero })
+    };
+    match value {
+        Value::Scalar(s) => {
+            let mut list = vec![(Part::Scalar, number(s, scale)?)];
+            if matches!(what, Asked::LinkAngle(_)) {
+                list.push((Part::Degrees, number(s * N::from_f64(180.0) / N::pi(), 360.0)?));
+            }
+            Ok(list)
+        }
+        Value::Vector(v) => {
+            let magnitude = number(v.norm(), scale)?;
+            let size = magnitude.enclosure.approx;
+            let mut list = vec![(Part::X, number(v.x, size)?), (Part::Y, number(v.y, size)?)];
+            if magnitude.zero {
+                for (_, n) in &mut list {
+                    n.zero = true;
+                }
+            } else if let Some(direction) = direction_degrees(v) {
+                let mut direction = number(direction, 1.0)?;
+                // A direction is counted against the whole turn: what is surely below its last decimal is none.
+                direction.zero =
+                    direction.enclosure.contains_zero() && direction.enclosure.largest() <= libm::exp10(-(digits as f64 + 4.0));
+                list.push((Part::Direction, direction));
+            }
+            list.push((Part::Magnitude, magnitude));
+            Ok(list)
+        }
+    }
+}
+
+/// The direction of a vector in degrees, in (−180, 180]: counted from the nearest axis, so that what lies along one is
+/// known to lie there. `None` where the vector may be zero.
+fn direction_degrees<N: Real>(v: Vec2<N>) -> Option<N> {
+    let quarter = libm::rint(v.approx().angle().to_degrees() / 90.0);
+    let (x, y) = match quarter as i32 {
+        0 => (v.x, v.y),
+        1 => (v.y, -v.x),
+        -1 => (-v.y, v.x),
+        _ => (-v.x, -v.y),
+    };
+    let rest = y.atan2(x) * N::from_f64(180.0) / N::pi();
+    if !rest.is_decided() {
+        return None;
+    }
+    // Just beyond the half turn counting begins from the other side.
+    let beyond = quarter.abs() == 2.0 && rest.approx() > 0.0 && rest.approx().abs() > rest.radius();
+    let base = if beyond {
+        -180.0
+    } else if quarter == -2.0 {
+        180.0
+    } else {
+        90.0 * quarter
+    };
+    Some(if base == 0.0 { rest } else { N::from_f64(base) + rest })
+}

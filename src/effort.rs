@@ -1,0 +1,135 @@
+//! What was done for a scene's questions, counted in the results of the stages that did it.
+//!
+//! Nothing here predicts: an equation counts as closed when its crossing is on the paper, a group as solved when the loop
+//! equations hold its motion. So the counters show whether the work is what was asked, and a stage that does more than
+//! that shows in them.
+
+use crate::accuracy::ladder::{Certified, Part};
+use crate::construct::{Action, Mark, Polygon};
+use crate::figure::item::Figure;
+use crate::mechanism::{Core, Group, Leg, Level};
+use crate::plan::Step;
+use crate::worked::Worked;
+
+/// What was done at one level of motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Motion {
+    /// Groups (driven links among them) whose motion the loop equations gave.
+    pub groups: usize,
+    /// Vector equations written, in the alternative that was drawn.
+    pub equations_planned: usize,
+    /// Vector equations closed on paper.
+    pub equations_closed: usize,
+    /// Points found on paper by their image, or as points of a link that does not turn.
+    pub images: usize,
+    /// Vectors drawn: laid off, or closed by a crossing.
+    pub vectors: usize,
+    /// Turning rates found on paper.
+    pub rates: usize,
+    /// Unknowns of the loop equations.
+    pub unknowns: usize,
+}
+
+/// The work done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Groups (driven links among them) whose place was found.
+    pub groups_placed: usize,
+    /// Velocities.
+    pub velocity: Motion,
+    /// Accelerations.
+    pub acceleration: Motion,
+    /// Questions answered.
+    pub answers: usize,
+    /// Numbers that the precision ladder vouches for and the answers print: magnitude and direction of a vector, or the one
+    /// number; 0 where nothing was certified.
+    pub certified_values: usize,
+    /// Labels for which a place was searched; 0 where no figure was laid out.
+    pub labels_placed: usize,
+}
+
+impl Work {
+    /// Counts what was done up to the answers.
+    pub fn of(worked: &Worked) -> Work {
+        let groups = || worked.mechanism.groups.iter().filter(|g| !is_carried(g));
+        let at = &worked.configuration;
+        Work {
+            groups_placed: groups()
+                .filter(|g| g.links.iter().all(|l| at.poses[l.0].is_some()) && g.pins.iter().all(|p| at.points[p.0].is_some()))
+                .count(),
+            velocity: motion(worked, Level::Velocity),
+            acceleration: motion(worked, Level::Acceleration),
+            answers: worked.results.len(),
+            certified_values: 0,
+            labels_placed: 0,
+        }
+    }
+
+    /// Levels reached: none, positions, velocities, accelerations.
+    pub fn levels(&self) -> usize {
+        [self.groups_placed, self.velocity.unknowns, self.acceleration.unknowns].iter().filter(|n| **n > 0).count()
+    }
+
+    /// The same with the numbers that were certified.
+    pub fn with_certified(self, certified: &[Certified]) -> Work {
+        Work { certified_values: certified.iter().map(printed).sum(), ..self }
+    }
+
+    /// The same with the labels of a figure that was laid out.
+    pub fn with_figure(self, figure: &Figure) -> Work {
+        Work { labels_placed: figure.labels_placed(), ..self }
+    }
+}
+
+/// A pin that sits on a known link follows it: there is nothing to solve, and no list of groups names it.
+pub(crate) fn is_carried(g: &Group) -> bool {
+    matches!(&g.core, Core::Pin { legs, .. } if matches!(legs[..], [Leg::Carried { .. }]))
+}
+
+/// How many certified numbers of an answer are printed: a vector by magnitude and direction, an angle in degrees.
+fn printed(c: &Certified) -> usize {
+    let shown = |part: &Part| match part {
+        Part::X | Part::Y => false,
+        Part::Scalar => c.part(Part::Degrees).is_none(),
+        Part::Magnitude | Part::Direction | Part::Degrees => true,
+    };
+    c.parts.iter().filter(|(part, number)| shown(part) && number.text(1).is_some()).count()
+}
+
+fn motion(worked: &Worked, level: Level) -> Motion {
+    let solution = &worked.solution;
+    let paper = &worked.construction;
+    let groups = worked.mechanism.groups.iter().filter(|g| !is_carried(g));
+    let solved = groups.filter(|g| match g.links[..] {
+        // A driven slider without a link of its own.
+        [] => g.pins.iter().all(|p| solution.reaches_pin(level, *p)),
+        _ => g.links.iter().all(|l| solution.reaches(level, *l)),
+    });
+    let written = worked.plan.steps(level).iter().flat_map(|g| g.steps(g.drawn(paper.chosen[g.group])));
+    let mut done = Motion {
+        groups: solved.count(),
+        equations_planned: written.filter(|s| matches!(s, Step::Equation { .. })).count(),
+        unknowns: solution.size[usize::from(level == Level::Acceleration)],
+        ..Motion::default()
+    };
+    if let Some(p) = paper.polygon(level) {
+        done.vectors = p.edges.len();
+        for action in &p.actions {
+            match action {
+                Action::Copy { .. } | Action::Same { .. } => done.images += 1,
+                Action::Rate(_) => done.rates += 1,
+                _ => done.equations_closed += usize::from(closes(p, action)),
+            }
+        }
+    }
+    done
+}
+
+/// Whether an action ends an equation: two lines crossed, a whole vector laid off, or nothing added at all.
+fn closes(p: &Polygon, action: &Action) -> bool {
+    match action {
+        Action::Cross { .. } | Action::Reach(_) => true,
+        Action::LayOff(edge) => matches!(p.edges[*edge].to.0, Mark::Image(_)),
+        _ => false,
+    }
+}

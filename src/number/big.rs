@@ -1,0 +1,226 @@
+//! Numbers of as many bits as wanted, on `dashu-float`.
+//!
+//! A [`Big`] is a handle into a region of its thread, so that it is `Copy` like every [`Real`]: [`within`] opens a region of
+//! one precision, runs the computation in it and gives its memory back at the end. A handle means nothing outside.
+
+use super::Real;
+use dashu_float::round::mode::HalfEven;
+use dashu_float::{Context, FBig};
+use std::cell::RefCell;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The numbers of the library that a region holds.
+pub(super) type Long = FBig<HalfEven, 2>;
+
+/// A number of the open region; undecided where an operation has no value.
+#[derive(Clone, Copy, Debug)]
+pub struct Big(u32);
+
+struct Region {
+    bits: usize,
+    numbers: Vec<Long>,
+    pi: Option<Long>,
+}
+
+thread_local! {
+    static REGION: RefCell<Region> = const { RefCell::new(Region { bits: 0, numbers: Vec::new(), pi: None }) };
+}
+
+const UNDECIDED: Big = Big(u32::MAX);
+
+/// A region holds no more numbers than this (some hundreds of megabytes); what goes beyond is undecided.
+const MOST: usize = 4_000_000;
+
+/// Runs `work` with numbers of `bits` bits. A region within a region stands for itself: the outer one is put aside and
+/// taken up again.
+pub fn within<T>(bits: usize, work: impl FnOnce() -> T) -> T {
+    /// Takes the outer region up again, also when the work panics.
+    struct Outer(Option<Region>);
+    impl Drop for Outer {
+        fn drop(&mut self) {
+            if let Some(outer) = self.0.take() {
+                REGION.with_borrow_mut(|r| *r = outer);
+            }
+        }
+    }
+    let fresh = Region { bits: bits.max(64), numbers: Vec::new(), pi: None };
+    let _outer = Outer(Some(REGION.with_borrow_mut(|r| std::mem::replace(r, fresh))));
+    work()
+}
+
+/// Bits of the open region.
+pub(super) fn bits() -> usize {
+    REGION.with_borrow(|r| r.bits)
+}
+
+fn push(r: &mut Region, x: Long) -> Big {
+    // A result that overflowed is infinite.
+    if r.numbers.len() >= MOST || !x.repr().is_finite() {
+        return UNDECIDED;
+    }
+    r.numbers.push(x);
+    Big((r.numbers.len() - 1) as u32)
+}
+
+fn is_zero(x: &Long) -> bool {
+    *x == Long::ZERO
+}
+
+impl Big {
+    /// The number itself; `None` where undecided.
+    pub(super) fn long(self) -> Option<Long> {
+        REGION.with_borrow(|r| r.numbers.get(self.0 as usize).cloned())
+    }
+
+    fn unary(self, f: impl FnOnce(&Long, usize) -> Option<Long>) -> Big {
+        REGION.with_borrow_mut(|r| match r.numbers.get(self.0 as usize).and_then(|x| f(x, r.bits)) {
+            Some(y) => push(r, y),
+            None => UNDECIDED,
+        })
+    }
+
+    fn binary(self, o: Big, f: impl FnOnce(&Long, &Long, &Context<HalfEven>) -> Option<Long>) -> Big {
+        REGION.with_borrow_mut(|r| {
+            let (Some(a), Some(b)) = (r.numbers.get(self.0 as usize), r.numbers.get(o.0 as usize)) else { return UNDECIDED };
+            match f(a, b, &Context::new(r.bits)) {
+                Some(y) => push(r, y),
+                None => UNDECIDED,
+            }
+        })
+    }
+}
+
+impl PartialEq for Big {
+    fn eq(&self, o: &Big) -> bool {
+        matches!((self.long(), o.long()), (Some(a), Some(b)) if a == b)
+    }
+}
+
+impl Add for Big {
+    type Output = Big;
+    fn add(self, o: Big) -> Big {
+        self.binary(o, |a, b, _| Some(a + b))
+    }
+}
+impl Sub for Big {
+    type Output = Big;
+    fn sub(self, o: Big) -> Big {
+        self.binary(o, |a, b, _| Some(a - b))
+    }
+}
+impl Mul for Big {
+    type Output = Big;
+    fn mul(self, o: Big) -> Big {
+        self.binary(o, |a, b, _| Some(a * b))
+    }
+}
+impl Div for Big {
+    type Output = Big;
+    fn div(self, o: Big) -> Big {
+        self.binary(o, |a, b, _| (!is_zero(b)).then(|| a / b))
+    }
+}
+impl Neg for Big {
+    type Output = Big;
+    fn neg(self) -> Big {
+        self.unary(|x, _| Some(-x.clone()))
+    }
+}
+
+impl Real for Big {
+    fn from_f64(x: f64) -> Big {
+        REGION.with_borrow_mut(|r| match Long::try_from(x) {
+            Ok(y) if x.is_finite() => {
+                let bits = r.bits;
+                push(r, y.with_precision(bits).value())
+            }
+            _ => UNDECIDED,
+        })
+    }
+
+    fn from_bounded(_value: f64, _error: f64) -> Option<Big> {
+        None
+    }
+
+    fn from_decimal(text: &str) -> Big {
+        super::decimal::by_digits(text)
+    }
+
+    fn approx(self) -> f64 {
+        self.long().map_or(f64::NAN, |x| x.to_f64().value())
+    }
+
+    fn is_decided(self) -> bool {
+        self.0 != u32::MAX
+    }
+
+    fn sqrt(self) -> Big {
+        self.unary(|x, _| (is_zero(x) || x.sign() == dashu_base::Sign::Positive).then(|| x.sqrt()))
+    }
+
+    fn sqrt_or_zero(self) -> Big {
+        if self.approx() <= 0.0 { Big::from_f64(0.0) } else { self.sqrt() }
+    }
+
+    fn hypot(self, y: Big) -> Big {
+        (self * self + y * y).sqrt()
+    }
+
+    fn sin_cos(self) -> (Big, Big) {
+        let Some(x) = self.long() else { return (UNDECIDED, UNDECIDED) };
+        let (s, c) = x.sin_cos();
+        REGION.with_borrow_mut(|r| (push(r, s), push(r, c)))
+    }
+
+    fn sin_cos_degrees(self) -> (Big, Big) {
+        let quarter = libm::rint(libm::fmod(self.approx(), 360.0) / 90.0);
+        let turns = libm::trunc(self.approx() / 360.0);
+        let rest = self - Big::from_f64(360.0 * turns) - Big::from_f64(90.0 * quarter);
+        let exactly = |d: f64| rest == Big::from_f64(d);
+        let root = |x: f64| Big::from_f64(x).sqrt();
+        let half = Big::from_f64(0.5);
+        let (s, c) = if exactly(30.0) {
+            (half, root(3.0) * half)
+        } else if exactly(-30.0) {
+            (-half, root(3.0) * half)
+        } else if exactly(45.0) {
+            (root(0.5), root(0.5))
+        } else if exactly(-45.0) {
+            (-root(0.5), root(0.5))
+        } else {
+            (rest * Big::pi() / Big::from_f64(180.0)).sin_cos()
+        };
+        super::quarter_turns(quarter, s, c)
+    }
+
+    fn atan2(self, x: Big) -> Big {
+        let rough = libm::atan2(self.approx(), x.approx());
+        if !rough.is_finite() || (self.approx() == 0.0 && x.approx() == 0.0) {
+            return UNDECIDED;
+        }
+        // Turned back by the rough angle the vector points along x but for t ≈ 1e-16: atan t = t − t³/3 + t⁵/5 − ...
+        let (s, c) = Big::from_f64(rough).sin_cos();
+        let t = (self * c - x * s) / (x * c + self * s);
+        let (square, mut power, mut angle) = (t * t, t, Big::from_f64(rough));
+        // Each term brings another 100 bits.
+        for k in 0..=bits() / 100 {
+            let term = power / Big::from_f64((2 * k + 1) as f64);
+            angle = if k % 2 == 0 { angle + term } else { angle - term };
+            power = power * square;
+        }
+        angle
+    }
+
+    fn pow(self, exponent: Big) -> Big {
+        super::whole_power(self, exponent)
+            .unwrap_or_else(|| self.binary(exponent, |x, y, _| (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.powf(y))))
+    }
+
+    fn pi() -> Big {
+        REGION.with_borrow_mut(|r| {
+            let bits = r.bits;
+            let pi = r.pi.get_or_insert_with(|| Long::pi(bits)).clone();
+            push(r, pi)
+        })
+    }
+}

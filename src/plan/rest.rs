@@ -1,0 +1,87 @@
+//! What stands still at the instant because a driver is given the rate 0.
+//!
+//! Such terms are written, with the magnitude 0, for the next instant they will count; the drawing board does not lay them
+//! off. Whether a driver is at rest is part of the question, as whether it has an acceleration, and no matter of size: only
+//! the rate 0 as it is written counts.
+
+use super::{Body, By, Plan, Term, TermKind};
+use crate::mechanism::{Level, Mechanism};
+use crate::scene::{Driver, DriverKind, GuidePath, Scene};
+
+/// What is at rest.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rest {
+    /// For each driver, whether its rate is 0.
+    pub drivers: Vec<bool>,
+    /// For each link, whether it does not turn: for topological reasons, or because its driver is at rest.
+    pub links: Vec<bool>,
+}
+
+fn is_held(d: &Driver) -> bool {
+    d.rate.value == 0.0
+}
+
+impl Rest {
+    /// What is at rest in a scene.
+    pub fn of(scene: &Scene, m: &Mechanism) -> Rest {
+        let drivers: Vec<bool> = scene.drivers.iter().map(is_held).collect();
+        let mut links = m.never_turns.clone();
+        if drivers.iter().all(|held| *held) {
+            links.fill(true);
+        } else if drivers.contains(&true) {
+            while spread(scene, &drivers, &mut links) {}
+        }
+        Rest { drivers, links }
+    }
+
+    /// Whether no driver moves, so that nothing does.
+    pub fn is_all(&self) -> bool {
+        self.drivers.iter().all(|held| *held)
+    }
+}
+
+/// Rest goes from link to link over drivers at rest and over sliders that keep their direction.
+fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
+    let turns = scene.drivers.iter().zip(drivers).filter_map(|(d, held)| match d.kind {
+        DriverKind::Turn { link, against, .. } if *held => Some((link, against)),
+        _ => None,
+    });
+    let sliders = scene.guides.iter().filter_map(|g| match g.path {
+        GuidePath::Line { .. } => g.slider.map(|s| (s, g.on)),
+        GuidePath::Arc { .. } => None,
+    });
+    let mut more = false;
+    for (a, b) in turns.chain(sliders) {
+        if links[a.0] != links[b.0] {
+            (links[a.0], links[b.0], more) = (true, true, true);
+        }
+    }
+    more
+}
+
+impl Plan {
+    /// Whether a term vanishes at the instant because a driver is at rest.
+    pub fn vanishes(&self, scene: &Scene, level: Level, t: &Term) -> bool {
+        let rest = &self.rest;
+        if rest.is_all() {
+            return level == Level::Velocity || matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis);
+        }
+        // What is found by the drawing may come out as nothing, but is not known to.
+        if !t.known {
+            return false;
+        }
+        let still = |body: Body| matches!(body, Body::Link(l) if rest.links[l.0]);
+        match (t.kind, t.by) {
+            (TermKind::Relative | TermKind::Normal, By::Turning(body)) => still(body),
+            (TermKind::Coriolis, By::Guide { guide, driver }) => {
+                rest.links[scene.guides[guide.0].on.0] || driver.is_some_and(|d| rest.drivers[d])
+            }
+            (TermKind::SlideNormal, By::Guide { driver, .. }) => driver.is_some_and(|d| rest.drivers[d]),
+            (TermKind::Coriolis, By::Cylinder(d)) => rest.drivers[d],
+            (TermKind::Slide, By::Guide { driver: Some(d), .. }) | (TermKind::Extension, By::Cylinder(d)) => {
+                level == Level::Velocity && rest.drivers[d]
+            }
+            _ => false,
+        }
+    }
+}
