@@ -34,7 +34,7 @@
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
-//! - [`analytic`]: constraint rows, Jacobian, conditioning. Knows neither plan nor paper.
+//! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
 //!   true, and what a pencil makes of the drawing; [`effort`]: what was done for it.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.

@@ -85,18 +85,37 @@ pub struct Outcome {
     pub agreement: Option<Agreement>,
     /// The size (SI) of what it is measured against: the largest vector or rate of its kind, for positions the mechanism.
     pub scale: f64,
+    /// The answer on the other motion through each change point of the pose (see [`analytic::Singularity::other`]); empty
+    /// for positions and in every other pose.
+    pub others: Vec<Value>,
+    /// A value of no more than this (SI) cannot be told from zero.
+    pub noise: f64,
+    /// Where the answer comes from the next order of the loop equations, because the pose is singular: how many of its
+    /// digits are true.
+    pub next_order: Option<usize>,
 }
 
 impl Outcome {
     /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
     pub fn value(&self) -> Value {
-        let value = self.drawn.as_ref().map_or(self.computed, |a| a.value);
-        match (value, self.agreement) {
-            (Value::Vector(_), Some(a)) if value.magnitude() <= a.noise => Value::Vector(crate::geom::Vec2::ZERO),
-            (Value::Scalar(_), Some(a)) if value.magnitude() <= a.noise => Value::Scalar(0.0),
-            _ => value,
-        }
+        above(self.noise, self.drawn.as_ref().map_or(self.computed, |a| a.value))
     }
+}
+
+/// The value, or zero where it is no more than `noise`.
+fn above(noise: f64, value: Value) -> Value {
+    match value {
+        _ if value.magnitude() > noise => value,
+        Value::Vector(_) => Value::Vector(crate::geom::Vec2::ZERO),
+        Value::Scalar(_) => Value::Scalar(0.0),
+    }
+}
+
+/// What cannot be told from zero in a solution of which nothing was drawn, relative to the largest of its kind: rounding, and
+/// how far the pose is from the singular one for which it was solved.
+fn blur_of(pose: &Solution) -> f64 {
+    let off = pose.singular.iter().map(|s| s.off).fold(0.0, f64::max);
+    crate::accuracy::ROUNDING + 16.0 * off
 }
 
 /// Works a scene through.
@@ -112,9 +131,11 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let placed = position::configure(scene, &mechanism, &demand)?;
     let configuration = placed.value;
     notes.extend(placed.notes);
-    let plan = plan::plan(scene, &mechanism, &demand);
-    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
     let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
+    notes.extend(solution.notes.iter().cloned());
+    let plan = plan::plan_without(scene, &mechanism, &demand, &singular_groups(&mechanism, &solution));
+    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
+    let blur = blur_of(&solution);
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
     let mut results = Vec::new();
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
@@ -133,7 +154,20 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
                 Some(compare(d.value, computed, scale, worst))
             }
         };
-        results.push(Outcome { find: i, drawn, computed, agreement, scale });
+        let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
+        let noise = match (level, agreement) {
+            (Level::Position, _) => 0.0,
+            (_, Some(a)) => a.noise,
+            (_, None) => noise_of(&solution, &computed),
+        };
+        let mut others = Vec::new();
+        for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
+            let value = evaluate(scene, &configuration, other, &find.what);
+            others.extend(value.map(|v| above(noise_of(other, &v), v)));
+        }
+        let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
+        let next_order = by_next_order.then(|| (-libm::log10(blur)).floor().max(1.0) as usize);
+        results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order });
     }
 
     let mut worked =
@@ -143,6 +177,18 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     worked.bad_angles = bad_angles;
     Ok(Warned { value: worked, notes })
+}
+
+/// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
+fn singular_groups(m: &Mechanism, solution: &Solution) -> Vec<usize> {
+    let mut groups: Vec<usize> = Vec::new();
+    for s in &solution.singular {
+        groups.extend(s.links.iter().filter_map(|l| m.group_of_link[l.0]));
+        groups.extend(s.pins.iter().filter_map(|p| m.group_of_pin[p.0]));
+    }
+    groups.sort_unstable();
+    groups.dedup();
+    groups
 }
 
 /// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers

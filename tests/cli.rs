@@ -88,6 +88,30 @@ fn unknown_template_and_parameter_are_told_with_the_nearest_name() {
     assert!(text(&run.get_output().stderr).contains("NAME=VALUE"));
 }
 
+/// A parallelogram in line: answered, with the other motion beside it, and drawn as far as lines cross.
+#[test]
+fn a_change_point_is_answered_and_drawn() {
+    let out = tempfile::tempdir().unwrap();
+    let scene = out.path().join("in-line.json");
+    hodograph().args(["new", "parallelogram", "--set", "phi_1=0", "-o"]).arg(&scene).assert().success();
+    let run = hodograph().args(["solve", "--json"]).arg(&scene).assert().success();
+    let json: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    assert_eq!(json["singular"][0]["kind"], "change-point");
+    assert_eq!(json["singular"][0]["decided"], "side");
+    assert_eq!(json["singular"][0]["links"], serde_json::json!(["1", "2", "3"]));
+    assert!(json["condition"].is_null());
+    let answer = |find: &str| json["answers"].as_array().unwrap().iter().find(|a| a["find"] == find).unwrap().clone();
+    assert!((answer("omega_3")["value"]["value"].as_f64().unwrap() - 6.0).abs() < 1e-12);
+    assert_eq!(answer("omega_2")["value"]["value"], 0.0);
+    // Crank 150, coupler 300: the antiparallelogram's rocker turns at (1 + 2)/(1 − 2) times the crank's rate.
+    assert!((answer("omega_3")["others"][0]["value"].as_f64().unwrap() + 18.0).abs() < 1e-12);
+    let said = text(&hodograph().args(["draw", "-o"]).arg(out.path()).arg(&scene).assert().success().get_output().stderr);
+    assert!(said.contains("change-point") && said.contains("link 2 (BC)"), "{said}");
+    let svg = std::fs::read_to_string(out.path().join("in-line.svg")).unwrap();
+    assert!(svg.contains("Change point of links"), "the sheet says what is singular");
+    hodograph().arg("plan").arg(&scene).assert().success();
+}
+
 #[test]
 fn help_names_every_command() {
     let help = text(&hodograph().arg("--help").assert().success().get_output().stdout);

@@ -27,6 +27,9 @@ const WELL_CONDITIONED: f64 = 1e-11;
 /// Units in the last place that a handful of operations per step may lose, before the crossings magnify them.
 const STEPS: f64 = 32.0;
 
+/// What those operations make of a value, relative to the largest of its kind: less than that cannot be told from zero.
+pub const ROUNDING: f64 = STEPS * f64::EPSILON;
+
 /// Compares two values of one question.
 ///
 /// `scale` is the largest vector (or rate) of its level; `magnification` is by how much the worst crossing magnifies
@@ -39,7 +42,7 @@ pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) ->
     };
     let reference = size.max(scale * 1e-3);
     let difference = if difference == 0.0 { 0.0 } else { difference / reference };
-    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: STEPS * f64::EPSILON * scale }
+    Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: ROUNDING * scale }
 }
 
 #[cfg(test)]

@@ -140,6 +140,8 @@ pub enum Why {
     Tie,
     /// The links whose equations may be singular.
     Singular(String),
+    /// The pose is singular, and the answer from the next order of the loop equations: in `f64` only, true to so many digits.
+    NextOrder(usize),
     /// It has no value in this pose.
     NoValue,
     /// The position solver's own words.
@@ -156,6 +158,8 @@ impl Why {
             (Why::Tie, Lang::Zh) => "下一位恰在舍入分界上，或数值与零无法区分".into(),
             (Why::Singular(links), Lang::En) => format!("the equations of links {links} may be singular in this pose"),
             (Why::Singular(links), Lang::Zh) => format!("构件{links}的方程在该位置可能奇异"),
+            (Why::NextOrder(_), Lang::En) => "singular pose, from the next order of the loop equations".into(),
+            (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
             (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
             (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
             (Why::Refused(d), Lang::En) => d.message.clone(),
@@ -168,6 +172,15 @@ impl Certified {
     /// One of its numbers.
     pub fn part(&self, part: Part) -> Option<&Number> {
         self.parts.iter().find(|(p, _)| *p == part).map(|(_, n)| n)
+    }
+
+    /// To how many digits the `f64` value is printed where nothing is certified: roughly, or as far as the next order of the
+    /// loop equations is known to be true.
+    pub fn rough_digits(&self, digits: usize) -> (usize, bool) {
+        match self.why {
+            Some(Why::NextOrder(known)) => (digits.min(known), true),
+            _ => (2, false),
+        }
     }
 
     /// How many numbers of it a reader sees certified.
@@ -185,6 +198,12 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     let digits = digits.clamp(1, MOST_DIGITS);
     let mut out: Vec<Certified> =
         worked.results.iter().map(|_| Certified { rung: Rung::Double, parts: Vec::new(), why: Some(Why::NoValue) }).collect();
+    // What the pose leaves singular no longer number mends, and where it is singular within the rounding of its lengths only
+    // the ladder would tell the motion of another pose.
+    for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
+        c.why = Some(Why::NextOrder(known));
+    }
+    let open = |c: &Certified| !matches!(c.why, None | Some(Why::NextOrder(_)));
     for rung in Rung::LADDER {
         let last = rung == Rung::LADDER[Rung::LADDER.len() - 1];
         let seen = match rung {
@@ -192,7 +211,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
             Rung::DoubleDouble => look::<Ball<Dd>>(scene, worked, digits),
             Rung::Long(bits) => within(bits, || look::<Ball<Big>>(scene, worked, digits)),
         };
-        for (i, c) in out.iter_mut().enumerate().filter(|(_, c)| c.why.is_some()) {
+        for (i, c) in out.iter_mut().enumerate().filter(|(_, c)| open(c)) {
             c.rung = rung;
             match &seen {
                 Ok(answers) => match &answers[i] {
@@ -209,7 +228,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
                 Err(d) => c.why = Some(Why::Refused(d.clone())),
             }
         }
-        if out.iter().all(|c| c.why.is_none()) {
+        if !out.iter().any(open) {
             break;
         }
         // What no longer number mends.

@@ -10,7 +10,7 @@ pub mod toggle;
 pub mod truth;
 pub mod ways;
 
-pub use agreement::{Agreement, compare};
+pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
 pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, drafting};
 pub use ladder::{Certified, certify};

@@ -7,7 +7,19 @@
 //! # Source
 //! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 3.
 
+mod blocks;
+mod factor;
+mod fork;
+mod jet;
+mod pose;
+mod relation;
 mod rows;
+mod series;
+mod singular;
+mod words;
+
+pub use fork::Decided;
+pub use pose::{SingularKind, Singularity};
 
 use crate::answer::Source;
 use crate::diag::{Diagnostic, Faults};
@@ -16,6 +28,8 @@ use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::position::Configuration;
 use crate::scene::{DriverKind, LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
+use pose::Pose;
+use singular::Blocks;
 
 /// Velocities and accelerations of all links that the demand reaches, each as far as it is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +43,12 @@ pub struct Solution {
     points: Vec<Option<crate::geom::Point>>,
     origins: Vec<Option<crate::geom::Point>>,
     ground: LinkId,
-    /// Estimated condition number of the scaled Jacobian (1-norm).
+    /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
     pub condition: f64,
+    /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
+    pub singular: Vec<Singularity>,
+    /// What the reader should know of the pose.
+    pub notes: Vec<Diagnostic>,
     /// Number of unknowns solved for, at velocity and at acceleration level.
     pub size: [usize; 2],
 }
@@ -48,8 +66,15 @@ struct LinkMotion {
 
 /// Solves the loop equations of everything the demand reaches: accelerations only of what is wanted so far.
 ///
+/// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
+/// on the way that is meant, a driver at its limit by the way back.
+///
 /// # Errors
-/// A singular Jacobian: the pose does not determine the velocities.
+/// - `dead-centre`: the drivers cannot move the links through the pose, velocities are unbounded;
+/// - `locked`: the pose can be assembled but not left as asked;
+/// - `undetermined`: links can move while the drivers stand; `singular`: more than one freedom is open;
+/// - `acceleration-undetermined`: velocities are finite, accelerations are not;
+/// - `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
@@ -59,6 +84,8 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         origins: Vec::new(),
         ground: scene.ground,
         condition: 1.0,
+        singular: Vec::new(),
+        notes: Vec::new(),
         size: [0; 2],
     };
     solution.links[scene.ground.0] = Some(LinkMotion { v: Vec2::ZERO, omega: 0.0, second: Some((Vec2::ZERO, 0.0)) });
@@ -71,32 +98,44 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         let system = System::new(scene, at, &layout)?;
         solution.condition = system.condition;
         solution.size[0] = layout.unknowns;
+        if system.condition > SUSPECT || system.condition.is_nan() {
+            let pose = Pose { scene, at, demand, layout: &layout };
+            let rounding = layout.rounding(at);
+            let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
+            if blocks.singular() {
+                return pose.singular(&system.rows, &blocks, solution).map_err(Faults::from);
+            }
+            solution.notes.extend(pose.near_singular(&system.rows, &blocks, rounding, system.condition));
+        }
         let rhs = DVector::from_iterator(layout.unknowns, system.rows.iter().map(|r| r.rate));
-        let rates = system.solve(&rhs).ok_or_else(|| singular(scene, &layout))?;
+        let rates = system.solve(&rhs).ok_or_else(|| overflow(scene, &layout))?;
         layout.unpack_rates(&rates, &mut solution);
         if layout.second {
-            let gamma = system.gamma(&rates).and_then(|gamma| system.solve(&gamma));
-            layout.unpack_accelerations(&gamma.ok_or_else(|| singular(scene, &layout))?, &mut solution);
+            let gamma = system.solve(&system.gamma(&rates));
+            layout.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &layout))?, &mut solution);
             solution.size[1] = layout.unknowns;
         } else if demand.level >= Level::Acceleration {
             // What only its velocity is wanted of takes no part in the second system.
             let part = rows::Layout::new(scene, m, at, demand, Level::Acceleration);
             if part.unknowns > 0 {
                 let system = System::new(scene, at, &part)?;
-                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.gamma(&q)).and_then(|g| system.solve(&g));
-                part.unpack_accelerations(&gamma.ok_or_else(|| singular(scene, &part))?, &mut solution);
+                let gamma = part.rates_from(scene, at, &layout, &rates).and_then(|q| system.solve(&system.gamma(&q)));
+                part.unpack_accelerations(&gamma.ok_or_else(|| overflow(scene, &part))?, &mut solution);
                 solution.size[1] = part.unknowns;
             }
         }
     }
-    solution.origins = layout.origins;
-    solution.home = [false, true].map(|second| solution.homes(scene, second));
+    solution.settle(scene, &layout);
     Ok(solution)
 }
 
+/// Above this condition number the blocks are looked at one by one: below it, double precision leaves ten digits even where
+/// it counts twice (a pose by lengths near its limit), which is more than is printed.
+const SUSPECT: f64 = 1e4;
+
 /// The rows of a layout and its decomposed Jacobian.
 struct System {
-    rows: Vec<rows::Row>,
+    rows: Vec<relation::Row>,
     jacobian: DMatrix<f64>,
     lu: LU<f64, Dyn, Dyn>,
     condition: f64,
@@ -104,7 +143,7 @@ struct System {
 
 impl System {
     /// # Errors
-    /// A singular Jacobian.
+    /// Not as many rows as unknowns.
     fn new(scene: &Scene, at: &Configuration, layout: &rows::Layout) -> Result<System, Faults> {
         let n = layout.unknowns;
         let rows = layout.rows(scene, at);
@@ -119,10 +158,6 @@ impl System {
         }
         let lu = jacobian.clone().lu();
         let condition = one_norm(&jacobian) * inverse_one_norm(&lu, n);
-        // Beyond 1/ε the matrix cannot be told from a singular one in double precision.
-        if !condition.is_finite() || condition > 0.25 / f64::EPSILON {
-            return Err(singular(scene, layout).into());
-        }
         Ok(System { rows, jacobian, lu, condition })
     }
 
@@ -131,9 +166,8 @@ impl System {
     }
 
     /// The right-hand side of the accelerations at the given rates.
-    fn gamma(&self, rates: &DVector<f64>) -> Option<DVector<f64>> {
-        let values: Option<Vec<f64>> = self.rows.iter().map(|r| r.acceleration(rates)).collect();
-        values.map(DVector::from_vec)
+    fn gamma(&self, rates: &DVector<f64>) -> DVector<f64> {
+        DVector::from_iterator(self.rows.len(), self.rows.iter().map(|r| r.acceleration(rates)))
     }
 }
 
@@ -181,16 +215,32 @@ fn refined(a: &DMatrix<f64>, lu: &LU<f64, Dyn, Dyn>, b: &DVector<f64>) -> Option
     x.iter().all(|v| v.is_finite()).then_some(x)
 }
 
-fn singular(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
+fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
-    Diagnostic::error(
-        "singular",
-        format!("the loop equations of links {} are singular in this pose: the driver does not determine the motion", names.join(", ")),
-    )
-    .help("it is a dead centre or a change point: choose another pose, or drive another link")
+    Diagnostic::error("overflow", format!("the numbers of links {} are too large or too small to be solved", names.join(", ")))
 }
 
 impl Solution {
+    /// Remembers where the links' vectors are counted from, and by which link each point is looked up.
+    fn settle(&mut self, scene: &Scene, layout: &rows::Layout) {
+        self.origins.clone_from(&layout.origins);
+        self.home = [false, true].map(|second| self.homes(scene, second));
+    }
+
+    /// The largest vector (m/s, m/s²) or the largest turning (rad/s, rad/s²) of a level among all links, for accelerations
+    /// the normal ones included: what a small answer is judged by where nothing was drawn.
+    pub fn largest(&self, level: Level, turning: bool) -> f64 {
+        let moving = || self.links.iter().flatten();
+        let acceleration = level == Level::Acceleration;
+        if turning {
+            let of = |m: &LinkMotion| if acceleration { m.second.map_or(0.0, |s| s.1.abs()).max(m.omega * m.omega) } else { m.omega.abs() };
+            return moving().map(of).fold(0.0, f64::max);
+        }
+        let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
+        let of_links = moving().map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
+        of_points.chain(of_links).fold(0.0, f64::max)
+    }
+
     fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {
         let mut home = vec![None; scene.points.len()];
         for (l, motion) in self.links.iter().enumerate() {

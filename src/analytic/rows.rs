@@ -2,75 +2,14 @@
 //!
 //! Lengths are divided by a power of two near the size of the mechanism, so that rows of lengths and of angles compare,
 //! and so that scaling the scene by 2^k changes no digit.
-//!
-//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
 
+use super::relation::{Handle, Pair, Relation, Row};
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::DVector;
-
-/// One equation.
-pub(super) struct Row {
-    /// (unknown, coefficient); an unknown may occur twice.
-    pub coefficients: Vec<(usize, f64)>,
-    /// Right-hand side of the velocity equation.
-    pub rate: f64,
-    /// Right-hand side of the acceleration equation, given the solved rates; only where accelerations are called for.
-    gamma: Option<Gamma>,
-}
-
-/// γ as a function of the rates.
-type Gamma = Box<dyn Fn(&DVector<f64>) -> f64>;
-
-impl Row {
-    /// γ at the solved rates; `None` in a layout that goes no further than velocities.
-    pub fn acceleration(&self, rates: &DVector<f64>) -> Option<f64> {
-        self.gamma.as_ref().map(|gamma| gamma(rates))
-    }
-}
-
-/// A point of a body, as a function of the unknowns: v = v₀ + ω r⊥.
-#[derive(Clone, Copy)]
-struct Handle {
-    /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
-    first: Option<usize>,
-    turns: bool,
-    /// From the body's origin.
-    r: Vec2,
-}
-
-impl Handle {
-    /// Adds k·v to a row.
-    fn add(&self, row: &mut Vec<(usize, f64)>, k: Vec2) {
-        let Some(i) = self.first else { return };
-        row.push((i, k.x));
-        row.push((i + 1, k.y));
-        if self.turns {
-            row.push((i + 2, k.dot(self.r.perp())));
-        }
-    }
-
-    fn omega(&self, q: &DVector<f64>) -> f64 {
-        match self.first {
-            Some(i) if self.turns => q[i + 2],
-            _ => 0.0,
-        }
-    }
-
-    fn velocity(&self, q: &DVector<f64>) -> Vec2 {
-        let Some(i) = self.first else { return Vec2::ZERO };
-        Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
-    }
-
-    /// The part of the acceleration that is not linear in q̈: −ω² r.
-    fn bias(&self, q: &DVector<f64>) -> Vec2 {
-        let w = self.omega(q);
-        self.r * -(w * w)
-    }
-}
 
 /// The unknowns of one level: the links and pins that the demand reaches there.
 pub(super) struct Layout {
@@ -79,7 +18,7 @@ pub(super) struct Layout {
     pub unknowns: usize,
     /// For each link of the scene its place among the unknown ones.
     index: Vec<Option<usize>>,
-    /// Whether everything here is wanted up to its acceleration, so that the rows carry γ.
+    /// Whether everything here is wanted up to its acceleration.
     pub second: bool,
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
@@ -119,11 +58,6 @@ impl Layout {
         Layout { links, bare, unknowns, index, second, origins, scale }
     }
 
-    /// γ of a row, made only where it is called for.
-    fn second(&self, gamma: impl Fn(&DVector<f64>) -> f64 + 'static) -> Option<Gamma> {
-        self.second.then(|| Box::new(gamma) as Gamma)
-    }
-
     /// The rates of this layout's unknowns, from those of a layout that holds more.
     pub fn rates_from(&self, scene: &Scene, at: &Configuration, whole: &Layout, rates: &DVector<f64>) -> Option<DVector<f64>> {
         let mut out = Vec::with_capacity(self.unknowns);
@@ -145,6 +79,22 @@ impl Layout {
         }
         let i = self.index[l.0]?;
         Some(Handle { first: Some(3 * i), turns: true, r: (p - self.origins[l.0]?) * self.scale })
+    }
+
+    /// The link of an unknown; `None` for one of a bare pin.
+    pub fn link_of(&self, unknown: usize) -> Option<LinkId> {
+        self.links.get(unknown / 3).copied()
+    }
+
+    /// The bare pin of an unknown.
+    pub fn bare_of(&self, unknown: usize) -> Option<PointId> {
+        self.bare.get(unknown.checked_sub(3 * self.links.len())? / 2).copied()
+    }
+
+    /// The relative rounding of the coefficients: arms are differences of places, which are rounded where they are.
+    pub fn rounding(&self, at: &Configuration) -> f64 {
+        let far = at.points.iter().flatten().map(|p| p.x.abs().max(p.y.abs())).fold(0.0, f64::max);
+        f64::EPSILON * (far * self.scale).max(1.0)
     }
 
     /// The moving thing at a pin: a link that carries it, or the bare pin.
@@ -185,13 +135,13 @@ impl Layout {
                 let mut c = Vec::new();
                 a.add(&mut c, k);
                 b.add(&mut c, -k);
-                rows.push(Row { coefficients: c, rate: 0.0, gamma: self.second(move |q| k.dot(b.bias(q) - a.bias(q))) });
+                rows.push(Row { coefficients: c, rate: 0.0, relation: Relation::Meet { p: a, q: b, k }, of: Pair::Pin(p) });
             }
         }
     }
 
     /// ω_a − ω_b = rate.
-    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, rate: f64, acceleration: f64) -> Option<Row> {
+    fn lock(&self, scene: &Scene, a: LinkId, b: LinkId, drive: [f64; 2], of: Pair) -> Option<Row> {
         let (ha, hb) = (self.body(scene, a, Point::ORIGIN)?, self.body(scene, b, Point::ORIGIN)?);
         let mut c = Vec::new();
         if let Some(i) = ha.first {
@@ -200,21 +150,21 @@ impl Layout {
         if let Some(i) = hb.first {
             c.push((i + 2, -1.0));
         }
-        Some(Row { coefficients: c, rate, gamma: self.second(move |_| acceleration) })
+        Some(Row { coefficients: c, rate: drive[0], relation: Relation::Turn { a: ha, b: hb, drive }, of })
     }
 
     fn guide(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
         let guide = &scene.guides[g.0];
         let Some(path) = at.guides[g.0] else { return };
         if let (Some(s), Path::Line { .. }) = (guide.slider, path)
-            && let Some(row) = self.lock(scene, s, guide.on, 0.0, 0.0)
+            && let Some(row) = self.lock(scene, s, guide.on, [0.0; 2], Pair::Guide(g))
             && self.links.contains(&s) | self.links.contains(&guide.on)
         {
             rows.push(row);
         }
         if let (Some(s), Path::Arc { .. }, Some(p)) = (guide.slider, path, guide.pin) {
             // A block in a curved slot turns with the radius to its pin.
-            self.block_on_arc(scene, at, s, p, path, guide.on, rows);
+            self.block_on_arc(scene, at, (s, g), p, path, rows);
         }
         let runner = match guide.pin {
             Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
@@ -231,77 +181,59 @@ impl Layout {
                     return;
                 }
                 // n·(P − Q) = const, n and Q fixed in the carrier.
-                rows.push(self.projection(runner, carrier, direction.perp(), place - through, 0.0, 0.0));
+                rows.push(self.projection(runner, carrier, direction.perp(), place - through, [0.0; 2], Pair::Guide(g)));
             }
             Path::Arc { centre, .. } => {
                 let Some(carrier) = self.body(scene, guide.on, centre) else { return };
-                rows.push(self.distance(runner, carrier, place - centre, 0.0, 0.0));
+                rows.push(self.distance(runner, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
             }
         }
     }
 
-    /// k·(P − Q) = s(t) with k fixed in the body of Q: the row for its first and second derivative.
-    ///
-    /// d/dt: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ. d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
-    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, rate: f64, acceleration: f64) -> Row {
+    /// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
+    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let arm = arm * self.scale;
-        let turned = k.perp();
         let mut c = Vec::new();
         p.add(&mut c, k);
         q.add(&mut c, -k);
         if let (Some(i), true) = (q.first, q.turns) {
-            c.push((i + 2, turned.dot(arm)));
+            c.push((i + 2, k.perp().dot(arm)));
         }
-        let gamma = move |x: &DVector<f64>| {
-            let w = q.omega(x);
-            acceleration - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * turned.dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
-        };
-        Row { coefficients: c, rate, gamma: self.second(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Along { p, q, k, arm, drive }, of }
     }
 
-    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇, d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈; divided by l.
-    fn distance(&self, p: Handle, q: Handle, d: Vec2, rate: f64, acceleration: f64) -> Row {
+    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
+    fn distance(&self, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let d = d * self.scale;
-        let l = d.norm();
-        let u = d * (1.0 / l);
+        let u = d * (1.0 / d.norm());
         let mut c = Vec::new();
         p.add(&mut c, u);
         q.add(&mut c, -u);
-        let gamma = move |x: &DVector<f64>| {
-            let v = p.velocity(x) - q.velocity(x);
-            acceleration - u.dot(p.bias(x) - q.bias(x)) + (rate * rate - v.norm2()) / l
-        };
-        Row { coefficients: c, rate, gamma: self.second(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
     }
 
-    /// Turning of the line Q→P against which a body is held: ω_body l² = d × (v_P − v_Q), and its derivative
-    /// α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
-    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2) -> Row {
+    /// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
+    /// (ω_body + ψ̇) l² = d × (v_P − v_Q).
+    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
         let d = d * self.scale;
-        let l2 = d.norm2();
-        let k = d.perp() * (1.0 / l2);
+        let k = d.perp() * (1.0 / d.norm2());
         let mut c = Vec::new();
         p.add(&mut c, k);
         q.add(&mut c, -k);
         if let Some(i) = body.first {
             c.push((i + 2, -1.0));
         }
-        let gamma = move |x: &DVector<f64>| {
-            let v = p.velocity(x) - q.velocity(x);
-            2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x))
-        };
-        Row { coefficients: c, rate: 0.0, gamma: self.second(gamma) }
+        Row { coefficients: c, rate: drive[0], relation: Relation::Line { body, p, q, d, drive }, of }
     }
 
-    #[allow(clippy::too_many_arguments)] // a block, its pin, its path and carrier: none of them belongs together elsewhere
-    fn block_on_arc(&self, scene: &Scene, at: &Configuration, s: LinkId, p: PointId, path: Path, on: LinkId, rows: &mut Vec<Row>) {
+    fn block_on_arc(&self, scene: &Scene, at: &Configuration, (s, g): (LinkId, GuideId), p: PointId, path: Path, rows: &mut Vec<Row>) {
         let Path::Arc { centre, .. } = path else { return };
         let Some(place) = at.points[p.0] else { return };
         if let (Some(body), Some(pin), Some(carrier)) =
-            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, on, centre))
+            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, scene.guides[g.0].on, centre))
             && self.links.contains(&s)
         {
-            rows.push(self.along_line(body, pin, carrier, place - centre));
+            rows.push(self.along_line(body, pin, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
         }
     }
 
@@ -311,7 +243,7 @@ impl Layout {
         match &driver.kind {
             DriverKind::Turn { link, against, .. } => {
                 if self.links.contains(link) || self.links.contains(against) {
-                    rows.extend(self.lock(scene, *link, *against, rate, acceleration));
+                    rows.extend(self.lock(scene, *link, *against, [rate, acceleration], Pair::Driver(d)));
                 }
             }
             DriverKind::Slide { guide, .. } => {
@@ -329,24 +261,23 @@ impl Layout {
                     Path::Line { through, direction } => {
                         let Some(carrier) = self.body(scene, g.on, through) else { return };
                         if runner.first.is_some() || carrier.first.is_some() {
-                            rows.push(self.projection(runner, carrier, direction, place - through, rate, acceleration));
+                            rows.push(self.projection(runner, carrier, direction, place - through, [rate, acceleration], Pair::Driver(d)));
                         }
                     }
                     Path::Arc { centre, radius } => {
                         // s = ρ (angle of the radius − angle of the carrier).
                         let Some(carrier) = self.body(scene, g.on, centre) else { return };
-                        let mut row = self.along_line(carrier, runner, carrier, place - centre);
                         let rho = radius * self.scale;
-                        row.rate = rate / rho;
-                        row.gamma = row.gamma.map(|inner| Box::new(move |x: &DVector<f64>| inner(x) + acceleration / rho) as Gamma);
-                        rows.push(row);
+                        let drive = [rate / rho, acceleration / rho];
+                        rows.push(self.along_line(carrier, runner, carrier, place - centre, drive, Pair::Driver(d)));
                     }
                 }
             }
             DriverKind::Cylinder { a, b, links, .. } => {
                 let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
                 let (Some(ha), Some(hb)) = (self.pin(scene, *a, pa), self.pin(scene, *b, pb)) else { return };
-                rows.push(self.distance(hb, ha, pb - pa, rate * self.scale, acceleration * self.scale));
+                let drive = [rate * self.scale, acceleration * self.scale];
+                rows.push(self.distance(hb, ha, pb - pa, drive, Pair::Driver(d)));
                 for (i, l) in links.iter().enumerate() {
                     // Barrel and rod: each sits on its end and turns with the line.
                     let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
@@ -358,17 +289,27 @@ impl Layout {
                                 let mut c = Vec::new();
                                 body.add(&mut c, k);
                                 end.add(&mut c, -k);
-                                rows.push(Row {
-                                    coefficients: c,
-                                    rate: 0.0,
-                                    gamma: self.second(move |q| k.dot(end.bias(q) - body.bias(q))),
-                                });
+                                let relation = Relation::Meet { p: body, q: end, k };
+                                rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
                             }
                         }
-                        rows.push(self.along_line(body, hb, ha, pb - pa));
+                        rows.push(self.along_line(body, hb, ha, pb - pa, [0.0; 2], Pair::Driver(d)));
                     }
                 }
             }
+        }
+    }
+
+    /// Takes out of a solution the links and pins whose unknowns are not solved.
+    pub fn keep(&self, solved: impl Fn(usize) -> bool, out: &mut Solution) {
+        for (i, l) in self.links.iter().enumerate() {
+            if !(0..3).all(|k| solved(3 * i + k)) {
+                out.links[l.0] = None;
+            }
+        }
+        let first = 3 * self.links.len();
+        for bare in &mut out.bare {
+            bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| (0..2).all(|k| solved(first + 2 * i + k))));
         }
     }
 

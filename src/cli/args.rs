@@ -22,7 +22,7 @@ pub struct Args {
 pub enum Command {
     /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG and PNG)
     Draw(Draw),
-    /// Answer the scene's questions: values, units, senses, drawing against analysis
+    /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
     Solve(Solve),
     /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
     Plan(Plan),

@@ -1,20 +1,23 @@
-//! What a sheet says of its own worth: crossings under a bad angle with what helps, and what its tolerances are.
+//! What a sheet says of its own worth: crossings under a bad angle with what helps, what its tolerances are, and what is
+//! singular in its pose.
 
 use crate::accuracy::BadAngle;
+use crate::analytic::SingularKind;
 use crate::mechanism::Core;
 use crate::plan::text::{point_label, vertex_name};
 use crate::quantity::{shortest, significant};
 use crate::report::phrase::Phrase;
 use crate::scene::Scene;
-use crate::worked::Worked;
+use crate::worked::{Outcome, Worked};
 
-use super::results::number;
+use super::results::{Answers, amount, number, sense, symbol};
 use super::tables::constraint_line;
 use super::words::Words;
 
 /// The remarks, one a line.
-pub(super) fn remarks(scene: &Scene, worked: &Worked, words: &Words) -> Vec<Phrase> {
-    let mut lines = Vec::new();
+pub(super) fn remarks(answers: &Answers) -> Vec<Phrase> {
+    let Answers { scene, worked, words, .. } = *answers;
+    let mut lines = singular(answers);
     if let Some(d) = &worked.drafting {
         lines.push(words.by_hand.replace("{}", &shortest(d.pencil_mm)));
     }
@@ -22,6 +25,29 @@ pub(super) fn remarks(scene: &Scene, worked: &Worked, words: &Words) -> Vec<Phra
         lines.extend(bad_angle(scene, worked, words, bad));
     }
     lines.iter().map(|l| Phrase::new(l)).collect()
+}
+
+/// What is singular in the pose, and the first answer that is another on the other motion; all of them `solve` tells.
+fn singular(answers: &Answers) -> Vec<String> {
+    let Answers { scene, worked, certified, notation, words, digits } = *answers;
+    let mut lines = Vec::new();
+    for s in &worked.solution.singular {
+        let links: Vec<&str> = s.named.iter().map(|l| scene.link_name(*l)).collect();
+        let text = match s.kind {
+            SingularKind::ChangePoint => words.change_point,
+            SingularKind::Limit => words.driver_at_limit,
+            SingularKind::Rest => words.at_rest,
+        };
+        lines.push(text.replace("{}", &links.join(words.comma)));
+    }
+    let differs = |r: &Outcome| r.others.first().copied().filter(|v| *v != r.value());
+    if let Some((r, c, other)) = worked.results.iter().zip(certified).find_map(|(r, c)| Some((r, c, differs(r)?))) {
+        let find = &scene.find[r.find];
+        let sense = sense(find, other, c, words, digits).plain();
+        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(find, other, c, digits));
+        lines.push(words.other_motion.replace("{}", value.trim_end()));
+    }
+    lines
 }
 
 /// One crossing, and below it each thing that helps. Angles and lengths are told to two digits, for they are advice.

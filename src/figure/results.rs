@@ -1,7 +1,7 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
-use crate::accuracy::ladder::{Certified, Part as Kind};
+use crate::accuracy::ladder::{Certified, Part as Kind, Why};
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -63,7 +63,8 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
     let mut lines = Vec::new();
     for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
-        if let Some(why) = &c.why {
+        // A singular pose is told once for all, below.
+        if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
             let text = words.uncertain.replace("{}", &format!("${}$", symbol(find, notation))).replace("{why}", &why.words(words.lang()));
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
@@ -100,7 +101,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
         lines.push(("agreement", "agreement".into(), Phrase::new(&text)));
     }
-    let others = remarks(scene, worked, words).into_iter().enumerate();
+    let others = remarks(answers).into_iter().enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     for (class, id, line) in lines {
@@ -181,11 +182,14 @@ fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
 fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> String {
     match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
         Some((text, _)) => inked(&text),
-        None => format!("\\approx {}", number(rough, 2)),
+        None => match c.rough_digits(digits) {
+            (known, true) => number(rough, known),
+            (known, false) => format!("\\approx {}", number(rough, known)),
+        },
     }
 }
 
-fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+pub(super) fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     match (find.what, value) {
         (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
         (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
@@ -207,9 +211,9 @@ fn unit(find: &Find) -> &'static str {
     }
 }
 
-fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
+pub(super) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() => {
+        (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
             Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))
         }
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {

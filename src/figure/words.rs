@@ -58,6 +58,16 @@ pub struct Words {
     pub bad_turn: &'static str,
     /// Instead of a measurement: a result that is not drawn.
     pub computed: &'static str,
+    /// A change point; `{}` are its links.
+    pub change_point: &'static str,
+    /// A driver that turns back; `{}` are the links in line.
+    pub driver_at_limit: &'static str,
+    /// A dead centre with all drivers at rest; `{}` are its links.
+    pub at_rest: &'static str,
+    /// The answers on the motion that was not taken; `{}` are they.
+    pub other_motion: &'static str,
+    /// Between the members of a list.
+    pub comma: &'static str,
     /// Begins the description of a figure; `{}` is the title.
     pub described: &'static str,
 }
@@ -89,6 +99,11 @@ const EN: Words = Words {
     bad_pose: "Better: the pose with the driver at {}°; the lines cross under {1}°.",
     bad_turn: "Better: the pose with the driver turned by {}°; the lines cross under {1}°.",
     computed: "from the loop equations",
+    change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
+    driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
+    at_rest: "Dead centre of links {}: the driver stands, everything rests.",
+    other_motion: "The other motion: {}.",
+    comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
 
@@ -119,6 +134,11 @@ const ZH: Words = Words {
     bad_pose: "改进：原动件位置角取 {}° 时，交角为 {1}°。",
     bad_turn: "改进：原动件转过 {}° 时，交角为 {1}°。",
     computed: "由解析法求得",
+    change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",
+    driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
+    at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
+    other_motion: "另一种运动：{}。",
+    comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };
 

@@ -8,6 +8,12 @@ use crate::scene::{LinkId, PointId, Scene};
 ///
 /// Needs no positions: the same topology with other lengths gives the same plan.
 pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
+    plan_without(scene, m, demand, &[])
+}
+
+/// The same without some groups and those that rest on them, for a pose in which they cannot be drawn: they count as
+/// undrawable.
+pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &[usize]) -> Plan {
     let mut b = Builder {
         scene,
         m,
@@ -18,7 +24,7 @@ pub fn plan(scene: &Scene, m: &Mechanism, demand: &Demand) -> Plan {
         known: [Vec::new(), Vec::new()],
         sources: [Vec::new(), Vec::new()],
         pending: Vec::new(),
-        undrawable: Vec::new(),
+        undrawable: undrawable.to_vec(),
         due: vec![Vec::new(); m.groups.len()],
     };
     b.assign_needs();
@@ -269,7 +275,8 @@ impl Builder<'_> {
                 continue;
             }
             let group = &self.m.groups[g];
-            if matches!(group.core, Core::Higher) || group.upstream.iter().any(|u| self.undrawable.contains(u)) {
+            let undrawable = |g: &usize| self.undrawable.contains(g);
+            if matches!(group.core, Core::Higher) || undrawable(&g) || group.upstream.iter().any(undrawable) {
                 if !self.undrawable.contains(&g) {
                     self.undrawable.push(g);
                 }

@@ -14,7 +14,7 @@ pub mod notation;
 mod rest;
 pub mod text;
 
-pub use build::plan;
+pub use build::{plan, plan_without};
 pub use rest::Rest;
 
 use crate::mechanism::Level;
@@ -282,7 +282,7 @@ pub struct Plan {
     pub level: Level,
     /// Effects considered: what, in or out, why.
     pub effects: Vec<(Effect, bool, Reason)>,
-    /// Groups higher than class III, and those that rest on them: not drawn.
+    /// Groups that are not drawn, and those that rest on them: higher than class III, or left out by [`plan_without`].
     pub undrawable: Vec<usize>,
 }
 

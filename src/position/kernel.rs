@@ -75,6 +75,12 @@ fn misses<N: Real>(radicand: N, size: N) -> bool {
     radicand.is_surely_negative() || radicand.approx() < -TOUCH * size.approx()
 }
 
+/// A radicand that its rounding alone may have moved off zero is zero in numbers that cannot tell better: the loci touch,
+/// and their crossing does not move by the square root of the rounding (1e-8 of the size, a dead centre missed by a hair).
+fn touching<N: Real>(radicand: N, size: N) -> N {
+    if !N::refines() && radicand.approx().abs() <= 0.25 * TOUCH * size.approx() { N::from_f64(0.0) } else { radicand }
+}
+
 /// Two circles, in squared distances.
 ///
 /// # Source
@@ -98,7 +104,7 @@ fn circles<N: Real>(p: Point<N>, r: N, q: Point<N>, s: N) -> Result<Vec<Point<N>
     if misses(inner, terms) {
         return Err(Miss::TooNear(((r - s).approx().abs() - d2.approx().sqrt()) / k));
     }
-    let m = (outer * inner).sqrt_or_zero();
+    let m = (touching(outer, terms) * touching(inner, terms)).sqrt_or_zero();
     let two = N::from_f64(2.0);
     let f = (d2 + (r - s) * (r + s)) / (two * d2);
     let h = m / (two * d2);
@@ -115,10 +121,11 @@ fn circle_line<N: Real>(c: Point<N>, r: N, q: Point<N>, t: Vec2<N>) -> Result<Ve
     let b = e.dot(t);
     let h = t.cross(e);
     let outer = (r - h) * (r + h);
-    if misses(outer, r * r + h * h) {
+    let terms = r * r + h * h;
+    if misses(outer, terms) {
         return Err(Miss::TooFar((h.approx().abs() - r.approx()) / k));
     }
-    let w = outer.sqrt_or_zero();
+    let w = touching(outer, terms).sqrt_or_zero();
     let foot = q - t * (b * back);
     Ok(vec![foot + t * (w * back), foot - t * (w * back)])
 }

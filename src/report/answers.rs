@@ -2,7 +2,8 @@
 
 use super::drafting;
 use super::phrase::{sense, tr};
-use crate::accuracy::ladder::{Certified, Part};
+use crate::accuracy::ladder::{Certified, Part, Why};
+use crate::analytic::{Decided, SingularKind, Singularity};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
 use crate::quantity::{direction_degrees, shortest, significant};
@@ -32,10 +33,10 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
         let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
-        let value = value_words(find, r, c, digits, lang);
+        let value = value_words(find, r.value(), c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
-        rows.push([find.text.clone(), value, tolerance, measured_words(r, lang), remarks.join("  ")]);
+        rows.push([find.text.clone(), value, tolerance, measured_words(find, r, c, digits, lang), remarks.join("  ")]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2), width(3)];
@@ -67,16 +68,22 @@ pub fn worst(worked: &Worked) -> Option<f64> {
 }
 
 /// The value as certified; where nothing is, about what the `f64` solution says.
-fn value_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
+fn value_words(find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
     let unit = unit(&find.what);
     let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
         Some((text, _)) => text,
-        None => format!("≈ {}", significant(rough, 2)),
+        None => match c.rough_digits(digits) {
+            (known, true) => significant(rough, known),
+            (known, false) => format!("≈ {}", significant(rough, known)),
+        },
     };
-    match r.value() {
+    match value {
         Value::Vector(v) => {
             let magnitude = number(Part::Magnitude, digits, v.norm());
             let direction = match c.part(Part::Direction) {
+                None if v.norm() > 0.0 && matches!(c.why, Some(Why::NextOrder(_))) => {
+                    format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
+                }
                 Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
                 None => String::new(),
             };
@@ -97,6 +104,14 @@ fn value_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lan
 /// Why fewer digits than asked for are printed; nothing where all are certain.
 fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     let Some(why) = &c.why else { return String::new() };
+    if let Why::NextOrder(known) = why {
+        // Said once for all by the note on the pose; here only where digits are missing.
+        return match lang {
+            _ if *known >= digits => String::new(),
+            Lang::En => format!("[{known} digits are true: {}]", why.words(lang)),
+            Lang::Zh => format!("[仅 {known} 位数字可靠：{}]", why.words(lang)),
+        };
+    }
     let certain = c.parts.iter().filter(|(p, _)| !matches!(p, Part::X | Part::Y)).map(|(_, n)| n.text(digits).map_or(0, |t| t.1)).min();
     let why = why.words(lang);
     match (certain, lang) {
@@ -107,8 +122,13 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     }
 }
 
-fn measured_words(r: &Outcome, lang: Lang) -> String {
+fn measured_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
+    let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, c, digits, lang)).collect();
     match &r.drawn {
+        None if !others.is_empty() => match lang {
+            Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
+            Lang::Zh => format!("（解析；另一运动：{}）", others.join("，")),
+        },
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match a.measured {
             Some(m) => {
@@ -147,12 +167,14 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
                 "certified": certificate(c, digits),
+                "value": value(r.value()),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": value(r.computed),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
                 "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
+                "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),
             });
             if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
                 let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
@@ -164,7 +186,9 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     let mut all = json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
+        // Infinite where singular, which JSON writes as null.
         "condition": worked.solution.condition,
+        "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
         "scales": {
             "mu_l": worked.construction.diagram.mu_l,
             "mu_v": worked.construction.velocity.as_ref().map(|p| p.mu),
@@ -191,6 +215,24 @@ fn certificate(c: &Certified, digits: usize) -> Json {
         })
         .collect();
     json!({"rung": c.rung.name(), "complete": c.why.is_none(), "why": c.why.as_ref().map(|w| w.words(Lang::En)), "numbers": numbers})
+}
+
+fn singularity(scene: &Scene, s: &Singularity) -> Json {
+    json!({
+        "kind": match s.kind {
+            SingularKind::ChangePoint => "change-point",
+            SingularKind::Limit => "driver-at-limit",
+            SingularKind::Rest => "at-rest",
+        },
+        "links": s.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        "words": s.words,
+        "decided": s.decided.map(|d| match d {
+            Decided::Side => "side",
+            Decided::Sketch => "sketch",
+            Decided::Kind => "kind",
+            Decided::Sense => "sense",
+        }),
+    })
 }
 
 /// A diagnostic for programs.

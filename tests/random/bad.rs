@@ -36,6 +36,8 @@ const DEMANDS: &[(&str, &[&str])] = &[
     ("contradictory-lengths", &["252.", "250"]),
     ("not-assemblable", &["164.6", "link 2", "link 3"]),
     ("dead-centre", &["link 1", "link 2", "B", "drive"]),
+    ("locked", &["link 1 (AB)", "link 2 (BC)", "link 3", "in line", "driver link 1"]),
+    ("undetermined", &["link 2 and link 3", "B and D coincide"]),
     ("two-drivers-too-many", &["2 conditions", "F = 1", "3 drivers"]),
     ("no-driver", &["driver"]),
     ("wrong-unit", &["kg", "rad/s", "mm/s"]),

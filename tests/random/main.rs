@@ -13,6 +13,8 @@ mod hostile;
 mod invariance;
 mod long;
 mod mech;
+mod near_singular;
 mod properties;
 mod regressions;
 mod rng;
+mod singular;

@@ -1,0 +1,226 @@
+//! What is made of a pose that is singular, or nearly so.
+
+use super::fork::{self, Decided};
+use super::relation::Row;
+use super::rows::Layout;
+use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
+use super::{Solution, blocks::Block, words};
+use crate::diag::Diagnostic;
+use crate::mechanism::{Demand, Level};
+use crate::position::Configuration;
+use crate::quantity::significant;
+use crate::scene::{LinkId, Place, PointId, Scene};
+use nalgebra::DVector;
+
+/// A part of a mechanism that is singular in the pose and was answered all the same.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Singularity {
+    /// What it is.
+    pub kind: SingularKind,
+    /// The links whose velocities do not follow from the pose's directions alone: no line of theirs can be crossed on paper.
+    pub links: Vec<LinkId>,
+    /// Pins of that part that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that lie in line, or leave the freedom open together with guides.
+    pub named: Vec<LinkId>,
+    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: String,
+    /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size): the
+    /// answers are as far from those there, relative to the largest of them.
+    pub off: f64,
+    /// What decided between two ways on; `None` where there is but one.
+    pub decided: Option<Decided>,
+    /// The motion of the whole mechanism on the way that was not taken.
+    pub other: Option<Box<Solution>>,
+}
+
+/// The kinds of singular pose that have an answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SingularKind {
+    /// Two motions lead through the pose: a change point.
+    ChangePoint,
+    /// The driver stands at the limit of its range and turns back.
+    Limit,
+    /// A dead centre or change point with all drivers at rest for good: nothing moves.
+    Rest,
+}
+
+pub(super) struct Pose<'a> {
+    pub scene: &'a Scene,
+    pub at: &'a Configuration,
+    pub demand: &'a Demand,
+    pub layout: &'a Layout,
+}
+
+/// How many digits text answers print at most; a warning is due where fewer are true.
+const PRINTED: f64 = 6.0;
+
+impl Pose<'_> {
+    /// Whether a block's places come out of lengths: then its pose near a limit is known to the root of their rounding only.
+    fn by_lengths(&self, block: &Block) -> bool {
+        let point = |p: PointId| matches!(self.scene.points[p.0].place, Place::At(_));
+        block.unknowns.iter().any(|u| match (self.layout.link_of(*u), self.layout.bare_of(*u)) {
+            (Some(l), _) => !self.scene.links[l.0].points.iter().all(|p| point(*p)),
+            (None, Some(p)) => !point(p),
+            (None, None) => false,
+        })
+    }
+
+    /// The pivot up to which a block may be singular within what is known of its pose.
+    pub fn blur(&self, block: &Block, rounding: f64) -> f64 {
+        if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
+    }
+
+    /// A warning for the block that loses most digits, where it loses any that are printed.
+    pub fn near_singular(&self, system: &[Row], blocks: &Blocks, rounding: f64, condition: f64) -> Option<Diagnostic> {
+        let loss = |p: &Part| {
+            let pivot = p.factor.ratio;
+            rounding * p.factor.magnified / if self.by_lengths(&p.block) { pivot * pivot } else { pivot }
+        };
+        let worst = blocks.list.iter().reduce(|a, b| if loss(b) > loss(a) { b } else { a })?;
+        // A decimal place more is lost by the few operations that follow.
+        let digits = (-libm::log10(10.0 * loss(worst))).floor();
+        if digits >= PRINTED {
+            return None;
+        }
+        let held = words::held(self.scene, self.at, self.layout, system, worst);
+        let true_digits = if digits < 1.0 { "no digit".to_string() } else { format!("about {digits} digits") };
+        let d = Diagnostic::warning(
+            "near-singular",
+            format!(
+                "{} but for a hair: the condition number is {}, and double precision keeps {true_digits} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
+                held.text,
+                significant(condition, 2)
+            ),
+        );
+        Some(d.help("choose a pose further off; where it is given by lengths, coordinates of the joints keep more digits"))
+    }
+
+    /// The motion through a singular pose.
+    pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Result<Solution, Diagnostic> {
+        empty.condition = f64::INFINITY;
+        let parts = &blocks.list;
+        let refused = |r: Refusal| words::refusal(self.scene, self.at, self.layout, system, &parts[r.block], &r);
+        // Drivers that start from rest: in t² instead of t their accelerations are what their rates are elsewhere. Only where
+        // that is a dead point (a driver at its own limit) velocities come into being at once.
+        let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0) && system.iter().any(|r| r.relation.drive()[1] != 0.0);
+        if starts {
+            let slow: Vec<Row> = system.iter().map(Row::started).collect();
+            match self.ways(&slow, blocks, &empty, true) {
+                Err(Refusal { why: Why::DeadPoint, .. }) => {}
+                other => return other.map(|s| self.with_notes(s)).map_err(refused),
+            }
+        }
+        self.ways(system, blocks, &empty, false).map(|s| self.with_notes(s)).map_err(refused)
+    }
+
+    /// The motion that is meant, with the other one beside each change point.
+    fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Result<Solution, Refusal> {
+        let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
+        let choose = |fork: &Fork| {
+            let of = words::links_of(self.layout, &blocks.list[fork.block]);
+            let both = fork.ways.each_ref().map(|w| {
+                let mut way = self.unpacked(empty, w, None);
+                self.layout.keep(|u| fork.motion.order(u) > 0, &mut way);
+                way.settle(self.scene, self.layout);
+                way
+            });
+            fork::choose(self.scene, self.at, &both, &of, fork.turning)
+        };
+        let mut decided: Vec<(usize, Decided)> = Vec::new();
+        let taken = blocks.carry(rows, terms, |fork| {
+            let (way, by) = choose(fork);
+            decided.push((fork.block, by));
+            way
+        })?;
+        let mut solution = self.solution(empty, &taken, from_rest);
+        for passed in &taken.passed {
+            let by = decided.iter().find(|d| d.0 == passed.block).map(|d| d.1);
+            // The other way through this block; what lies behind it is chosen by the same rules.
+            let other = by.and_then(|_| {
+                let turned = blocks.carry(rows, terms, |fork| {
+                    let way = choose(fork).0;
+                    if fork.block == passed.block { 1 - way } else { way }
+                });
+                Some(Box::new(self.solution(empty, &turned.ok()?, from_rest)))
+            });
+            solution.singular.push(self.singularity(rows, blocks, passed, by, other));
+        }
+        Ok(solution)
+    }
+
+    fn singularity(
+        &self,
+        rows: &[Row],
+        blocks: &Blocks,
+        passed: &Passed,
+        decided: Option<Decided>,
+        other: Option<Box<Solution>>,
+    ) -> Singularity {
+        let part = &blocks.list[passed.block];
+        let held = words::held(self.scene, self.at, self.layout, rows, part);
+        let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
+        pins.dedup();
+        let kind = match (passed.rest, passed.turning) {
+            (true, _) => SingularKind::Rest,
+            (false, true) => SingularKind::Limit,
+            (false, false) => SingularKind::ChangePoint,
+        };
+        let links = words::links_of(self.layout, part);
+        Singularity { kind, links, pins, named: held.links, words: held.text, off: passed.off, decided, other }
+    }
+
+    /// A solution of the rates, and of the accelerations where they are known.
+    fn unpacked(&self, empty: &Solution, rates: &DVector<f64>, accelerations: Option<&DVector<f64>>) -> Solution {
+        let mut out = empty.clone();
+        self.layout.unpack_rates(rates, &mut out);
+        if let Some(accelerations) = accelerations {
+            self.layout.unpack_accelerations(accelerations, &mut out);
+            out.size[1] = self.layout.unknowns;
+        }
+        out.settle(self.scene, self.layout);
+        out
+    }
+
+    fn solution(&self, empty: &Solution, carried: &Carried, from_rest: bool) -> Solution {
+        let n = self.layout.unknowns;
+        let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
+        let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
+        let wanted = self.demand.level >= Level::Acceleration;
+        self.unpacked(empty, &rates, wanted.then_some(&accelerations))
+    }
+
+    fn with_notes(&self, mut s: Solution) -> Solution {
+        s.notes.extend(s.singular.iter().map(note));
+        s
+    }
+}
+
+fn note(s: &Singularity) -> Diagnostic {
+    let words = &s.words;
+    let by = match s.decided {
+        Some(Decided::Side) => "\"side\" says which is meant, as it is just after the pose",
+        Some(Decided::Sketch) => "taken is the one that leads toward the sketch",
+        Some(Decided::Kind) => "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
+        Some(Decided::Sense) => "taken is the one on which the first link of them that turns goes counter-clockwise",
+        None => "",
+    };
+    let undrawn = "their velocities are not crossed on paper, they come from the loop equations";
+    match s.kind {
+        SingularKind::ChangePoint if s.other.is_some() => Diagnostic::note(
+            "change-point",
+            format!("change point: {words}, and two motions lead through this pose; {by}; {undrawn}"),
+        )
+        .help("the other motion stands beside the answers; \"side\", told for the pose just after, chooses"),
+        SingularKind::ChangePoint => Diagnostic::note(
+            "change-point",
+            format!("change point: {words}, and one motion only leads through this pose with the driver moving as given; {undrawn}"),
+        ),
+        SingularKind::Limit => Diagnostic::note(
+            "driver-at-limit",
+            format!("the driver stands at its limit and turns back: {words}, and the links pass through in one sense or the other; {by}; {undrawn}"),
+        )
+        .help("the other sense stands beside the answers; \"side\", told for the pose just after, chooses"),
+        SingularKind::Rest => Diagnostic::note("at-rest", format!("{words} while the drivers stand still: everything rests")),
+    }
+}

@@ -1,0 +1,163 @@
+//! One equation between positions, and what its derivatives are: the row, γ, and (in [`super::series`]) any further order.
+//!
+//! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
+
+use crate::geom::Vec2;
+use crate::scene::{GuideId, PointId};
+use nalgebra::DVector;
+
+/// One equation.
+pub(super) struct Row {
+    /// (unknown, coefficient); an unknown may occur twice.
+    pub coefficients: Vec<(usize, f64)>,
+    /// Right-hand side of the velocity equation.
+    pub rate: f64,
+    /// The equation between positions.
+    pub relation: Relation,
+    /// What it is an equation of.
+    pub of: Pair,
+}
+
+impl Row {
+    pub fn acceleration(&self, rates: &DVector<f64>) -> f64 {
+        self.relation.gamma(rates)
+    }
+
+    /// The same with t² for t, for drivers that start from rest: what they do is ½ s̈ t².
+    pub fn started(&self) -> Row {
+        let mut relation = self.relation;
+        if let Some(drive) = relation.drive_mut() {
+            *drive = [0.5 * drive[1], 0.0];
+        }
+        Row { coefficients: self.coefficients.clone(), rate: relation.drive()[0], relation, of: self.of }
+    }
+}
+
+/// The pair or driver that an equation belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Pair {
+    /// Two links, or a link and a bare pin, meet at a point.
+    Pin(PointId),
+    /// A runner and its guide.
+    Guide(GuideId),
+    /// A driver (index).
+    Driver(usize),
+}
+
+/// An equation between positions. Lengths are scaled; `drive` is the first and second derivative of what a driver adds.
+#[derive(Clone, Copy)]
+pub(super) enum Relation {
+    /// k·(P − Q) = 0 with k fixed in the plane.
+    Meet { p: Handle, q: Handle, k: Vec2 },
+    /// φ_a − φ_b is given.
+    Turn { a: Handle, b: Handle, drive: [f64; 2] },
+    /// k·(P − Q) is given, k fixed in the body of Q; P − Q is `arm` now.
+    Along { p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2] },
+    /// |P − Q| is given; P − Q is `d` now.
+    Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
+    /// The angle of P − Q, counted from `body`, is given; P − Q is `d` now.
+    Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
+}
+
+impl Relation {
+    fn drive_mut(&mut self) -> Option<&mut [f64; 2]> {
+        match self {
+            Relation::Meet { .. } => None,
+            Relation::Turn { drive, .. }
+            | Relation::Along { drive, .. }
+            | Relation::Distance { drive, .. }
+            | Relation::Line { drive, .. } => Some(drive),
+        }
+    }
+
+    /// First and second derivative of what a driver adds.
+    pub fn drive(mut self) -> [f64; 2] {
+        self.drive_mut().copied().unwrap_or_default()
+    }
+
+    /// How large the coefficient of an unknown is in the poses in which it is largest: by how much a pose may turn it to
+    /// zero. 0 for an unknown that the equation does not have.
+    pub fn reach(&self, unknown: usize) -> f64 {
+        let of = |h: Handle, arm: f64| match h.first {
+            Some(i) if i == unknown || i + 1 == unknown => 1.0,
+            Some(i) if h.turns && i + 2 == unknown => arm,
+            _ => 0.0,
+        };
+        match *self {
+            Relation::Meet { p, q, .. } | Relation::Distance { p, q, .. } => of(p, p.r.norm()).max(of(q, q.r.norm())),
+            Relation::Turn { a, b, .. } => of(a, 1.0).max(of(b, 1.0)),
+            Relation::Along { p, q, arm, .. } => of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))),
+            Relation::Line { body, p, q, d, .. } => {
+                let turned = if body.first.is_some_and(|i| i + 2 == unknown) { 1.0 } else { 0.0 };
+                (of(p, p.r.norm()).max(of(q, q.r.norm())) / d.norm()).max(turned)
+            }
+        }
+    }
+
+    /// What the second derivative leaves besides the second derivatives of the unknowns, taken to the right-hand side.
+    fn gamma(&self, x: &DVector<f64>) -> f64 {
+        match *self {
+            Relation::Meet { p, q, k } => k.dot(q.bias(x) - p.bias(x)),
+            Relation::Turn { drive, .. } => drive[1],
+            // d²/dt²: k·(a_P − a_Q) + α k⊥·(P − Q) + 2ω k⊥·(v_P − v_Q) − ω² k·(P − Q) = s̈.
+            Relation::Along { p, q, k, arm, drive } => {
+                let w = q.omega(x);
+                drive[1] - k.dot(p.bias(x) - q.bias(x)) - 2.0 * w * k.perp().dot(p.velocity(x) - q.velocity(x)) + w * w * k.dot(arm)
+            }
+            // d·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈, divided by l.
+            Relation::Distance { p, q, d, drive } => {
+                let l = d.norm();
+                let u = d * (1.0 / l);
+                let v = p.velocity(x) - q.velocity(x);
+                drive[1] - u.dot(p.bias(x) - q.bias(x)) + (drive[0] * drive[0] - v.norm2()) / l
+            }
+            // α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
+            Relation::Line { body, p, q, d, drive } => {
+                let l2 = d.norm2();
+                let k = d.perp() * (1.0 / l2);
+                let v = p.velocity(x) - q.velocity(x);
+                2.0 * body.omega(x) * d.dot(v) / l2 - k.dot(p.bias(x) - q.bias(x)) + drive[1]
+            }
+        }
+    }
+}
+
+/// A point of a body, as a function of the unknowns: v = v₀ + ω r⊥.
+#[derive(Clone, Copy)]
+pub(super) struct Handle {
+    /// First unknown of the body (vx, vy, ω), or of a bare pin (vx, vy); `None` for ground.
+    pub first: Option<usize>,
+    pub turns: bool,
+    /// From the body's origin.
+    pub r: Vec2,
+}
+
+impl Handle {
+    /// Adds k·v to a row.
+    pub fn add(&self, row: &mut Vec<(usize, f64)>, k: Vec2) {
+        let Some(i) = self.first else { return };
+        row.push((i, k.x));
+        row.push((i + 1, k.y));
+        if self.turns {
+            row.push((i + 2, k.dot(self.r.perp())));
+        }
+    }
+
+    fn omega(&self, q: &DVector<f64>) -> f64 {
+        match self.first {
+            Some(i) if self.turns => q[i + 2],
+            _ => 0.0,
+        }
+    }
+
+    pub fn velocity(&self, q: &DVector<f64>) -> Vec2 {
+        let Some(i) = self.first else { return Vec2::ZERO };
+        Vec2::new(q[i], q[i + 1]) + self.r.perp() * self.omega(q)
+    }
+
+    /// The part of the acceleration that is not linear in q̈: −ω² r.
+    fn bias(&self, q: &DVector<f64>) -> Vec2 {
+        let w = self.omega(q);
+        self.r * -(w * w)
+    }
+}

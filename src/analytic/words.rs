@@ -1,0 +1,219 @@
+//! Which links hold each other where a block is singular, in words: what the left null vector loads.
+//!
+//! Where the velocities of a block do not follow from its joints, the joints can hold forces with nothing to balance: along
+//! links in line, from a bar into the guide that it meets squarely. The links and joints that those forces load are the
+//! ones to name.
+
+use super::relation::{Pair, Row};
+use super::rows::Layout;
+use super::singular::{Part, Refusal, Why};
+use crate::diag::Diagnostic;
+use crate::geom::Vec2;
+use crate::position::Configuration;
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+
+/// The loaded part of a singular block.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Held {
+    /// The loaded links, those that lead into the block included where all lie in one line.
+    pub links: Vec<LinkId>,
+    /// A joint between two of them.
+    pub joint: Option<PointId>,
+    /// `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub text: String,
+}
+
+/// Loads smaller than this part of the largest are rounding (they are true to the root of the rounding of the lengths).
+const LOADED: f64 = 1e-6;
+
+/// What a block's left null vector loads.
+pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[Row], part: &Part) -> Held {
+    let loads = part.factor.left();
+    let loaded = |i: usize| loads[i].abs() > LOADED * loads.amax();
+    let (mut pins, mut guides, mut drivers): (Vec<PointId>, Vec<GuideId>, Vec<usize>) = Default::default();
+    for of in part.block.rows.iter().enumerate().filter(|(i, _)| loaded(*i)).map(|(_, r)| rows[*r].of) {
+        match of {
+            Pair::Pin(p) if !pins.contains(&p) => pins.push(p),
+            Pair::Guide(g) if !guides.contains(&g) => guides.push(g),
+            Pair::Driver(d) if !drivers.contains(&d) => drivers.push(d),
+            _ => {}
+        }
+    }
+    // A runner that is driven along its guide is held like a pin; one that is not is held squarely to the guide.
+    for d in &drivers {
+        match scene.drivers[*d].kind {
+            DriverKind::Slide { guide, .. } => {
+                guides.retain(|g| *g != guide);
+                pins.extend(scene.guides[guide.0].pin);
+            }
+            DriverKind::Cylinder { a, b, .. } => pins.extend([a, b]),
+            DriverKind::Turn { .. } => {}
+        }
+    }
+    drivers.retain(|d| !matches!(scene.drivers[*d].kind, DriverKind::Slide { guide, .. } if scene.guides[guide.0].pin.is_some()));
+    pins.extend(guides.iter().filter_map(|g| scene.guides[g.0].pin));
+    pins.sort_unstable();
+    pins.dedup();
+    let block = links_of(layout, part);
+    let on = |l: LinkId| -> Vec<PointId> { scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect() };
+    let mut links: Vec<LinkId> = block
+        .iter()
+        .copied()
+        .filter(|l| on(*l).len() > 1 || guides.iter().any(|g| scene.guides[g.0].on == *l || scene.guides[g.0].slider == Some(*l)))
+        .collect();
+    if links.is_empty() {
+        links.clone_from(&block);
+    }
+    let joint = pins
+        .iter()
+        .copied()
+        .find(|p| links.iter().filter(|l| scene.links[l.0].points.contains(p)).count() > 1)
+        .or(pins.first().copied())
+        .or(guides.iter().find_map(|g| scene.guides[g.0].pin));
+
+    let places: Vec<_> = pins.iter().filter_map(|p| at.points[p.0]).collect();
+    let turned = drivers.iter().any(|d| matches!(scene.drivers[*d].kind, DriverKind::Turn { .. }));
+    let in_line = guides.is_empty() && !turned && collinear(&places, at.extent());
+    if in_line {
+        // A link that leads into the block along the same line belongs to the picture: the crank of a parallelogram.
+        let reaches = |l: LinkId| {
+            let mine: Vec<_> = scene.links[l.0].points.iter().filter(|p| pins.contains(p)).collect();
+            let all: Vec<_> = scene.links[l.0].points.iter().filter_map(|p| at.points[p.0]).chain(places.iter().copied()).collect();
+            !mine.is_empty() && scene.links[l.0].points.len() == 2 && collinear(&all, at.extent())
+        };
+        links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && (links.contains(l) || reaches(*l))).collect();
+    }
+    // A bar is lettered by the joints that it is loaded in.
+    let letters = |l: LinkId| {
+        let of = if block.contains(&l) { on(l) } else { scene.links[l.0].points.clone() };
+        if of.len() == 2 { format!(" ({}{})", scene.point_name(of[0]), scene.point_name(of[1])) } else { String::new() }
+    };
+    let bars: Vec<String> = links.iter().map(|l| format!("link {}{}", scene.link_name(*l), letters(*l))).collect();
+    let guide = |g: &GuideId| match (scene.guides[g.0].pin, scene.guides[g.0].slider) {
+        (Some(p), _) => format!("the guide of {}", scene.point_name(p)),
+        (None, Some(s)) => format!("the guide of link {}", scene.link_name(s)),
+        (None, None) => "the guide".to_string(),
+    };
+    let at_joint = joint.map_or_else(String::new, |p| format!(" at {}", scene.point_name(p)));
+    let carries_guide = |l: LinkId| guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l));
+    let text = match (&guides[..], in_line) {
+        (_, true) => {
+            let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
+            let all: Vec<String> = bars.into_iter().chain(cylinders).collect();
+            format!("{} lie in line{at_joint}{}", listed(&all), coincident(scene, at, &pins))
+        }
+        ([g], _) if bars.len() == 1 && on(links[0]).len() == 2 && !carries_guide(links[0]) => {
+            format!("{} lies square to {}", bars[0], guide(g))
+        }
+        _ => {
+            let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
+            let all: Vec<String> = bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
+            let verb = if all.len() == 1 { "leaves" } else { "leave" };
+            format!("{} {verb} one freedom open{at_joint}{}", listed(&all), coincident(scene, at, &pins))
+        }
+    };
+    Held { links, joint, text }
+}
+
+fn collinear(places: &[crate::geom::Point], extent: f64) -> bool {
+    let Some(first) = places.first() else { return false };
+    let far = places.iter().map(|p| *p - *first).fold(Vec2::ZERO, |a, b| if b.norm2() > a.norm2() { b } else { a });
+    far.norm() > 0.0 && places.iter().all(|p| far.cross(*p - *first).abs() <= LOADED * far.norm() * extent)
+}
+
+fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> String {
+    let close = |a: &PointId, b: &PointId| at.points[a.0].zip(at.points[b.0]).is_some_and(|(a, b)| a.distance(b) <= LOADED * at.extent());
+    for (i, a) in pins.iter().enumerate() {
+        if let Some(b) = pins[i + 1..].iter().find(|b| close(a, b)) {
+            return format!(" ({} and {} coincide)", scene.point_name(*a), scene.point_name(*b));
+        }
+    }
+    String::new()
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub(super) fn listed(all: &[String]) -> String {
+    match all {
+        [] => String::new(),
+        [one] => one.clone(),
+        [head @ .., last] => format!("{} and {last}", head.join(", ")),
+    }
+}
+
+/// The links whose unknowns a block holds, in the order of the scene.
+pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
+    let mut links: Vec<LinkId> = part.block.unknowns.iter().filter_map(|u| layout.link_of(*u)).collect();
+    links.sort_unstable();
+    links.dedup();
+    links
+}
+
+fn driver_words(scene: &Scene, d: usize) -> String {
+    match scene.drivers[d].kind {
+        DriverKind::Turn { link, .. } => format!("driver link {}", scene.link_name(link)),
+        DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
+            (Some(p), _) => format!("the drive of {}", scene.point_name(p)),
+            (None, Some(s)) => format!("the drive of link {}", scene.link_name(s)),
+            (None, None) => "the driver".to_string(),
+        },
+        DriverKind::Cylinder { a, b, .. } => format!("cylinder {}{}", scene.point_name(a), scene.point_name(b)),
+    }
+}
+
+/// The drivers that move, or are to move.
+fn moving_drivers(scene: &Scene) -> String {
+    let moves = |d: &crate::scene::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
+    let all: Vec<String> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| driver_words(scene, d)).collect();
+    if all.is_empty() { "the driver".into() } else { listed(&all) }
+}
+
+/// What is said of a pose at which the solution ends.
+pub(super) fn refusal(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[Row], part: &Part, refused: &Refusal) -> Diagnostic {
+    let held = held(scene, at, layout, rows, part);
+    let drivers = moving_drivers(scene);
+    let free = free_links(scene, layout, part);
+    let text = &held.text;
+    let d = match refused.why {
+        Why::DeadPoint => Diagnostic::error(
+            "dead-centre",
+            format!("dead centre: {text}, and {drivers} cannot move them through this pose: the velocities of {free} are unbounded"),
+        )
+        .help("drive another link, or choose a pose nearby; a machine is carried through by its flywheel"),
+        Why::Locked => Diagnostic::error(
+            "locked",
+            format!("{text}: the links can be assembled in this pose, but {drivers} cannot move on from it as asked"),
+        )
+        .help("choose another pose or other lengths; at the limit of its range a driver can only turn back"),
+        Why::Loose => Diagnostic::error(
+            "undetermined",
+            format!("{text}: {free} can move while the drivers stand, and nothing determines that motion"),
+        )
+        .help("choose another pose or other lengths: coincident joints leave a link free to turn"),
+        Why::Several => Diagnostic::error(
+            "singular",
+            format!("{text}: more than one freedom is open in this pose, and which motion follows is not decided"),
+        )
+        .help("choose another pose, or drive another link"),
+        Why::NoAcceleration => Diagnostic::error(
+            "acceleration-undetermined",
+            format!("{text}: the velocities are finite in this pose, but no finite accelerations of {free} follow from them"),
+        )
+        .help("ask for velocities only, or choose another pose"),
+    };
+    match held.joint {
+        Some(p) => d.at(scene.points[p.0].span),
+        None => d,
+    }
+}
+
+/// The links that the open freedom moves: `link 1 and link 2`.
+fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> String {
+    let z = part.factor.right();
+    let moved = |u: usize| z.as_ref().is_none_or(|z| z[u].abs() > LOADED * z.amax());
+    let mut links: Vec<LinkId> =
+        part.block.unknowns.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, u)| layout.link_of(*u)).collect();
+    links.sort_unstable();
+    links.dedup();
+    let names: Vec<String> = links.iter().map(|l| format!("link {}", scene.link_name(*l))).collect();
+    if names.is_empty() { "the joints there".into() } else { listed(&names) }
+}
