@@ -3,7 +3,7 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
-use crate::accuracy::{Agreement, compare};
+use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting};
 use crate::analytic::{self, Solution};
 use crate::answer::{Value, evaluate, level_of};
 use crate::construct::scale::Boxes;
@@ -41,6 +41,35 @@ pub struct Worked {
     pub solution: Solution,
     /// One result for each question.
     pub results: Vec<Outcome>,
+    /// Crossings under less than 10°, with what helps.
+    pub bad_angles: Vec<BadAngle>,
+    /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
+    pub drafting: Option<Drafting>,
+}
+
+impl Worked {
+    /// All that is needed to draw the construction again with another pencil.
+    pub fn drawn<'a>(&'a self, scene: &'a Scene) -> Drawn<'a> {
+        Drawn {
+            scene,
+            mechanism: &self.mechanism,
+            configuration: &self.configuration,
+            plan: &self.plan,
+            construction: &self.construction,
+            values: self.results.iter().map(|r| r.drawn.as_ref().map(|_| r.value())).collect(),
+        }
+    }
+
+    /// The same with the tolerances that drawing by hand has: for the scene's pencil, or the usual one.
+    pub fn with_drafting(mut self, scene: &Scene) -> Worked {
+        self.drafting = Some(drafting(&self.drawn(scene), pencil_mm(scene)));
+        self
+    }
+}
+
+/// The pencil error of a scene (mm).
+fn pencil_mm(scene: &Scene) -> f64 {
+    scene.paper.pencil_mm.unwrap_or(construct::pencil::USUAL_MM)
 }
 
 /// The answers to one question.
@@ -85,7 +114,6 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     notes.extend(placed.notes);
     let plan = plan::plan(scene, &mechanism, &demand);
     let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
-    notes.extend(construction.warnings.iter().cloned());
     let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
     let mut results = Vec::new();
@@ -107,7 +135,14 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         };
         results.push(Outcome { find: i, drawn, computed, agreement, scale });
     }
-    Ok(Warned { value: Worked { mechanism, demand, configuration, plan, construction, solution, results }, notes })
+
+    let mut worked =
+        Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
+    let drawn = worked.drawn(scene);
+    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
+    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
+    worked.bad_angles = bad_angles;
+    Ok(Warned { value: worked, notes })
 }
 
 /// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers

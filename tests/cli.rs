@@ -97,6 +97,59 @@ fn help_names_every_command() {
     }
 }
 
+#[test]
+fn drafting_tells_tolerances_crossings_and_scales() {
+    let solve =
+        |args: &[&str]| hodograph().arg("solve").arg("templates/shaper.json").args(args).assert().success().get_output().stdout.clone();
+    let plain = text(&solve(&[]));
+    assert!(!plain.contains('±'));
+    let told = text(&solve(&["--drafting", "0.1mm", "--steps"]));
+    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    let shown = readme.split("## What a pencil makes of it").nth(1).unwrap().split("```").nth(1).unwrap();
+    for line in shown.lines().skip(1).chain(["under 59.6°, where a pencil error of 0.1 mm moves it by 0.12 mm"]) {
+        assert!(told.contains(line), "no {line:?} in\n{told}");
+    }
+    assert_eq!(solve(&["--drafting"]), solve(&["--drafting=0.05 * 2 mm"]), "0.1 mm is the usual pencil");
+    let json: serde_json::Value = serde_json::from_slice(&solve(&["--json", "--drafting", "0.2mm"])).unwrap();
+    let answer = json["answers"].as_array().unwrap().iter().find(|a| a["find"] == "alpha_4").unwrap();
+    let (tolerance, relative) = (answer["tolerance"].as_f64().unwrap(), answer["relative"].as_f64().unwrap());
+    assert!((tolerance / relative - answer["analysis"]["value"].as_f64().unwrap()).abs() < 1e-9);
+    assert!((answer["scale_for_1_percent"]["factor"].as_f64().unwrap() - relative * 100.0).abs() < 1e-9);
+    assert_eq!(json["drafting"]["pencil_mm"], 0.2);
+    let crossing = &json["drafting"]["crossings"][1];
+    assert_eq!((&crossing["point"], &crossing["drawing"]), (&"C".into(), &"velocity polygon".into()));
+    let (sine, mm) = (crossing["sine"].as_f64().unwrap(), crossing["tolerance_mm"].as_f64().unwrap());
+    assert!((mm * sine.abs() - 0.2).abs() < 1e-12);
+    let plain: serde_json::Value = serde_json::from_slice(&solve(&["--json"])).unwrap();
+    assert!(plain.get("drafting").is_none() && plain["answers"][0].get("tolerance").is_none());
+}
+
+#[test]
+fn a_pencil_is_a_length() {
+    for (length, words) in [("9 mm", "blunter"), ("0 mm", "greater than zero"), ("3 deg", "an angle"), ("0.1", "no unit")] {
+        let run = hodograph().args(["solve", "templates/shaper.json", "--drafting", length]).assert().code(2);
+        let said = text(&run.get_output().stderr);
+        assert!(said.contains(words) && said.contains("--drafting"), "{length}: {said}");
+    }
+    // Before the scene a bare `--drafting` would take its name.
+    let run = hodograph().args(["solve", "--drafting", "templates/shaper.json"]).assert().code(2);
+    assert!(text(&run.get_output().stderr).contains("after the scene"));
+    let out = tempfile::tempdir().unwrap();
+    hodograph().args(["draw", "templates/shaper.json", "--drafting", "-o"]).arg(out.path().join("sheet.svg")).assert().success();
+    assert!(std::fs::read_to_string(out.path().join("sheet.svg")).unwrap().contains("result-v_C-tolerance"));
+}
+
+#[test]
+fn a_bad_angle_is_a_warning_with_help() {
+    let sets = ["--set", "phi_1=180", "--set", "l_BC=201", "--set", "l_CD=200"];
+    let scene = hodograph().args(["new", "crank-rocker"]).args(sets).assert().success().get_output().stdout.clone();
+    let run = hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
+    let said = text(&run.get_output().stderr);
+    for words in ["bad-angle", "C is found under 8.1°", "8.8 times as large", "205 deg"] {
+        assert!(said.contains(words), "no {words:?} in\n{said}");
+    }
+}
+
 /// Every command line in a `sh` block of the README runs as it stands, in order, in an empty folder.
 #[test]
 fn commands_of_the_readme_run() {

@@ -8,7 +8,7 @@ use hodograph::figure::sheet::{Options, sheet};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
-use hodograph::report::{answers, construction, plan, plan_json};
+use hodograph::report::{answers, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
@@ -114,7 +114,21 @@ fn templates_look_as_accepted() {
             let notation = Notation::of_language(lang);
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
             check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
-            check_text(&folder.join(format!("construction.{suffix}.txt")), &construction::text(&w, &worked.construction), &mut failures);
+            check_text(
+                &folder.join(format!("construction.{suffix}.txt")),
+                &construction::text(&w, &worked.construction, None),
+                &mut failures,
+            );
+            if t.name == "shaper" {
+                let asked = work(&scene, Scope::Questions).unwrap().value.with_drafting(&scene);
+                let w = Writer { plan: &asked.plan, ..w };
+                let text = format!(
+                    "{}\n{}",
+                    answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
+                    drafting::text(&w, &asked)
+                );
+                check_text(&folder.join(format!("drafting.{suffix}.txt")), &text, &mut failures);
+            }
             let figure = sheet(&scene, &worked, &Options { notation: notation.clone(), ..Options::of_language(lang) })
                 .unwrap_or_else(|f| panic!("{}: {f}", t.name));
             let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_figure(&figure);

@@ -222,9 +222,6 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     out
 }
 
-/// The parts of an answer, or why it has none.
-type Parts = Result<Vec<(Part, Number)>, Why>;
-
 /// All answers in one kind of number.
 fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec<Parts>, Diagnostic> {
     let (m, demand) = (&worked.mechanism, &worked.demand);
@@ -251,8 +248,14 @@ fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec
         .collect())
 }
 
-/// The numbers of one answer; `scale` is the size against which it is judged to be zero.
-fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize) -> Parts {
+/// The parts of an answer, or why it has none.
+pub type Parts = Result<Vec<(Part, Number)>, Why>;
+
+/// The numbers of one answer as they are printed; `scale` is the size against which it is judged to be zero.
+///
+/// # Errors
+/// An answer whose equations may be singular.
+pub fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize) -> Parts {
     // Ten digits below the last that is asked for.
     let nothing = libm::exp10(-(digits as f64 + 10.0));
     let number = |x: N, against: f64| -> Result<Number, Why> {

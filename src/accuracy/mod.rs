@@ -1,7 +1,17 @@
-//! How far drawing and analysis are apart, and how many digits of an answer are true.
+//! How far drawing and analysis are apart, how many digits of an answer are true, and what the drawing is worth on paper.
 
 mod agreement;
+mod bad_angle;
+mod drafting;
 pub mod ladder;
+mod larger;
+mod simulate;
+pub mod toggle;
+pub mod truth;
 
 pub use agreement::{Agreement, compare};
+pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
+pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, drafting};
 pub use ladder::{Certified, certify};
+pub use larger::Larger;
+pub use simulate::{Errors, simulate};

@@ -70,6 +70,9 @@ pub struct Draw {
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = 4, value_parser = digits)]
     pub digits: usize,
+    /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
@@ -85,6 +88,10 @@ pub struct Solve {
     /// Significant digits, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = 6, value_parser = digits)]
     pub digits: usize,
+    /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm): of each answer, of each
+    /// crossing, and the scales for 1 %
+    #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
+    pub drafting: Option<String>,
     /// The construction too, step by step, with the lengths measured on paper
     #[arg(long, conflicts_with = "json")]
     pub steps: bool,
@@ -128,6 +135,15 @@ fn digits(s: &str) -> Result<usize, String> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
         _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
+    }
+}
+
+/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
+fn length(s: &str) -> Result<String, String> {
+    match s.trim_start().chars().next() {
+        None => Ok(String::new()),
+        Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
+        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
     }
 }
 

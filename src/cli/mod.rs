@@ -12,7 +12,7 @@ use crate::effort::Work;
 use crate::figure::sheet;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, plan as plan_text, plan_json};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json};
 use crate::scene::{self, Lang, Scene, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -82,6 +82,15 @@ impl Input {
         }
     }
 
+    /// Takes the pencil of the command line; whether tolerances are asked for.
+    fn pencil(&mut self, drafting: Option<&str>) -> Result<bool, Failure> {
+        if let Some(text) = drafting.filter(|t| !t.is_empty()) {
+            let mm = scene::pencil(text).map_err(|faults| Failure::Input(faults, "--drafting".into(), text.into()))?;
+            self.scene.paper.pencil_mm = Some(mm);
+        }
+        Ok(drafting.is_some())
+    }
+
     fn say_notes(&self) {
         if !self.notes.is_empty() {
             eprint!("{}", diagnostics::render(&Faults { list: self.notes.clone() }, &self.name, &self.source));
@@ -103,7 +112,11 @@ fn verdict(worked: &Worked) -> ExitCode {
 
 fn draw(a: args::Draw) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    let worked = input.work(Scope::Figure)?;
+    let drafting = input.pencil(a.drafting.as_deref())?;
+    let mut worked = input.work(Scope::Figure)?;
+    if drafting {
+        worked = worked.with_drafting(&input.scene);
+    }
     let (lang, notation) = choices(&input.scene, &a.common);
     files::draw(&input.scene, &worked, lang, &notation, &input.name, &a)?;
     input.say_notes();
@@ -112,7 +125,11 @@ fn draw(a: args::Draw) -> Run {
 
 fn solve(a: args::Solve) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    let worked = input.work(Scope::Questions)?;
+    let drafting = input.pencil(a.drafting.as_deref())?;
+    let mut worked = input.work(Scope::Questions)?;
+    if drafting {
+        worked = worked.with_drafting(&input.scene);
+    }
     let (lang, notation) = choices(&input.scene, &a.common);
     let certified = certify(&input.scene, &worked, a.digits);
     if a.json {
@@ -121,9 +138,13 @@ fn solve(a: args::Solve) -> Run {
         return Ok(verdict(&worked));
     }
     files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
+    let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
+    if drafting {
+        files::print(&format!("\n{}", tolerances::text(&w, &worked)))?;
+    }
     if a.steps {
-        let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
-        files::print(&format!("\n{}", construction::text(&w, &worked.construction)))?;
+        let pencil_mm = worked.drafting.as_ref().map(|d| d.pencil_mm);
+        files::print(&format!("\n{}", construction::text(&w, &worked.construction, pencil_mm)))?;
     }
     input.say_notes();
     Ok(verdict(&worked))

@@ -1,20 +1,29 @@
 //! Carries a plan out on paper.
 
+use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Action, Construction, Diagram, Edge, Mark, Polygon, RateReading};
+use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateReading};
 use crate::diag::{Diagnostic, Faults};
-use crate::geom::{Crossing, Point, Vec2, cross_lines};
+use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::{Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
 use crate::position::{Configuration, Path};
-use crate::scene::{DriverKind, LinkId, Scene};
+use crate::scene::{DriverKind, Scene};
 
 /// Draws a plan.
 ///
 /// # Errors
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
-    let mut board = Board::new(scene, m, at, plan, boxes)?;
+    let mut exact = Exact;
+    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose(scale::size(at), boxes.diagram));
+    let mut board = Board::new(scene, m, at, plan, mu_l, &mut exact);
+    for g in 0..m.groups.len() {
+        if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
+            board.done.chosen[g] = board.best_alternative(g)?;
+        }
+    }
+    board.set_out();
     for level in [Level::Velocity, Level::Acceleration] {
         if plan.level < level {
             continue;
@@ -26,95 +35,108 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
         // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
         let mark = board.done.rates.len();
         let trial = board.draw(level, board.trial_scale(level))?;
-        let mu = fixed.unwrap_or_else(|| scale::choose(extent(&trial), boxes.polygon));
+        let mu = fixed.unwrap_or_else(|| scale::choose(trial.extent(), boxes.polygon));
         board.done.rates.truncate(mark);
         let polygon = board.draw(level, mu)?;
-        match level {
-            Level::Velocity => board.done.velocity = Some(polygon),
-            _ => board.done.acceleration = Some(polygon),
-        }
+        board.keep(polygon);
     }
-    let done = board.done;
-    let finite = |p: &Polygon| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
-    if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_finite()) {
-        return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
-    }
-    Ok(done)
+    board.finish()
 }
 
-fn extent(p: &Polygon) -> [f64; 2] {
-    let mut lo = Vec2::ZERO;
-    let mut hi = Vec2::ZERO;
-    for q in p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied()) {
-        lo = Vec2::new(lo.x.min(q.x), lo.y.min(q.y));
-        hi = Vec2::new(hi.x.max(q.x), hi.y.max(q.y));
-    }
-    [(hi.x - lo.x) * p.mu, (hi.y - lo.y) * p.mu]
+pub(super) struct Board<'a, P> {
+    pub(super) scene: &'a Scene,
+    pub(super) m: &'a Mechanism,
+    pub(super) at: &'a Configuration,
+    pub(super) plan: &'a Plan,
+    pub(super) pencil: &'a mut P,
+    pub(super) done: Construction,
+    /// What a blunt pencil made of joints and guides; nothing for the exact one.
+    pub(super) hand: super::hand::Hand,
 }
 
-struct Board<'a> {
-    scene: &'a Scene,
-    m: &'a Mechanism,
-    at: &'a Configuration,
-    plan: &'a Plan,
-    done: Construction,
-}
+/// A line on paper: a point of it, and its direction.
+type Line = (Point, Vec2);
+
+/// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
+const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 
 /// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
 /// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
 /// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
 const PARALLEL_UNITS: f64 = 8.0;
 
-/// Under this sine (10°) a pencil error is more than five times magnified: the reader is told.
-const BAD_ANGLE: f64 = 0.173_648_177_666_930_3;
-
-impl<'a> Board<'a> {
-    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, plan: &'a Plan, boxes: &Boxes) -> Result<Self, Faults> {
+impl<'a, P: Pencil> Board<'a, P> {
+    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, plan: &'a Plan, mu_l: f64, pencil: &'a mut P) -> Self {
         let origin = scene.links[scene.ground.0]
             .points
             .iter()
             .chain(scene.links.iter().flat_map(|l| &l.points))
             .find_map(|p| at.points[p.0])
             .unwrap_or(Point::ORIGIN);
-        let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
-        let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
-        for p in at.points.iter().flatten() {
-            lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
-            hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
-        }
-        let size = if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] };
-        let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose(size, boxes.diagram));
-        let mut board = Board {
+        Board {
             scene,
             m,
             at,
             plan,
+            pencil,
             done: Construction {
-                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()] },
+                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
                 velocity: None,
                 acceleration: None,
                 rates: Vec::new(),
                 chosen: vec![0; m.groups.len()],
                 magnification: [1.0; 2],
-                warnings: Vec::new(),
             },
-        };
-        for g in 0..m.groups.len() {
-            if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
-                board.done.chosen[g] = board.best_alternative(g)?;
-            }
+            hand: super::hand::Hand::default(),
         }
+    }
+
+    /// Sets out the diagram: joints, guides, and the special points that the chosen alternatives use.
+    pub(super) fn set_out(&mut self) {
+        self.draw_joints();
+        let plan = self.plan;
         for (i, v) in plan.vertices.iter().enumerate() {
-            board.done.diagram.spots[i] = match v.spot {
-                Spot::Point(p) => at.points[p.0].map(|q| board.paper(q)),
-                Spot::Special { group, legs } => board.constraint_crossing(group, legs).map(|c| c.at).filter(|p| p.is_finite()),
+            self.done.diagram.spots[i] = match v.spot {
+                Spot::Point(p) => self.joint(p),
+                Spot::Special { group, legs } => self.special_point(VertexId(i), group, legs),
             };
         }
-        Ok(board)
+    }
+
+    fn special_point(&mut self, v: VertexId, group: usize, legs: (usize, usize)) -> Option<Point> {
+        let m = self.m;
+        let Core::Link { legs: all, .. } = &m.groups[group].core else { return None };
+        let ((p, u), (q, w)) = self.constraint_lines(group, legs)?;
+        let (u, w) = (self.laid(&all[legs.0], u), self.laid(&all[legs.1], w));
+        let c = cross_lines(p, u, q, w);
+        if !c.at.is_finite() {
+            return None;
+        }
+        if self.done.chosen[group] == SPECIAL_LEGS.iter().position(|l| *l == legs)? {
+            self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
+        }
+        Some(self.pencil.mark(Level::Position, c.at))
+    }
+
+    pub(super) fn keep(&mut self, polygon: Polygon) {
+        match polygon.level {
+            Level::Velocity => self.done.velocity = Some(polygon),
+            _ => self.done.acceleration = Some(polygon),
+        }
+    }
+
+    /// What was drawn, if its numbers can be told.
+    pub(super) fn finish(self) -> Result<Construction, Faults> {
+        let done = self.done;
+        let finite = |p: &Polygon| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
+        if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_finite()) {
+            return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
+        }
+        Ok(done)
     }
 
     /// A place of the mechanism in mm of paper.
-    fn paper(&self, p: Point) -> Point {
+    pub(super) fn paper(&self, p: Point) -> Point {
         ((p - self.done.diagram.origin) * (1.0 / self.done.diagram.mu_l)).to_point()
     }
 
@@ -123,13 +145,13 @@ impl<'a> Board<'a> {
     }
 
     /// From `to` to `of` on the diagram, in metres.
-    fn arm(&self, of: VertexId, to: VertexId) -> Vec2 {
+    pub(super) fn arm(&self, of: VertexId, to: VertexId) -> Vec2 {
         (self.spot(of) - self.spot(to)) * self.done.diagram.mu_l
     }
 
     /// The line (on paper) on which a leg gives a locus for every point of the core.
-    fn constraint_line(&self, leg: &Leg) -> Option<(Point, Vec2)> {
-        let point = |p: crate::scene::PointId| self.at.points[p.0].map(|q| self.paper(q));
+    fn constraint_line(&self, leg: &Leg) -> Option<Line> {
+        let point = |p: crate::scene::PointId| self.joint(p);
         match *leg {
             Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
                 let (n, f) = (point(near)?, point(far)?);
@@ -140,8 +162,8 @@ impl<'a> Board<'a> {
                 Some((
                     p,
                     match self.at.guide(guide) {
-                        Path::Line { direction, .. } => direction.perp(),
-                        Path::Arc { centre, .. } => p - self.paper(centre),
+                        Path::Line { direction, .. } => self.turned(guide, direction.perp()),
+                        Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
                     },
                 ))
             }
@@ -149,10 +171,9 @@ impl<'a> Board<'a> {
         }
     }
 
-    fn constraint_crossing(&self, group: usize, legs: (usize, usize)) -> Option<Crossing> {
+    fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line, Line)> {
         let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
-        let ((p, u), (q, w)) = (self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?);
-        Some(cross_lines(p, u, q, w))
+        Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
     }
 
     /// The pair of constraint lines that cross most squarely and closest to the link.
@@ -162,12 +183,12 @@ impl<'a> Board<'a> {
         let centre = nears.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2()) * (1.0 / nears.len().max(1) as f64);
         let size = nears.iter().map(|p| (p.to_vec2() - centre).norm()).fold(0.0, f64::max);
         let score = |pair: (usize, usize)| -> f64 {
-            match self.constraint_crossing(group, pair) {
+            match self.constraint_lines(group, pair).map(|((p, u), (q, w))| cross_lines(p, u, q, w)) {
                 Some(c) if c.at.is_finite() => c.sine.abs() / (1.0 + (c.at.to_vec2() - centre).norm() / size),
                 _ => 0.0,
             }
         };
-        let scores = [(0, 1), (0, 2), (1, 2)].map(score);
+        let scores = SPECIAL_LEGS.map(score);
         let best = (0..3).fold(0, |b, i| if scores[i] > scores[b] { i } else { b });
         if scores[best] > 0.0 {
             return Ok(best);
@@ -198,7 +219,7 @@ impl<'a> Board<'a> {
         if s.is_normal() { s } else { 1.0 }
     }
 
-    fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon, Faults> {
+    pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon, Faults> {
         let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::ORIGIN)).collect();
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
@@ -240,7 +261,7 @@ impl<'a> Board<'a> {
                 if !ratio.is_finite() {
                     return Err(self.coincide(*a, *b).into());
                 }
-                p.images[target.0] = Some(ia + (ib - ia).rotate_by(ratio));
+                p.images[target.0] = Some(self.pencil.mark(p.level, ia + (ib - ia).rotate_by(ratio)));
                 p.actions.push(Action::Copy { target: *target, from: (*a, *b) });
                 Ok(())
             }
@@ -266,7 +287,7 @@ impl<'a> Board<'a> {
     }
 
     fn equation(&mut self, p: &mut Polygon, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
-        let mut ends: Vec<(Mark, Point, Option<Vec2>)> = Vec::new();
+        let mut ends: Vec<(Mark, Point, Option<Line>)> = Vec::new();
         let before = p.edges.len();
         for chain in chains {
             let mut at = (self.mark(chain.start), self.image(p, chain.start));
@@ -278,6 +299,7 @@ impl<'a> Board<'a> {
                     continue;
                 }
                 let end = at.1 + self.known_vector(p, term)? * (1.0 / p.mu);
+                let end = self.pencil.mark(p.level, end);
                 // The last known vector of a chain without unknowns ends in the target itself.
                 let last = chain.unknown.is_empty() && Some(i) == last_drawn && chains.len() == 1;
                 let mark = if last { Mark::Image(target) } else { Mark::Part(*term) };
@@ -285,7 +307,7 @@ impl<'a> Board<'a> {
                 p.actions.push(Action::LayOff(p.edges.len() - 1));
                 at = (mark, end);
             }
-            let direction = match chain.unknown.first() {
+            let line = match chain.unknown.first() {
                 Some(term) if vanishes(term) => {
                     p.actions.extend(chain.unknown.iter().map(|t| Action::Nothing { term: *t, at: at.1 }));
                     None
@@ -293,14 +315,15 @@ impl<'a> Board<'a> {
                 Some(term) => {
                     let u = self.direction(term)?;
                     p.actions.push(Action::Line { terms: chain.unknown.clone(), through: at.1, direction: u });
-                    Some(u)
+                    let apart = self.drawn_length(term);
+                    Some((self.pencil.mark(p.level, at.1), self.pencil.ruler(p.level, u, apart)))
                 }
                 None => None,
             };
-            ends.push((at.0, at.1, direction));
+            ends.push((at.0, at.1, line));
         }
         match ends[..] {
-            [(_, a, Some(u)), (_, b, Some(w))] => {
+            [(_, _, Some((a, u))), (_, _, Some((b, w)))] => {
                 let c = cross_lines(a, u, b, w);
                 let rounding = 1.0 + self.rounding(&chains[0]) + self.rounding(&chains[1]);
                 if c.sine.abs() <= PARALLEL_UNITS * f64::EPSILON * rounding || !c.at.is_finite() {
@@ -310,16 +333,14 @@ impl<'a> Board<'a> {
                 let s = c.sine.abs();
                 self.done.magnification[0] = self.done.magnification[0].max(rounding / s);
                 self.done.magnification[1] = self.done.magnification[1].max(rounding * rounding / (s * s * s));
-                if c.sine.abs() < BAD_ANGLE {
-                    self.warn_bad_angle(p.level, target, chains, c.sine);
-                }
-                p.images[target.0] = Some(c.at);
+                let found = self.pencil.mark(p.level, c.at);
+                p.images[target.0] = Some(found);
                 let mut edges = Vec::new();
                 for ((mark, from, _), chain) in ends.iter().zip(chains) {
                     p.edges.push(Edge {
                         terms: chain.unknown.clone(),
                         from: (*mark, *from),
-                        to: (Mark::Image(target), c.at),
+                        to: (Mark::Image(target), found),
                         known: false,
                     });
                     edges.push(p.edges.len() - 1);
@@ -354,7 +375,7 @@ impl<'a> Board<'a> {
             Spot::Point(p) => self.at.point(p),
             Spot::Special { .. } => Point::ORIGIN,
         };
-        self.at.guide(guide).tangent_at(pin)
+        self.turned(guide, self.at.guide(guide).tangent_at(pin))
     }
 
     /// Direction (unit) of an unknown term.
@@ -423,9 +444,9 @@ impl<'a> Board<'a> {
             }
             Rate::Measured { of, to } if p.images[of.0].is_none() || p.images[to.0].is_none() => return,
             Rate::Measured { of, to } => {
-                let r = self.arm(of, to);
+                let r = self.arm_of(body, of, to);
                 let l = r.norm();
-                let drawn = self.image(p, of) - self.image(p, to);
+                let drawn = self.pencil.read(level, self.image(p, of) - self.image(p, to));
                 // Carried back to the link: the part square to the arm turns it.
                 let mut square = (r * (1.0 / l)).cross(drawn);
                 if let (Level::Acceleration, Body::Cylinder(d)) = (level, body) {
@@ -441,15 +462,16 @@ impl<'a> Board<'a> {
     }
 
     /// A known term as a vector in SI.
-    fn known_vector(&self, p: &Polygon, term: &Term) -> Result<Vec2, Faults> {
+    fn known_vector(&mut self, p: &Polygon, term: &Term) -> Result<Vec2, Faults> {
         let arm = || self.arm(term.of, term.to);
+        let turning = |body| self.arm_of(body, term.of, term.to);
         Ok(match (term.kind, term.by) {
-            (TermKind::Relative, By::Turning(body)) => arm().perp() * self.rate(Level::Velocity, body),
+            (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(Level::Velocity, body),
             (TermKind::Normal, By::Turning(body)) => {
                 let omega = self.rate(Level::Velocity, body);
-                arm() * -(omega * omega)
+                turning(body) * -(omega * omega)
             }
-            (TermKind::Tangential, By::Turning(body)) => arm().perp() * self.rate(Level::Acceleration, body),
+            (TermKind::Tangential, By::Turning(body)) => turning(body).perp() * self.rate(Level::Acceleration, body),
             (TermKind::Extension, By::Cylinder(d)) => {
                 let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
                 e * self.given(p.level, d)
@@ -469,7 +491,7 @@ impl<'a> Board<'a> {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
                 let v = self.slide_velocity(term);
                 let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
-                let inward = (centre - self.at.point(pin)) * (1.0 / radius);
+                let inward = self.turned(guide, (centre - self.at.point(pin)) * (1.0 / radius));
                 inward * (v.norm2() / radius * if self.reversed(term) { -1.0 } else { 1.0 })
             }
             _ => unreachable!("this kind of term is never known"),
@@ -485,13 +507,15 @@ impl<'a> Board<'a> {
     }
 
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
-    fn slide_velocity(&self, term: &Term) -> Vec2 {
+    fn slide_velocity(&mut self, term: &Term) -> Vec2 {
         let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
-        (self.image(v, term.of) - self.image(v, term.to)) * v.mu
+        let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
+        self.pencil.read(Level::Velocity, drawn) * mu
     }
 
     fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {
-        let words: Vec<String> = chains.iter().filter_map(|c| c.unknown.first()).map(|t| self.held_by(t)).collect();
+        let words: Vec<String> =
+            chains.iter().filter_map(|c| c.unknown.first()).map(|t| crate::plan::text::held_by(self.scene, self.plan, t)).collect();
         let at = self.name(target);
         let what = match level {
             Level::Acceleration => "acceleration",
@@ -511,37 +535,5 @@ impl<'a> Board<'a> {
             d = d.at(self.scene.points[p.0].span);
         }
         d
-    }
-
-    fn held_by(&self, t: &Term) -> String {
-        let line = || crate::plan::text::line_name(self.scene, self.plan, t.to, t.of);
-        match t.by {
-            By::Turning(Body::Link(l)) => format!("link {} ({})", self.link(l), line()),
-            By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
-            By::Guide { guide, .. } => format!("the guide on link {}", self.link(self.scene.guides[guide.0].on)),
-        }
-    }
-
-    fn link(&self, l: LinkId) -> &str {
-        self.scene.link_name(l)
-    }
-
-    fn warn_bad_angle(&mut self, level: Level, target: VertexId, chains: &[Chain], sine: f64) {
-        let words: Vec<String> = chains.iter().filter_map(|c| c.unknown.first()).map(|t| self.held_by(t)).collect();
-        let degrees = libm::asin(sine.abs()).to_degrees();
-        let d = Diagnostic::warning(
-            "bad-angle",
-            format!(
-                "{} is found under {}°: {} are near a dead centre, and a pencil error grows {} times",
-                self.name(target),
-                crate::quantity::significant(degrees, 2),
-                words.join(" and "),
-                crate::quantity::significant(1.0 / sine.abs(), 2)
-            ),
-        );
-        // Both levels cross under the same angle: one warning is enough.
-        if level == Level::Velocity && !self.done.warnings.contains(&d) {
-            self.done.warnings.push(d);
-        }
     }
 }

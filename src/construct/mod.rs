@@ -2,16 +2,19 @@
 //!
 //! Walks a [`Plan`](crate::plan::Plan) on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
 //! vectors, draws lines of known direction, crosses them, copies triangles by similarity, measures. What is measured is
-//! multiplied by μ. It never looks at the loop equations.
+//! multiplied by μ. It never looks at the loop equations. Each of these acts is one of a [`pencil`]: the exact one, or a blunt one
+//! ([`by_hand`]), which shows what the drawing is worth.
 
 mod board;
+mod hand;
+pub mod pencil;
 mod readings;
 pub mod scale;
 
 pub use board::construct;
-pub use readings::{Answer, Measured, read};
+pub use hand::{Layout, by_hand};
+pub use readings::{Answer, Measured, read, read_by_hand};
 
-use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::{Body, Term, VertexId};
@@ -25,6 +28,8 @@ pub struct Diagram {
     pub origin: Point,
     /// Vertices' places in mm of paper.
     pub spots: Vec<Option<Point>>,
+    /// Lines crossed on it: the special points of triads that the construction uses.
+    pub crossed: Vec<Crossed>,
 }
 
 /// The end of a laid-off vector that is no vertex's image.
@@ -52,7 +57,7 @@ pub struct Edge {
 }
 
 /// Two lines crossed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossed {
     /// The vertex found.
     pub target: VertexId,
@@ -130,6 +135,17 @@ impl Polygon {
     pub fn largest(&self) -> f64 {
         self.images.iter().flatten().map(|p| p.to_vec2().norm()).fold(0.0, f64::max) * self.mu
     }
+
+    /// Width and height of all that is drawn, the pole included, in SI.
+    pub fn extent(&self) -> [f64; 2] {
+        let mut lo = Vec2::ZERO;
+        let mut hi = Vec2::ZERO;
+        for q in self.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(self.images.iter().flatten().copied()) {
+            lo = Vec2::new(lo.x.min(q.x), lo.y.min(q.y));
+            hi = Vec2::new(hi.x.max(q.x), hi.y.max(q.y));
+        }
+        [(hi.x - lo.x) * self.mu, (hi.y - lo.y) * self.mu]
+    }
 }
 
 /// A turning rate read off.
@@ -160,8 +176,6 @@ pub struct Construction {
     pub chosen: Vec<usize>,
     /// How many times rounding is magnified at the worst crossing, in velocities and in accelerations.
     pub magnification: [f64; 2],
-    /// Crossings under a bad angle and the like.
-    pub warnings: Vec<Diagnostic>,
 }
 
 impl Construction {
@@ -171,6 +185,22 @@ impl Construction {
             Level::Position => None,
             Level::Velocity => self.velocity.as_ref(),
             Level::Acceleration => self.acceleration.as_ref(),
+        }
+    }
+
+    /// The crossings of a level's polygon (of the diagram for [`Level::Position`]), in the order in which they were drawn.
+    pub fn crossings(&self, level: Level) -> Vec<Crossed> {
+        match self.polygon(level) {
+            None if level == Level::Position => self.diagram.crossed.clone(),
+            None => Vec::new(),
+            Some(p) => p
+                .actions
+                .iter()
+                .filter_map(|a| match *a {
+                    Action::Cross { target, sine, .. } => Some(Crossed { target, sine }),
+                    _ => None,
+                })
+                .collect(),
         }
     }
 

@@ -1,12 +1,13 @@
 //! Answers read off the paper: measured length × μ, with sense.
 
 use super::Construction;
+use super::pencil::Pencil;
 use crate::answer::{Source, Value, evaluate, level_of};
 use crate::geom::Vec2;
 use crate::mechanism::{Level, Mechanism, Passive};
 use crate::plan::{Body, Plan, VertexId};
 use crate::position::Configuration;
-use crate::scene::{Asked, LinkId, PointId, Scene};
+use crate::scene::{Asked, Find, LinkId, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,4 +105,35 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
             Some(Answer { find, value, measured })
         })
         .collect()
+}
+
+/// What a pencil's owner reads: the answers from a drawing made [`by_hand`](super::by_hand), each length read with the same
+/// pencil; positions are measured on the diagram. `shown` is the configuration that came with the drawing.
+pub fn read_by_hand<P: Pencil>(
+    scene: &Scene,
+    m: &Mechanism,
+    shown: &Configuration,
+    plan: &Plan,
+    paper: &Construction,
+    pencil: &mut P,
+) -> Vec<Option<Value>> {
+    let source = OnPaper { scene, m, plan, paper };
+    let mu_l = paper.diagram.mu_l;
+    let mut read = |find: &Find| -> Option<Value> {
+        let value = evaluate(scene, shown, &source, &find.what)?;
+        let level = level_of(&find.what);
+        Some(match (value, paper.polygon(level)) {
+            (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
+            // Rates were read when they were first needed; a difference of two is reckoned.
+            (Value::Scalar(_), Some(_)) | (Value::Vector(_), None) => value,
+            (Value::Scalar(s), None) => Value::Scalar(match find.what {
+                Asked::LinkAngle(l) => {
+                    let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu_l;
+                    pencil.ruler(level, Vec2::from_angle(s), apart).angle()
+                }
+                _ => pencil.read(level, Vec2::new(s / mu_l, 0.0)).x * mu_l,
+            }),
+        })
+    };
+    scene.find.iter().map(&mut read).collect()
 }

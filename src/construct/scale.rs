@@ -1,7 +1,9 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
+use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::plan::{Plan, Step};
+use crate::position::Configuration;
 use crate::scene::Paper;
 
 /// Room for each drawing, in mm.
@@ -49,6 +51,17 @@ impl Boxes {
     }
 }
 
+/// Width and height of a mechanism (m): of the box around its joints.
+pub fn size(at: &Configuration) -> [f64; 2] {
+    let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
+    let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
+    for p in at.points.iter().flatten() {
+        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
+    }
+    if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
+}
+
 /// The smallest preferred μ (SI per mm), so the largest drawing, at which `extent` (SI) fits `room` (mm) in both directions.
 ///
 /// An extent of zero (all velocities vanish) fits any scale: 1 is taken.
@@ -70,6 +83,18 @@ pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
     decimal(1.0, exponent + 2)
 }
 
+/// The largest preferred μ with which a drawing is at least `factor` times as large as with `mu`.
+pub fn finer(mu: f64, factor: f64) -> f64 {
+    let need = mu / factor;
+    if !(need > 0.0 && need.is_finite()) {
+        return mu;
+    }
+    let exponent = libm::floor(libm::log10(need)) as i32;
+    let series = [exponent + 1, exponent, exponent - 1].into_iter().flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
+    // The hair's breadth of `choose`, the other way.
+    series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need)
+}
+
 /// step × 10^e as the nearest double to the decimal number (0.002, not 2 × 0.001000…02).
 fn decimal(step: f64, e: i32) -> f64 {
     format!("{step}e{e}").parse().expect("a decimal number parses")
@@ -86,5 +111,14 @@ mod tests {
         assert_eq!(choose([0.1, 0.25], [100.0, 100.0]), 0.0025);
         assert_eq!(choose([0.0, 0.0], [100.0, 100.0]), 1.0);
         assert_eq!(choose([1.0e12, 0.0], [100.0, 100.0]), 1.0e10);
+    }
+
+    #[test]
+    fn the_next_finer_of_the_series() {
+        assert_eq!(finer(0.01, 1.1), 0.005);
+        assert_eq!(finer(0.01, 2.0), 0.005);
+        assert_eq!(finer(0.01, 2.1), 0.0025);
+        assert_eq!(finer(0.03, 1.0), 0.025);
+        assert_eq!(finer(1.0, 1e3), 0.001);
     }
 }

@@ -13,6 +13,7 @@ pub mod label;
 pub mod mechanism;
 pub mod place;
 pub mod polygon;
+mod remarks;
 pub mod results;
 pub mod sheet;
 pub mod style;

@@ -8,6 +8,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
 use crate::quantity::{direction_degrees, significant};
 use crate::report::answers::worst;
+use crate::report::drafting;
 use crate::report::phrase::Phrase;
 use crate::scene::{Asked, Axis, Find, Scene};
 use crate::worked::{Outcome, Worked};
@@ -16,6 +17,7 @@ use super::drawing::Part;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
+use super::remarks::remarks;
 use super::style::Style;
 use super::words::Words;
 
@@ -23,8 +25,8 @@ use super::words::Words;
 const ROW_MM: f64 = 6.4;
 /// From the first row up to the heading.
 const HEADING_MM: f64 = 2.2;
-/// Distance of the small lines under the rows, in rows.
-const REMARK: f64 = 0.8;
+/// Distance of the lines of remarks below.
+const REMARK_MM: f64 = 5.2;
 /// Between columns.
 const GAP_MM: f64 = 1.8;
 /// Digits shown unless others are asked for: one more than a ruler gives, so that rounding is not mistaken for the
@@ -58,12 +60,12 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         id: "heading-results".into(),
     };
     let mut rows = Vec::new();
-    let mut remarks = Vec::new();
+    let mut lines = Vec::new();
     for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
         if let Some(why) = &c.why {
             let text = words.uncertain.replace("{}", &format!("${}$", symbol(find, notation))).replace("{why}", &why.words(words.lang()));
-            remarks.push((format!("remark-{}", find.text), Phrase::new(&text).label()));
+            lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
         let id = format!("result-{}", find.text);
         let cell = |text: Label, anchor, what: &str| {
@@ -87,6 +89,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
                 second,
                 cell(Label::math(amount(find, value, c, digits)), Anchor::Start, "value"),
                 cell(sense(find, value, c, words, digits), Anchor::Start, "sense"),
+                tolerance(worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
             ],
             height_mm: ROW_MM,
         });
@@ -95,13 +98,15 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     if let Some(worst) = worst(worked) {
         let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
-        remarks.push(("agreement".into(), Phrase::new(&text).label()));
+        lines.push(("agreement", "agreement".into(), Phrase::new(&text)));
     }
-    for (i, (id, label)) in remarks.into_iter().enumerate() {
-        let class = if id == "agreement" { "agreement" } else { "remark" };
-        let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
-        let below = (rows.len() as f64 + 1.1 + REMARK * i as f64) * ROW_MM;
+    let others = remarks(scene, worked, words).into_iter().enumerate();
+    lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
+    let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
+    for (class, id, line) in lines {
+        let cell = Cell { label: line.label(), size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+        below += REMARK_MM;
     }
     Part::of(items)
 }
@@ -139,6 +144,18 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     };
     let sub = if matches!(find.what, Asked::Coordinate(..)) { point_label(sub) } else { sub.to_owned() };
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
+}
+
+/// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
+fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
+    let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
+    let (value, unit) = drafting::amount(find, t)?;
+    let number = number(value, drafting::DIGITS);
+    Some(match unit {
+        "%" => Label::math(format!("\\pm\\,{number}")).then(Label::text(" %")),
+        "°" => Label::math(format!("\\pm\\,{number}\\degree")),
+        unit => Label::math(format!("\\pm\\,{number} {}", unit.replace('²', "^2"))),
+    })
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.

@@ -6,7 +6,7 @@ use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
 use crate::report::phrase::Phrase;
-use crate::scene::PointId;
+use crate::scene::{PointId, Scene};
 
 use super::drawing::Part;
 use super::grid::{self, Cell, Row};
@@ -193,14 +193,19 @@ impl Tables<'_> {
     }
 
     fn constraint_line(&self, leg: &Leg) -> String {
-        let name = |p: PointId| crate::plan::text::point_label(self.writer.scene.point_name(p));
-        match *leg {
-            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
-            Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
-                self.words().square_to_guide.replace("{}", &name(pin))
-            }
-            _ => String::new(),
+        constraint_line(self.writer.scene, self.words(), leg)
+    }
+}
+
+/// The line on which a leg gives a locus for every point of its link, in words.
+pub(super) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
+    let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
+    match *leg {
+        Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
+        Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
+            words.square_to_guide.replace("{}", &name(pin))
         }
+        _ => String::new(),
     }
 }
 

@@ -40,6 +40,22 @@ pub struct Words {
     pub agreement: &'static str,
     /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
     pub uncertain: &'static str,
+    /// What the tolerances are; `{}` is the pencil error in mm.
+    pub by_hand: &'static str,
+    /// A crossing under a bad angle; `{}` is the point, `{1}` the angle, `{2}` the pencil error in mm and `{3}` how far that moves it.
+    pub bad_angle: &'static str,
+    /// How far; `{}` in mm.
+    pub by_mm: &'static str,
+    /// How far, where no paper holds it.
+    pub off_paper: &'static str,
+    /// Helps: a larger scale; `{}` is the factor.
+    pub bad_larger: &'static str,
+    /// Helps: another special point; as `special_point`, `{3}` is the angle.
+    pub bad_special: &'static str,
+    /// Helps: another pose; `{}` is the driver's angle, `{1}` that of the crossing.
+    pub bad_pose: &'static str,
+    /// The same where the driver's angle has no name; `{}` is by how much it is turned.
+    pub bad_turn: &'static str,
     /// Instead of a measurement: a result that is not drawn.
     pub computed: &'static str,
     /// Begins the description of a figure; `{}` is the title.
@@ -64,6 +80,14 @@ const EN: Words = Words {
     square_to_guide: "the normal to the guide at ${}$",
     agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
     uncertain: "{}: not all digits are certain, {why}",
+    by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",
+    bad_angle: "${}$ is found under only ${1}$: a pencil error of {2} mm moves it {3}.",
+    by_mm: "by {} mm",
+    off_paper: "off the paper",
+    bad_larger: "Better: {} times as large, where every result is within 1 %.",
+    bad_special: "Better: the point of link {} where {1} and {2} meet; the lines cross under {3}° or more.",
+    bad_pose: "Better: the pose with the driver at {}°; the lines cross under {1}°.",
+    bad_turn: "Better: the pose with the driver turned by {}°; the lines cross under {1}°.",
     computed: "from the loop equations",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -86,6 +110,14 @@ const ZH: Words = Words {
     square_to_guide: "过 ${}$ 的导路垂线",
     agreement: "图解与解析的相对差不超过 ${}$。",
     uncertain: "{}：并非全部数字可靠，{why}",
+    by_hand: "±：手工作图的误差（95% 的点误差不超过 {} mm）。",
+    bad_angle: "求 ${}$ 的两线交角仅 ${1}$：{2} mm 的作图误差使该点{3}。",
+    by_mm: "偏移 {} mm",
+    off_paper: "移出图纸",
+    bad_larger: "改进：图形放大到 {} 倍，各结果的误差不超过 1%。",
+    bad_special: "改进：改取构件 {}（扩大）上 {1} 与 {2} 的交点为特殊点，交角不小于 {3}°。",
+    bad_pose: "改进：原动件位置角取 {}° 时，交角为 {1}°。",
+    bad_turn: "改进：原动件转过 {}° 时，交角为 {1}°。",
     computed: "由解析法求得",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };

@@ -167,7 +167,9 @@ impl Real for Big {
     }
 
     fn sin_cos(self) -> (Big, Big) {
-        (self.unary(|x, _| Some(x.sin_cos().0)), self.unary(|x, _| Some(x.sin_cos().1)))
+        let Some(x) = self.long() else { return (UNDECIDED, UNDECIDED) };
+        let (s, c) = x.sin_cos();
+        REGION.with_borrow_mut(|r| (push(r, s), push(r, c)))
     }
 
     fn sin_cos_degrees(self) -> (Big, Big) {
@@ -192,7 +194,21 @@ impl Real for Big {
     }
 
     fn atan2(self, x: Big) -> Big {
-        self.binary(x, |y, x, _| (!(is_zero(y) && is_zero(x))).then(|| y.atan2(x)))
+        let rough = libm::atan2(self.approx(), x.approx());
+        if !rough.is_finite() || (self.approx() == 0.0 && x.approx() == 0.0) {
+            return UNDECIDED;
+        }
+        // Turned back by the rough angle the vector points along x but for t ≈ 1e-16: atan t = t − t³/3 + t⁵/5 − ...
+        let (s, c) = Big::from_f64(rough).sin_cos();
+        let t = (self * c - x * s) / (x * c + self * s);
+        let (square, mut power, mut angle) = (t * t, t, Big::from_f64(rough));
+        // Each term brings another 100 bits.
+        for k in 0..=bits() / 100 {
+            let term = power / Big::from_f64((2 * k + 1) as f64);
+            angle = if k % 2 == 0 { angle + term } else { angle - term };
+            power = power * square;
+        }
+        angle
     }
 
     fn pow(self, exponent: Big) -> Big {

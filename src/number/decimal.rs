@@ -3,8 +3,8 @@
 use super::ball::Ball;
 use super::big::Long;
 use super::{Big, Dd, Real};
-use dashu_float::FBig;
-use dashu_float::round::mode::HalfEven;
+use dashu_base::{DivEuclid, RemEuclid, UnsignedAbs};
+use dashu_int::{IBig, UBig};
 
 /// The value of a decimal literal, digit by digit: exact where the type holds it, otherwise rounded (and known to be) by
 /// the arithmetic of the type.
@@ -76,10 +76,9 @@ pub struct Enclosure {
 #[derive(Clone, Debug, PartialEq)]
 enum Ends {
     Double(f64, f64),
-    Long(Box<(Decimal, Decimal)>),
+    /// Both ends times 10^-exponent, the lower rounded down, the upper up.
+    Long(Box<[IBig; 2]>, i32),
 }
-
-type Decimal = FBig<HalfEven, 10>;
 
 /// A ball of the precision ladder.
 pub trait Certain: Real {
@@ -101,27 +100,51 @@ impl Certain for Ball<f64> {
 impl Certain for Ball<Dd> {
     fn enclosure(self) -> Option<Enclosure> {
         let (hi, lo) = self.middle().parts();
-        let mid = Long::try_from(hi).ok()?.with_precision(2200).value() + Long::try_from(lo).ok()?;
-        long_enclosure(mid, self.approx(), self.radius())
+        long_enclosure(exactly(hi)? + exactly(lo)?, self.approx(), self.radius())
     }
 }
 
 impl Certain for Ball<Big> {
     fn enclosure(self) -> Option<Enclosure> {
-        long_enclosure(self.middle().long()?.with_precision(2200).value(), self.approx(), self.radius())
+        long_enclosure(self.middle().long()?.with_precision(ALL_BITS).value(), self.approx(), self.radius())
     }
 }
 
-/// Ends in decimal, exact: a binary fraction is a decimal one.
+/// More bits than lie between the largest and the smallest `f64`: sums are exact.
+const ALL_BITS: usize = 2200;
+
+fn exactly(x: f64) -> Option<Long> {
+    Some(Long::try_from(x).ok()?.with_precision(ALL_BITS).value())
+}
+
+/// Digits that the ends keep: twice as many as anyone asks for. They are rounded outward.
+const KEPT: i32 = 64;
+
 fn long_enclosure(mid: Long, approx: f64, radius: f64) -> Option<Enclosure> {
-    if !radius.is_finite() {
-        return None;
+    let r = exactly(radius)?;
+    let largest = approx.abs() + radius;
+    let exponent = if largest > 0.0 { libm::floor(libm::log10(largest)) as i32 - KEPT } else { 0 };
+    let ends = Box::new([whole(&(&mid - &r), exponent, false), whole(&(mid + r), exponent, true)]);
+    Some(Enclosure { ends: Ends::Long(ends, exponent), approx, radius })
+}
+
+/// x · 10^-exponent as a whole number, rounded up or down.
+fn whole(x: &Long, exponent: i32, up: bool) -> IBig {
+    let (mut over, mut under) = (x.repr().significand().clone(), IBig::ONE);
+    let power = |n: i32| IBig::from(10).pow(n.unsigned_abs() as usize);
+    if exponent < 0 {
+        over *= power(exponent)
+    } else {
+        under *= power(exponent)
     }
-    let r = Long::try_from(radius).ok()?.with_precision(2200).value();
-    // More digits than the longest rung has: what rounding takes from the ends is less than what the radius was inflated by.
-    let decimal = |x: Long| x.with_base_and_precision::<10>(300).value();
-    let ends = Ends::Long(Box::new((decimal(&mid - &r), decimal(mid + r))));
-    Some(Enclosure { ends, approx, radius })
+    let binary = x.repr().exponent();
+    if binary >= 0 {
+        over <<= binary as usize
+    } else {
+        under <<= binary.unsigned_abs()
+    }
+    let (down, rest) = (over.clone().div_euclid(under.clone()), over.rem_euclid(under));
+    if up && !rest.is_zero() { down + IBig::ONE } else { down }
 }
 
 impl Enclosure {
@@ -130,7 +153,7 @@ impl Enclosure {
         let digits = digits.max(1);
         let (a, b) = match &self.ends {
             Ends::Double(a, b) => (format!("{:.*e}", digits - 1, a), format!("{:.*e}", digits - 1, b)),
-            Ends::Long(ends) => (scientific(&ends.0, digits), scientific(&ends.1, digits)),
+            Ends::Long(ends, exponent) => (scientific(&ends[0], *exponent, digits), scientific(&ends[1], *exponent, digits)),
         };
         (a == b).then_some(a)
     }
@@ -139,7 +162,7 @@ impl Enclosure {
     pub fn contains_zero(&self) -> bool {
         match &self.ends {
             Ends::Double(a, b) => *a <= 0.0 && *b >= 0.0,
-            Ends::Long(ends) => ends.0 <= Decimal::ZERO && ends.1 >= Decimal::ZERO,
+            Ends::Long(ends, _) => ends[0] <= IBig::ZERO && ends[1] >= IBig::ZERO,
         }
     }
 
@@ -150,33 +173,51 @@ impl Enclosure {
 
     /// Whether two intervals have a number in common.
     pub fn meets(&self, other: &Enclosure) -> bool {
+        // To one power of ten, below that of either.
+        let exponent = |e: &Enclosure| match &e.ends {
+            Ends::Double(..) => -400,
+            Ends::Long(_, exponent) => *exponent,
+        };
+        let common = exponent(self).min(exponent(other));
         let ends = |e: &Enclosure| match &e.ends {
             Ends::Double(a, b) => {
-                let d = |x: f64| Decimal::from(0u8) + Long::try_from(x).unwrap_or(Long::ZERO).with_base_and_precision::<10>(800).value();
-                (d(*a), d(*b))
+                let end = |x: f64, up| exactly(x).map_or(IBig::ZERO, |x| whole(&x, common, up));
+                [end(*a, false), end(*b, true)]
             }
-            Ends::Long(ends) => (ends.0.clone(), ends.1.clone()),
+            Ends::Long(ends, exponent) => {
+                let up = IBig::from(10).pow((exponent - common).unsigned_abs() as usize);
+                [&ends[0] * &up, &ends[1] * &up]
+            }
         };
-        let ((a, b), (c, d)) = (ends(self), ends(other));
+        let ([a, b], [c, d]) = (ends(self), ends(other));
         a <= d && c <= b
     }
 }
 
-/// A decimal with `digits` significant digits, as `{:e}` writes numbers.
-fn scientific(x: &Decimal, digits: usize) -> String {
-    let x = x.clone().with_precision(digits).value();
-    let repr = x.repr();
-    if x == Decimal::ZERO {
+/// n · 10^exponent with `digits` significant digits, as `{:e}` writes numbers; halves to even.
+fn scientific(n: &IBig, exponent: i32, digits: usize) -> String {
+    if n.is_zero() {
         return format!("{:.*e}", digits - 1, 0.0);
     }
-    let negative = x.sign() == dashu_base::Sign::Negative;
-    let text = repr.significand().to_string();
-    let text = text.trim_start_matches('-');
-    let exponent = repr.exponent() + text.len() as isize - 1;
-    let padded = format!("{text:0<digits$}");
-    let (first, rest) = padded.split_at(1);
+    let sign = if *n < IBig::ZERO { "-" } else { "" };
+    let all = n.unsigned_abs().to_string();
+    let mut exponent = exponent + all.len() as i32 - 1;
+    let mut kept = format!("{:0<digits$}", &all[..all.len().min(digits)]);
+    if let Some(rest) = all.get(digits..) {
+        let (half, beyond) = (rest.as_bytes().first().copied().unwrap_or(b'0'), rest.bytes().skip(1).any(|b| b != b'0'));
+        let odd = kept.as_bytes()[digits - 1] % 2 == 1;
+        if half > b'5' || (half == b'5' && (beyond || odd)) {
+            let next = kept.parse::<UBig>().unwrap_or(UBig::ZERO) + UBig::ONE;
+            kept = next.to_string();
+            if kept.len() > digits {
+                kept.pop();
+                exponent += 1;
+            }
+        }
+    }
+    let (first, rest) = kept.split_at(1);
     let point = if rest.is_empty() { "" } else { "." };
-    format!("{}{first}{point}{rest}e{exponent}", if negative { "-" } else { "" })
+    format!("{sign}{first}{point}{rest}e{exponent}")
 }
 
 #[cfg(test)]

@@ -61,6 +61,16 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
     format!("{}{}", plain(a), plain(b))
 }
 
+/// What leaves a term's direction open, in words of diagnostics: `link 3 (CD)`, `the guide on link 4`.
+pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> String {
+    let line = || line_name(scene, plan, t.to, t.of);
+    match t.by {
+        By::Turning(Body::Link(l)) => format!("link {} ({})", scene.link_name(l), line()),
+        By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
+        By::Guide { guide, .. } => format!("the guide on link {}", scene.link_name(scene.guides[guide.0].on)),
+    }
+}
+
 /// The ends of a line in the order of the scene, so that one line has one name: AB, never BA.
 fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     let rank = |v: VertexId| match plan.vertex(v).spot {

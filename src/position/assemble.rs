@@ -35,6 +35,41 @@ pub fn recompute<N: Real>(
     Ok(Assembly::new(scene, mechanism, demand, Some(meant)).place(demand)?.settled().into_configuration())
 }
 
+/// The configuration a short time `t` (s) after the scene's instant, the drivers having gone on at their rates. `now` is the
+/// one at the instant, in the same numbers; what is given in the pose (guides that run through a pin where it is) is
+/// carried along in the links.
+///
+/// # Errors
+/// As [`recompute`]; and `pose-given`, where the pose is given by coordinates, a driver says no position, or a gliding link
+/// has no point of its own, so that nothing tells it at another time.
+pub fn later<'a, N: Real>(
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    demand: &Demand,
+    meant: &'a Configuration,
+    now: &'a Configuration<N>,
+    t: N,
+) -> Result<Configuration<N>, Faults> {
+    let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
+    let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, Place::At(_)));
+    let silent = scene.drivers.iter().any(|d| {
+        matches!(
+            d.kind,
+            DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. }
+        )
+    });
+    // A link that only glides, without a point of its own, is laid anywhere along its guide.
+    let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
+    if posed.is_some() || silent || pointless {
+        return Err(Diagnostic::error("pose-given", "nothing in the scene tells the pose at another time").into());
+    }
+    let mut a = Assembly::new(scene, mechanism, demand, Some(meant));
+    a.inputs = a.inputs.later(t);
+    a.instant = Some(now);
+    a.guides.clone_from(&now.shapes.guides);
+    Ok(a.place(demand)?.settled().into_configuration())
+}
+
 /// An assembly under way: what is placed so far.
 pub(super) struct Assembly<'a, N> {
     pub scene: &'a Scene,
@@ -42,6 +77,8 @@ pub(super) struct Assembly<'a, N> {
     pub inputs: Inputs<'a, N>,
     /// The assembly that is meant, where it is known already and only its numbers are wanted better.
     pub meant: Option<&'a Configuration>,
+    /// The configuration at the scene's instant, where the assembly is one of a later time.
+    pub instant: Option<&'a Configuration<N>>,
     pub shapes: Vec<LinkShape<N>>,
     pub points: Vec<Option<Point<N>>>,
     pub poses: Vec<Option<Pose<N>>>,
@@ -80,6 +117,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             m,
             inputs,
             meant,
+            instant: None,
             shapes,
             closures: vec![0; m.groups.len()],
             points: vec![None; scene.points.len()],
@@ -353,7 +391,7 @@ impl<'a, N: Real> Assembly<'a, N> {
         let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[driver].kind else {
             return Err(self.driver_without_value(driver, "position", "how far the slider is along its guide"));
         };
-        Ok(path.point_at(self.inputs.number(s)))
+        Ok(path.point_at(self.inputs.driven(&self.scene.drivers[driver], s)))
     }
 
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: &str) -> Diagnostic {

@@ -149,7 +149,7 @@ impl<N: Real> Coupled<'_, N> {
                     let mut row = self.zeros();
                     self.add_pin(&mut row, p, direction);
                     self.add_link(at, &mut row, guide.on, place, -direction);
-                    list.push(Equation { off: direction.dot(place - through) - a.inputs.number(s), row });
+                    list.push(Equation { off: direction.dot(place - through) - a.inputs.driven(&a.scene.drivers[d], s), row });
                 }
                 Constraint::Cylinder(d) => {
                     let DriverKind::Cylinder { a: from, b: to, length: Some(length), .. } = &a.scene.drivers[d].kind else { return None };
@@ -159,7 +159,7 @@ impl<N: Real> Coupled<'_, N> {
                     let mut row = self.zeros();
                     self.add_pin(&mut row, *to, u);
                     self.add_pin(&mut row, *from, -u);
-                    list.push(Equation { off: l - a.inputs.number(length), row });
+                    list.push(Equation { off: l - a.inputs.driven(&a.scene.drivers[d], length), row });
                 }
                 Constraint::Turn(d) => {
                     let (Node::Link(link), Node::Link(against)) = a.m.ends(a.scene, c) else { return None };

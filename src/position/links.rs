@@ -64,6 +64,11 @@ impl<N: Real> Assembly<'_, N> {
         let name = self.scene.link_name(link);
         let shape = &self.shapes[link.0];
         let Some(d) = driver else {
+            // At a later time a slider stands against the other link as it stood at the instant.
+            let stood = self.instant.and_then(|c| c.poses[link.0].zip(c.poses[of.0]));
+            if let (Some((own, other)), Some(now)) = (stood, self.poses[of.0]) {
+                return Ok(own.axis.divide_by(other.axis).rotate_by(now.axis));
+            }
             return if shape.frame == Frame::Body {
                 Err(Diagnostic::error(
                     "angle-not-given",
@@ -98,7 +103,7 @@ impl<N: Real> Assembly<'_, N> {
                 _ => self.poses[of.0].map(|p| p.axis),
             }
         };
-        let (s, c) = self.inputs.sin_cos(angle);
+        let (s, c) = self.inputs.driven_sin_cos(&self.scene.drivers[d], angle);
         own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
             Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
                 .at(angle.span)
@@ -185,7 +190,7 @@ impl<N: Real> Assembly<'_, N> {
             let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
                 return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
             };
-            return Ok(vec![Pose { origin: path.point_at(self.inputs.number(s)), axis }]);
+            return Ok(vec![Pose { origin: path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s)), axis }]);
         }
         // A point with given coordinates shows the place of a link whose direction is known.
         let shape = &self.shapes[link.0];

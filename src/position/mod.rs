@@ -20,7 +20,7 @@ mod proof;
 mod shape;
 mod triad;
 
-pub use assemble::{configure, recompute};
+pub use assemble::{configure, later, recompute};
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;

@@ -20,7 +20,7 @@ impl<N: Real> Assembly<'_, N> {
                 let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
                     return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
                 };
-                Ok(vec![path.point_at(self.inputs.number(s))])
+                Ok(vec![path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s))])
             }
             [first, second] => {
                 let (a, b) = (self.locus_of_pin(pin, first)?, self.locus_of_pin(pin, second)?);
@@ -60,7 +60,7 @@ impl<N: Real> Assembly<'_, N> {
 
     pub(super) fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
-            DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.number(l)),
+            DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], l)),
             _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
         }
     }

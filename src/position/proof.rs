@@ -94,16 +94,14 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
             row[k] = row[k] * slope;
         }
     }
-    let mut contraction = 0.0f64;
-    for i in 0..n {
-        let mut sum = 0.0;
-        for j in 0..n {
-            let product =
-                (0..n).fold(N::from_f64(if i == j { 1.0 } else { 0.0 }), |s, k| s - N::from_f64(inverse[(i, k)]) * jacobian[k][j]);
-            sum += product.approx().abs() + product.radius();
-        }
-        contraction = contraction.max(sum);
-    }
+    let rows = (0..n).map(|i| {
+        let entry = |j: usize| {
+            let identity = N::from_f64(if i == j { 1.0 } else { 0.0 });
+            jacobian.iter().enumerate().fold(identity, |s, (k, row)| s - N::from_f64(inverse[(i, k)]) * row[j])
+        };
+        (0..n).map(entry).map(|x| x.approx().abs() + x.radius()).sum::<f64>()
+    });
+    let contraction = rows.fold(0.0, f64::max);
     // With q ≤ 0.49 the box of 2η is mapped into itself, rounding of these sums included.
     if contraction <= 0.49 { Ok(all) } else { Err(Unproven::NotUnique) }
 }

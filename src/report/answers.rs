@@ -1,5 +1,6 @@
 //! The answers: as text for people, as JSON for programs.
 
+use super::drafting;
 use super::phrase::{sense, tr};
 use crate::accuracy::ladder::{Certified, Part};
 use crate::answer::Value;
@@ -27,15 +28,17 @@ pub const DIGITS: usize = 6;
 
 /// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
 pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
-    let mut rows: Vec<[String; 4]> = Vec::new();
+    let mut rows: Vec<[String; 5]> = Vec::new();
     for (r, c) in worked.results.iter().zip(certified) {
         let find = &scene.find[r.find];
+        let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let value = value_words(find, r, c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
-        rows.push([find.text.clone(), value_words(find, r, c, digits, lang), measured_words(r, lang), remarks.join("  ")]);
+        rows.push([find.text.clone(), value, tolerance, measured_words(r, lang), remarks.join("  ")]);
     }
     let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
-    let widths = [width(0), width(1), width(2)];
+    let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);
     if !title.is_empty() {
@@ -44,7 +47,8 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     }
     for r in &rows {
         let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i] - r[i].width()));
-        out.push_str(format!("  {} = {}  {}  {}", pad(0), pad(1), pad(2), r[3]).trim_end());
+        let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
+        out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
         out.push('\n');
     }
     if let Some(worst) = worst(worked) {
@@ -139,7 +143,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         .map(|(r, c)| {
             let find = &scene.find[r.find];
             let radians = matches!(find.what, Asked::LinkAngle(_));
-            json!({
+            let mut answer = json!({
                 "find": find.text,
                 "unit": if radians { "rad" } else { unit(&find.what) },
                 "certified": certificate(c, digits),
@@ -149,10 +153,15 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
-            })
+            });
+            if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+                let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
+                fields.extend(of.map(|(key, value)| (key.to_string(), value)));
+            }
+            answer
         })
         .collect();
-    json!({
+    let mut all = json!({
         "title": {"en": scene.title.en, "zh": scene.title.zh},
         "answers": answers,
         "condition": worked.solution.condition,
@@ -162,7 +171,11 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
             "mu_a": worked.construction.acceleration.as_ref().map(|p| p.mu),
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
-    })
+    });
+    if let Some(d) = &worked.drafting {
+        all["drafting"] = drafting::json(scene, worked, d);
+    }
+    all
 }
 
 /// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and

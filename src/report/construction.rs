@@ -8,8 +8,8 @@ use crate::plan::{Term, VertexId};
 use crate::quantity::{shortest, significant};
 use crate::scene::Lang;
 
-/// The sentences of one polygon, one for each action, the pole first.
-pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon) -> Vec<Phrase> {
+/// The sentences of one polygon, one for each action, the pole first; with a pencil error (mm), how far it moves each crossing.
+pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, pencil_mm: Option<f64>) -> Vec<Phrase> {
     let level = polygon.level;
     let unit = level_unit(level);
     let pole = w.pole(level);
@@ -18,12 +18,12 @@ pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon) -> Vec<Phr
         Lang::En => format!("Take the pole ${pole}$; scale ${mu}$."),
         Lang::Zh => format!("取极点 ${pole}$，比例尺 ${mu}$。"),
     })];
-    out.extend(polygon.actions.iter().map(|a| Phrase::new(&sentence(w, paper, polygon, a))));
+    out.extend(polygon.actions.iter().map(|a| Phrase::new(&sentence(w, paper, polygon, a, pencil_mm))));
     out
 }
 
 /// The whole construction as numbered text.
-pub fn text(w: &Writer, paper: &Construction) -> String {
+pub fn text(w: &Writer, paper: &Construction, pencil_mm: Option<f64>) -> String {
     let mut out = String::new();
     out.push_str(&format!(
         "{}: {}\n",
@@ -38,7 +38,7 @@ pub fn text(w: &Writer, paper: &Construction) -> String {
             _ => tr(w.lang, "velocity polygon", "速度多边形"),
         });
         out.push('\n');
-        for (i, s) in sentences(w, paper, p).iter().enumerate() {
+        for (i, s) in sentences(w, paper, p, pencil_mm).iter().enumerate() {
             out.push_str(&format!("{:>3}. {}\n", i + 1, s.plain()));
         }
     }
@@ -69,7 +69,7 @@ fn length(e: &Edge) -> String {
     millimetres(e.from.1.distance(e.to.1))
 }
 
-fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action) -> String {
+fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm: Option<f64>) -> String {
     let level = p.level;
     match a {
         Action::LayOff(i) => {
@@ -109,8 +109,10 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action) -> String
             let lengths: Vec<String> =
                 edges.iter().map(|i| format!("${}$ = {}", symbols(w, level, &p.edges[*i].terms), length(&p.edges[*i]))).collect();
             match w.lang {
-                Lang::En => format!("The two lines cross in ${image}$ under {angle}°: {}.", lengths.join(", ")),
-                Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°：{}。", lengths.join("，")),
+                Lang::En => {
+                    format!("The two lines cross in ${image}$ under {angle}°{}: {}.", moved(w.lang, *sine, pencil_mm), lengths.join(", "))
+                }
+                Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{}：{}。", moved(w.lang, *sine, pencil_mm), lengths.join("，")),
             }
         }
         Action::Reach(v) => {
@@ -161,6 +163,16 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action) -> String
                 (None, _) => format!("${symbol}$ = ${value}${}{}", tr(w.lang, ", ", "，"), sense(w.lang, r.value)),
             }
         }
+    }
+}
+
+/// What a pencil error (mm) makes of a crossing.
+fn moved(lang: Lang, sine: f64, pencil_mm: Option<f64>) -> String {
+    let Some(e) = pencil_mm else { return String::new() };
+    let (e, by) = (shortest(e), format!("{} mm", significant(e / sine.abs(), 2)));
+    match lang {
+        Lang::En => format!(", where a pencil error of {e} mm moves it by {by}"),
+        Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by}）"),
     }
 }
 

@@ -3,6 +3,7 @@
 pub mod answers;
 pub mod construction;
 pub mod diagnostics;
+pub mod drafting;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;

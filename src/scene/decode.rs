@@ -229,7 +229,7 @@ fn paper(node: &Node, faults: &mut Faults) -> RawPaper {
         _ => word(n, "\"size\"", faults).map(RawSize::Named),
     });
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
-    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a") }
+    RawPaper { size, mu_l: value("mu_l"), mu_v: value("mu_v"), mu_a: value("mu_a"), pencil: value("pencil") }
 }
 
 /// The members of one section, as they stand; none where there is no such object.

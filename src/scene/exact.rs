@@ -5,7 +5,7 @@
 
 use super::eval::{Value, evaluate};
 use super::expr;
-use super::model::{Angle, Given, Scene};
+use super::model::{Angle, Driver, Given, Scene};
 use crate::number::Real;
 
 /// A scene's quantities in numbers of one kind.
@@ -13,12 +13,14 @@ use crate::number::Real;
 pub struct Inputs<'a, N> {
     /// Names and values of the parameters; empty where the `f64` of the reader is good enough.
     parameters: Vec<(&'a str, Option<Value<N>>)>,
+    /// Time since the scene's instant (s): drivers have gone on for so long.
+    time: Option<N>,
 }
 
 impl<'a, N: Real> Inputs<'a, N> {
     /// The quantities of a scene.
     pub fn of(scene: &'a Scene) -> Self {
-        let mut inputs = Inputs { parameters: Vec::new() };
+        let mut inputs = Inputs { parameters: Vec::new(), time: None };
         if N::from_bounded(0.0, 0.0).is_none() {
             for (name, given) in &scene.parameters {
                 let value = inputs.read(&given.text);
@@ -42,6 +44,36 @@ impl<'a, N: Real> Inputs<'a, N> {
         }
         .or_else(|| self.read(&given.text).map(Value::sin_cos))
         .unwrap_or((nothing, nothing))
+    }
+
+    /// The same quantities a time `t` (s) after the scene's instant.
+    pub fn later(self, t: N) -> Self {
+        Inputs { time: Some(t), ..self }
+    }
+
+    /// By how much a driver has gone on: rate · t + acceleration · t²/2.
+    fn gone_on(&self, driver: &Driver) -> Option<N> {
+        let t = self.time?;
+        let way = self.number(&driver.rate) * t;
+        Some(match &driver.acceleration {
+            Some(a) => way + self.number(a) * t * t * N::from_f64(0.5),
+            None => way,
+        })
+    }
+
+    /// The position of a sliding driver or the length of a cylinder (m).
+    pub fn driven(&self, driver: &Driver, given: &Given) -> N {
+        let start = self.number(given);
+        self.gone_on(driver).map_or(start, |way| start + way)
+    }
+
+    /// (sin, cos) of the angle of a turning driver.
+    pub fn driven_sin_cos(&self, driver: &Driver, given: &Given<Angle>) -> (N, N) {
+        let (s, c) = self.sin_cos(given);
+        match self.gone_on(driver).map(Real::sin_cos) {
+            None => (s, c),
+            Some((ds, dc)) => (s * dc + c * ds, c * dc - s * ds),
+        }
     }
 
     fn read(&self, text: &str) -> Option<Value<N>> {

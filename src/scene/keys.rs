@@ -25,4 +25,4 @@ pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "a
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
-pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a"];
+pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];

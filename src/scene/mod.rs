@@ -23,7 +23,23 @@ mod values;
 
 pub use model::*;
 
-use crate::diag::{Faults, Severity, Warned};
+use crate::diag::{Faults, Severity, Span, Warned};
+
+/// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
+///
+/// # Errors
+/// What is no length, not greater than zero, or more than 5 mm; places count in `text`.
+///
+/// ```
+/// assert_eq!(hodograph::scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
+/// assert!(hodograph::scene::pencil("1 deg").is_err());
+/// ```
+pub fn pencil(text: &str) -> Result<f64, Faults> {
+    let mut faults = Faults::default();
+    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let read = resolve::pencil(&quantity, text, &mut faults);
+    read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
 
 /// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
 ///

@@ -64,6 +64,14 @@ impl Angle {
             Angle::Rad(r) => r,
         }
     }
+
+    /// The same in degrees.
+    pub fn degrees(self) -> f64 {
+        match self {
+            Angle::Deg(d) => d,
+            Angle::Rad(r) => r.to_degrees(),
+        }
+    }
 }
 
 /// A quantity as the scene writes it, with its SI value and its place in the file.
@@ -341,6 +349,8 @@ pub struct Paper {
     pub mu_v: Option<f64>,
     /// μ_a, (m/s²)/mm.
     pub mu_a: Option<f64>,
+    /// The pencil error (mm) within which 95 % of the marks fall.
+    pub pencil_mm: Option<f64>,
 }
 
 /// A scene: everything its file says.

@@ -82,6 +82,7 @@ pub(super) struct RawPaper {
     pub mu_l: Option<RawQuantity>,
     pub mu_v: Option<RawQuantity>,
     pub mu_a: Option<RawQuantity>,
+    pub pencil: Option<RawQuantity>,
 }
 
 /// A scene file, decoded.

@@ -186,7 +186,7 @@ fn places_sides_and_paper() {
         "points": {"A": [0, 0], "D": ["300 mm", 0], "E": {"base": "BC", "x": "100 mm", "y": "-20 mm"}, "G": {"base": "CB", "length": "5 cm", "angle": "30 deg"}},
         "lengths": {"AD": "30 cm", "BC": "250 mm"}, "sketch": {"C": ["3 m", "2 m"]}, "side": {"C": "right of BD"},
         "driver": {"link": "1", "omega": "10 rad/s"}, "language": "zh", "notation": "cn",
-        "paper": {"size": "A4 landscape", "mu_l": "0.002 m/mm", "mu_v": "0.05 (m/s)/mm", "mu_a": "1 (m/s^2)/mm"}}"#,
+        "paper": {"size": "A4 landscape", "mu_l": "0.002 m/mm", "mu_v": "0.05 (m/s)/mm", "mu_a": "1 (m/s^2)/mm", "pencil": "0.2 mm"}}"#,
     );
     assert!(matches!(&scene.points[3].place, Place::InLink { base: (PointId(1), PointId(2)), xy } if xy[1].value == -0.02));
     assert!(
@@ -194,7 +194,10 @@ fn places_sides_and_paper() {
     );
     assert_eq!(scene.points[2].sketch, Some([3.0, 2.0]));
     assert!(!scene.sides[0].left);
-    assert_eq!(scene.paper, Paper { size_mm: Some([297.0, 210.0]), mu_l: Some(0.002), mu_v: Some(0.05), mu_a: Some(1.0) });
+    assert_eq!(
+        scene.paper,
+        Paper { size_mm: Some([297.0, 210.0]), mu_l: Some(0.002), mu_v: Some(0.05), mu_a: Some(1.0), pencil_mm: Some(0.2) }
+    );
     assert_eq!((scene.language, scene.notation.as_deref()), (Some(Lang::Zh), Some("cn")));
 }
 
@@ -259,6 +262,8 @@ fn what_is_said_about_bad_scenes() {
         ("sides", with("side", r#"{"C": "left of BQ", "B": "above AD", "A": "left of AD"}"#)),
         ("paper", with("paper", r#"{"size": "B5", "mu_l": 0.002, "mu_v": "0.05 m/mm", "mu_a": "-1 (m/s^2)/mm"}"#)),
         ("paper size", with("paper", r#"{"size": ["200 m", "100 mm"]}"#)),
+        ("pencil", with("paper", r#"{"pencil": "6 mm"}"#)),
+        ("pencil sign", with("paper", r#"{"pencil": "-0.1 mm"}"#)),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
         ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),

@@ -5,6 +5,7 @@
 
 mod asked;
 mod bad;
+mod digits;
 mod emit;
 mod groups;
 mod higher;

@@ -131,6 +131,12 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     Some(scene)
 }
 
+/// The error of a pencil outside any scene, in mm.
+pub(super) fn pencil(quantity: &RawQuantity, source: &str, faults: &mut Faults) -> Option<f64> {
+    let (values, _) = Values::new(source, &[], &[], faults);
+    paper::pencil_mm(quantity, &values, faults)
+}
+
 /// A text given in one language serves for both.
 fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
     let raw = raw.as_ref()?;

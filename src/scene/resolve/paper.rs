@@ -10,6 +10,9 @@ const SHEETS: [(&str, [f64; 2]); 5] =
 /// would only be an accident of units.
 const SIDES_MM: [f64; 2] = [20.0, 5000.0];
 
+/// No pencil is blunter than this (mm): a finger is.
+const BLUNTEST_MM: f64 = 5.0;
+
 pub(super) fn paper(raw: &RawScene, values: &Values, faults: &mut Faults) -> Paper {
     let size_mm = match &raw.paper.size {
         Some(RawSize::Named(word)) => named(word, faults),
@@ -31,7 +34,22 @@ pub(super) fn paper(raw: &RawScene, values: &Values, faults: &mut Faults) -> Pap
         mu_l: scale(&raw.paper.mu_l, Wanted::ScaleOfLengths, "mu_l"),
         mu_v: scale(&raw.paper.mu_v, Wanted::ScaleOfVelocities, "mu_v"),
         mu_a: scale(&raw.paper.mu_a, Wanted::ScaleOfAccelerations, "mu_a"),
+        pencil_mm: raw.paper.pencil.as_ref().and_then(|q| pencil_mm(q, values, faults)),
     }
+}
+
+/// The error of a pencil, in mm.
+pub(in crate::scene) fn pencil_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
+    let given = values.positive_length(q, "the pencil error", faults)?;
+    let mm = given.value * 1000.0;
+    if mm > BLUNTEST_MM {
+        let message = format!("a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm", given.text);
+        faults.push(
+            Diagnostic::error("pencil", message).at(q.span).help("a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\""),
+        );
+        return None;
+    }
+    Some(mm)
 }
 
 fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {

@@ -1,0 +1,227 @@
+//! Crossings under a bad angle, and what helps in each case: only what has been tried and found to help is proposed.
+
+use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
+use crate::construct::pencil::Exact;
+use crate::construct::{Action, Construction, Layout, by_hand};
+use crate::diag::Diagnostic;
+use crate::plan::text::{held_by, vertex_name};
+use crate::plan::{Spot, Step, VertexId};
+use crate::position::Configuration;
+use crate::position::newton::{driver_values, moved};
+use crate::quantity::{shortest, significant};
+use crate::scene::DriverKind;
+
+/// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
+pub const BAD_DEG: f64 = 10.0;
+/// From this angle on it is less than three times magnified: a pose where the lines cross so is proposed.
+const GOOD_DEG: f64 = 20.0;
+/// How far the driver is turned in search of one, and in what steps: further away it is another problem.
+const SEARCH_DEG: f64 = 30.0;
+const SEARCH_STEP_DEG: f64 = 5.0;
+
+/// A crossing under a bad angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BadAngle {
+    /// The crossing; that of the velocity polygon where both polygons have it (the angle is the same).
+    pub crossing: CrossingTolerance,
+    /// The pencil error (mm) for which it is judged.
+    pub pencil_mm: f64,
+    /// Drawn so many times as large, every answer is within 1 %; `None` where it is now, or where A0 is too small for that.
+    pub larger: Option<f64>,
+    /// Another special point of the triad, with which no line crosses under a bad angle and the worst answer is better.
+    pub special: Option<OtherPoint>,
+    /// A pose nearby in which the lines cross under a good angle.
+    pub pose: Option<NearbyPose>,
+}
+
+/// Another special point of a triad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OtherPoint {
+    /// The group.
+    pub group: usize,
+    /// The legs on whose constraint lines it lies.
+    pub legs: (usize, usize),
+    /// The worst angle then (degrees).
+    pub worst_deg: f64,
+}
+
+/// A pose nearby.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearbyPose {
+    /// The driver to turn.
+    pub driver: usize,
+    /// By how much (degrees, counter-clockwise plus).
+    pub turn_deg: f64,
+    /// To which angle, as the scene counts it (degrees); `None` where the scene gives the pose otherwise.
+    pub to_deg: Option<f64>,
+    /// The angle of the crossing there.
+    pub crossing_deg: f64,
+}
+
+/// The crossings under a bad angle, in drawing order, each vertex once.
+pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
+    let mut bad: Vec<CrossingTolerance> = Vec::new();
+    for c in crossings(drawn.construction, pencil_mm) {
+        if c.angle_deg() < BAD_DEG && bad.iter().all(|b| b.target != c.target) {
+            bad.push(c);
+        }
+    }
+    if bad.is_empty() {
+        return Vec::new();
+    }
+    let tolerances = drafting(drawn, pencil_mm).tolerances;
+    let larger = larger(&tolerances);
+    bad.into_iter()
+        .map(|crossing| BadAngle {
+            crossing,
+            pencil_mm,
+            larger,
+            special: other_point(drawn, crossing.target, pencil_mm, worst(&tolerances)),
+            pose: nearby_pose(drawn, &crossing),
+        })
+        .collect()
+}
+
+/// The enlargement with which every answer is within 1 %, where it is needed and there is paper for it.
+fn larger(tolerances: &[Option<Tolerance>]) -> Option<f64> {
+    let all: Vec<_> = tolerances.iter().flatten().filter_map(|t| t.larger.as_ref()).collect();
+    let worst = all.iter().max_by(|a, b| a.factor.total_cmp(&b.factor))?;
+    (worst.factor > 1.0 && all.iter().all(|l| l.sheet().is_some())).then(|| worst.rounded())
+}
+
+/// The worst relative tolerance; infinite where one is not known.
+fn worst(tolerances: &[Option<Tolerance>]) -> f64 {
+    tolerances.iter().map(|t| t.as_ref().map_or(f64::INFINITY, |t| t.relative.unwrap_or(0.0))).fold(0.0, f64::max)
+}
+
+/// The velocities drawn exactly in a configuration; their lines cross under the same angles as those of the accelerations.
+fn redrawn(drawn: &Drawn, at: &Configuration, layout: &Layout) -> Option<Construction> {
+    let layout = Layout { mu_a: None, ..layout.clone() };
+    by_hand(drawn.scene, drawn.mechanism, at, drawn.plan, &layout, &mut Exact).ok().map(|(paper, _)| paper)
+}
+
+fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) -> Option<OtherPoint> {
+    let layout = Layout::of(drawn.construction);
+    let finds = |steps: &[Step], v: VertexId| steps.iter().any(|s| matches!(s, Step::Equation { target, .. } if *target == v));
+    let chosen = |g: usize| layout.chosen[g];
+    let steps = drawn.plan.velocity.iter().find(|s| s.alternatives.get(chosen(s.group)).is_some_and(|a| finds(a, target)))?;
+    let group = steps.group;
+    let mut best: Option<OtherPoint> = None;
+    for (k, alternative) in steps.alternatives.iter().enumerate().filter(|(k, _)| *k != chosen(group)) {
+        let mut other = layout.clone();
+        other.chosen[group] = k;
+        let at = drawn.configuration;
+        let Ok((paper, _)) = by_hand(drawn.scene, drawn.mechanism, at, drawn.plan, &other, &mut Exact) else { continue };
+        let own = crossings(&paper, 0.0).into_iter().filter(|c| finds(alternative, c.target));
+        let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
+        let legs = alternative.iter().find_map(|s| match s {
+            Step::Equation { target, .. } => match drawn.plan.vertex(*target).spot {
+                Spot::Special { legs, .. } => Some(legs),
+                Spot::Point(_) => None,
+            },
+            Step::Image { .. } | Step::Same { .. } => None,
+        });
+        if let Some(legs) = legs
+            && worst_deg >= BAD_DEG
+            && best.is_none_or(|b| worst_deg > b.worst_deg)
+            && worst(&drafting(&Drawn { construction: &paper, ..drawn.clone() }, pencil_mm).tolerances) < present
+        {
+            best = Some(OtherPoint { group, legs, worst_deg });
+        }
+    }
+    best
+}
+
+fn nearby_pose(drawn: &Drawn, crossing: &CrossingTolerance) -> Option<NearbyPose> {
+    (0..drawn.scene.drivers.len()).find_map(|driver| {
+        let DriverKind::Turn { angle, .. } = &drawn.scene.drivers[driver].kind else { return None };
+        let mut ways: Vec<Way> = [1.0, -1.0].map(|sign| Way { sign, at: Some(drawn.configuration.clone()) }).into();
+        let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
+        (1..=steps).find_map(|k| {
+            ways.iter_mut().find_map(|way| {
+                let crossing_deg = way.step(drawn, driver, crossing)?;
+                let turn_deg = way.sign * k as f64 * SEARCH_STEP_DEG;
+                let to_deg = angle.as_ref().map(|a| a.value.degrees() + turn_deg);
+                Some(NearbyPose { driver, turn_deg, to_deg, crossing_deg })
+            })
+        })
+    })
+}
+
+/// A walk of the mechanism away from its pose, one driver turning one way.
+struct Way {
+    sign: f64,
+    /// Where it is; `None` when it went no further.
+    at: Option<Configuration>,
+}
+
+impl Way {
+    /// One step on; the angle of the crossing there, if it is good and no other is bad.
+    fn step(&mut self, drawn: &Drawn, driver: usize, crossing: &CrossingTolerance) -> Option<f64> {
+        let from = self.at.take()?;
+        let mut values = driver_values(drawn.scene, &from);
+        values.0[driver] += (self.sign * SEARCH_STEP_DEG).to_radians();
+        let at = moved(drawn.scene, drawn.mechanism, &from, &values)?;
+        let paper = redrawn(drawn, &at, &Layout::of(drawn.construction))?;
+        let was = crossings(drawn.construction, 0.0);
+        let now: Vec<_> = crossings(&paper, 0.0);
+        // The sine of a crossing changes its sign only through a dead centre: beyond it, or in another assembly, it is
+        // not the same problem.
+        if !now.iter().all(|c| was.iter().any(|w| (w.level, w.target) == (c.level, c.target) && w.sine * c.sine > 0.0)) {
+            return None;
+        }
+        self.at = Some(at);
+        let here = now.iter().find(|c| (c.level, c.target) == (crossing.level, crossing.target))?.angle_deg();
+        (here >= GOOD_DEG && now.iter().all(|c| c.angle_deg() >= BAD_DEG)).then_some(here)
+    }
+}
+
+/// What is nearly at a dead centre, as the beginning of a clause; nothing for a special point on the diagram.
+fn near(drawn: &Drawn, c: &CrossingTolerance) -> String {
+    let Some(polygon) = drawn.construction.polygon(c.level) else { return String::new() };
+    let edges = polygon.actions.iter().find_map(|a| match a {
+        Action::Cross { target, edges, .. } if *target == c.target => Some(edges),
+        _ => None,
+    });
+    let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
+    let words: Vec<String> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
+    format!("{} are near a dead centre, and ", words.join(" and "))
+}
+
+impl BadAngle {
+    /// As a warning.
+    pub fn diagnostic(&self, drawn: &Drawn) -> Diagnostic {
+        let name = vertex_name(drawn.scene, drawn.plan, self.crossing.target);
+        let moves = match self.crossing.moves_on_paper_mm() {
+            Some(mm) => format!("by {} mm", significant(mm, 2)),
+            None => "off the paper".into(),
+        };
+        let message = format!(
+            "{name} is found under {}°: {}a pencil error of {} mm moves it {moves}",
+            significant(self.crossing.angle_deg(), 2),
+            near(drawn, &self.crossing),
+            shortest(self.pencil_mm),
+        );
+        let mut help = Vec::new();
+        if let Some(factor) = self.larger {
+            help.push(format!("draw {} times as large, then every answer is within 1 %", shortest(factor)));
+        }
+        if let Some(p) = self.special {
+            let point = format!("take the special point on legs {} and {} of the group", p.legs.0 + 1, p.legs.1 + 1);
+            help.push(format!("{point}, where the lines cross under {}° or more", significant(p.worst_deg, 2)));
+        }
+        if let Some(p) = self.pose {
+            let angle = significant(p.crossing_deg, 2);
+            help.push(match p.to_deg {
+                Some(to) => format!("take the pose at a driver angle of {} deg, where the lines cross under {angle}°", shortest(to)),
+                None => format!("turn the driver by {} deg, where the lines cross under {angle}°", shortest(p.turn_deg)),
+            });
+        }
+        let d = Diagnostic::warning("bad-angle", message);
+        let d = match drawn.plan.vertex(self.crossing.target).spot {
+            Spot::Point(p) => d.at(drawn.scene.points[p.0].span),
+            Spot::Special { .. } => d,
+        };
+        if help.is_empty() { d } else { d.help(help.join("; or ")) }
+    }
+}

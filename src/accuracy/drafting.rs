@@ -1,0 +1,291 @@
+//! What drawing by hand is worth: the tolerance of every reading, derived step by step.
+//!
+//! Each mark of the construction is displaced by itself while all other steps are repeated exactly; what the answers do
+//! is the sensitivity to that mark. Marks miss independently and normally ([`Blunt`](crate::construct::pencil::Blunt)), so
+//! the variances of what they do add up (the square root of the sum of squares), and the tolerance is the radius within which 95 % of
+//! the answers fall. It is of first order: true while it is small against the answer, and a warning where it is not.
+//! [`simulate`](super::simulate()) is the check.
+
+use super::larger::{Larger, larger};
+use crate::answer::{Value, level_of};
+use crate::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
+use crate::construct::{Construction, Layout, by_hand, read_by_hand, scale};
+use crate::diag::Faults;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Level, Mechanism};
+use crate::plan::{Plan, VertexId};
+use crate::position::Configuration;
+use crate::scene::{Asked, Scene};
+
+/// The drawings: diagram, velocity polygon, acceleration polygon.
+pub(super) const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
+
+/// A finished construction with all that is needed to draw it again.
+#[derive(Clone, Debug)]
+pub struct Drawn<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Topology.
+    pub mechanism: &'a Mechanism,
+    /// True positions.
+    pub configuration: &'a Configuration,
+    /// Equations.
+    pub plan: &'a Plan,
+    /// The exact drawing.
+    pub construction: &'a Construction,
+    /// The true answers, one for each question; `None` for what is not drawn.
+    pub values: Vec<Option<Value>>,
+}
+
+impl Drawn<'_> {
+    /// Width and height of a drawing (mm).
+    pub fn size_mm(&self, level: Level) -> [f64; 2] {
+        match self.construction.polygon(level) {
+            Some(p) => p.extent().map(|s| s / p.mu),
+            None => scale::size(self.configuration).map(|s| s / self.construction.diagram.mu_l),
+        }
+    }
+
+    /// What is read when the same is drawn with a pencil: one value for each question, `None` for what is not drawn.
+    ///
+    /// # Errors
+    /// Two lines that the pencil made parallel.
+    pub fn read_with<P: Pencil>(&self, layout: &Layout, pencil: &mut P) -> Result<Vec<Option<Value>>, Faults> {
+        let (scene, m, plan) = (self.scene, self.mechanism, self.plan);
+        let (paper, shown) = by_hand(scene, m, self.configuration, plan, layout, pencil)?;
+        let read = read_by_hand(scene, m, &shown, plan, &paper, pencil);
+        Ok(read.into_iter().zip(&self.values).map(|(r, v)| if v.is_some() { r } else { None }).collect())
+    }
+}
+
+/// What drawing by hand makes of a construction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drafting {
+    /// The pencil error (mm): 95 % of the marks fall within it.
+    pub pencil_mm: f64,
+    /// For each question; `None` where it is not drawn, or where a mark's error may undo the drawing.
+    pub tolerances: Vec<Option<Tolerance>>,
+    /// Every crossing, in drawing order.
+    pub crossings: Vec<CrossingTolerance>,
+}
+
+/// The tolerance of one reading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tolerance {
+    /// In SI: 95 % of the readings lie within this of the true answer (for a vector: within a circle of this radius about
+    /// its end).
+    pub absolute: f64,
+    /// As a part of the answer; `None` for an answer of zero, and for coordinates and angles, whose zero is arbitrary.
+    pub relative: Option<f64>,
+    /// What of `absolute` comes from marks on the diagram, the velocity and the acceleration polygon, each alone.
+    pub parts: [f64; 3],
+    /// How large the drawings have to be for 1 %; `None` where `relative` is.
+    pub larger: Option<Larger>,
+}
+
+/// A crossing and what a pencil makes of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CrossingTolerance {
+    /// The drawing: [`Level::Position`] for the special point of a triad on the diagram.
+    pub level: Level,
+    /// The vertex found.
+    pub target: VertexId,
+    /// Sine of the angle between the lines, signed from the first to the second.
+    pub sine: f64,
+    /// How far one line that misses by the pencil error moves it: e / |sine| (mm).
+    pub moves_mm: f64,
+    /// The same through μ, in SI.
+    pub moves: f64,
+}
+
+/// No sheet is longer (mm): the long side of A0.
+const LONGEST_SHEET_MM: f64 = 1189.0;
+
+impl CrossingTolerance {
+    /// `moves_mm`, unless that leaves every sheet.
+    pub fn moves_on_paper_mm(&self) -> Option<f64> {
+        (self.moves_mm <= LONGEST_SHEET_MM).then_some(self.moves_mm)
+    }
+
+    /// The angle between the lines, in degrees from 0 to 90.
+    pub fn angle_deg(&self) -> f64 {
+        libm::asin(self.sine.abs().min(1.0)).to_degrees()
+    }
+}
+
+/// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
+pub fn crossings(paper: &Construction, pencil_mm: f64) -> Vec<CrossingTolerance> {
+    let mut all = Vec::new();
+    for level in LEVELS {
+        let mu = paper.polygon(level).map_or(paper.diagram.mu_l, |p| p.mu);
+        all.extend(paper.crossings(level).into_iter().map(|c| {
+            let moves_mm = pencil_mm / c.sine.abs();
+            CrossingTolerance { level, target: c.target, sine: c.sine, moves_mm, moves: moves_mm * mu }
+        }));
+    }
+    all
+}
+
+/// The tolerances of all readings for a pencil error (mm).
+///
+/// Costs four drawings for each mark: some hundred microseconds for a four-bar, some milliseconds for ten links.
+pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
+    let layout = Layout::of(drawn.construction);
+    let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
+    let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
+        let spread = spreads.as_ref()?[find]?;
+        let value = (*value)?;
+        let absolute = spread.total().radius(WITHIN);
+        let free = matches!(drawn.scene.find[find].what, Asked::Coordinate(..) | Asked::LinkAngle(_));
+        let relative = (!free && value.magnitude() > 0.0).then(|| absolute / value.magnitude());
+        let parts = spread.0.map(|c| c.radius(WITHIN));
+        let larger = relative.map(|r| larger(drawn, &layout, r, parts));
+        absolute.is_finite().then_some(Tolerance { absolute, relative, parts, larger })
+    });
+    Drafting { pencil_mm, tolerances: tolerances.collect(), crossings: crossings(drawn.construction, pencil_mm) }
+}
+
+/// Displaces one mark, or only writes down on which drawing each mark is made.
+struct Slip {
+    marks: Vec<Level>,
+    count: usize,
+    displaced: Option<(usize, Vec2)>,
+}
+
+impl Pencil for Slip {
+    const EXACT: bool = false;
+
+    fn mark(&mut self, on: Level, at: Point) -> Point {
+        let here = self.count;
+        self.count += 1;
+        match self.displaced {
+            None => {
+                self.marks.push(on);
+                at
+            }
+            Some((step, by)) if step == here => at + by,
+            Some(_) => at,
+        }
+    }
+}
+
+/// For the derivatives a mark is displaced by this part (2⁻²⁰) of its drawing's larger side: far below what bends the answers even
+/// at flat crossings, and the rounding of the drawing, 1e-16 of that side, spoils ten digits fewer than there are.
+const STEP: f64 = 1.0 / 1_048_576.0;
+
+/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` where a displaced mark undoes the drawing.
+fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
+    let mut first = Slip { marks: Vec::new(), count: 0, displaced: None };
+    let base = drawn.read_with(layout, &mut first).ok()?;
+    let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
+    let steps_mm = LEVELS.map(|level| {
+        let [w, h] = drawn.size_mm(level);
+        // A drawing that is a single point (nothing moves) has no size of its own.
+        if w.max(h) > 0.0 { w.max(h) * STEP } else { STEP }
+    });
+    for (mark, on) in first.marks.iter().enumerate() {
+        let h = steps_mm[*on as usize];
+        for axis in [Vec2::new(h, 0.0), Vec2::new(0.0, h)] {
+            let at = |by: Vec2| {
+                let mut pencil = Slip { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };
+                drawn.read_with(layout, &mut pencil).ok()
+            };
+            let (ahead, behind) = (at(axis)?, at(-axis)?);
+            for (find, spread) in all.iter_mut().enumerate() {
+                if let (Some(spread), Some(a), Some(b)) = (spread, ahead[find], behind[find]) {
+                    let change = difference(&drawn.scene.find[find].what, a, b);
+                    spread.0[*on as usize].add(change * (0.5 * deviation_mm / h));
+                }
+            }
+        }
+    }
+    Some(all)
+}
+
+/// The difference of two answers, a number as a vector along x; angles by the shorter way round.
+pub(super) fn difference(what: &Asked, a: Value, b: Value) -> Vec2 {
+    match (a, b) {
+        (Value::Vector(a), Value::Vector(b)) => a - b,
+        (Value::Scalar(a), Value::Scalar(b)) if matches!(what, Asked::LinkAngle(_)) && level_of(what) == Level::Position => {
+            Vec2::new(Vec2::from_angle(a - b).angle(), 0.0)
+        }
+        (Value::Scalar(a), Value::Scalar(b)) => Vec2::new(a - b, 0.0),
+        _ => Vec2::new(f64::INFINITY, 0.0),
+    }
+}
+
+/// Covariances of one answer by the drawing on which the marks were made.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spread([Covariance; 3]);
+
+impl Spread {
+    fn total(&self) -> Covariance {
+        let [a, b, c] = self.0;
+        Covariance { xx: a.xx + b.xx + c.xx, xy: a.xy + b.xy + c.xy, yy: a.yy + b.yy + c.yy }
+    }
+}
+
+/// The covariance of an error in the plane.
+#[derive(Clone, Copy, Debug, Default)]
+struct Covariance {
+    xx: f64,
+    xy: f64,
+    yy: f64,
+}
+
+impl Covariance {
+    /// Adds what one mark does that is displaced by its deviation.
+    fn add(&mut self, v: Vec2) {
+        self.xx += v.x * v.x;
+        self.xy += v.x * v.y;
+        self.yy += v.y * v.y;
+    }
+
+    /// The radius within which a part `p` of normal errors of this covariance fall.
+    ///
+    /// With the principal deviations s₁ ≥ s₂ the error is ρ(s₁ cos φ, s₂ sin φ), ρ Rayleigh's and φ even, so that the part within R is the
+    /// mean over φ of 1 − exp(−R²/2h), h = s₁² cos²φ + s₂² sin²φ. For s₂ = 0 this is the error function (Craig's form), for
+    /// s₂ = s₁ Rayleigh's law. The mean over equal steps of a smooth periodic function converges faster than any power.
+    fn radius(&self, p: f64) -> f64 {
+        const STEPS: usize = 32;
+        let (mean, half) = (0.5 * (self.xx + self.yy), libm::hypot(0.5 * (self.xx - self.yy), self.xy));
+        let (large, small) = (mean + half, (mean - half).max(0.0));
+        if large == 0.0 || !large.is_finite() {
+            return large.sqrt();
+        }
+        let ratio = small / large;
+        let outside = |r: f64| -> f64 {
+            let at = |k: usize| {
+                let c = libm::cos((k as f64 + 0.5) * std::f64::consts::FRAC_PI_2 / STEPS as f64);
+                libm::exp(-0.5 * r * r / (c * c + ratio * (1.0 - c * c)))
+            };
+            (0..STEPS).map(at).sum::<f64>() / STEPS as f64
+        };
+        // In units of s₁ the radius lies between that of an error along one line and that of one alike in all directions.
+        let (mut lo, mut hi) = (0.0, (-2.0 * libm::log(1.0 - p)).sqrt());
+        for _ in 0..52 {
+            let mid = 0.5 * (lo + hi);
+            if outside(mid) > 1.0 - p { lo = mid } else { hi = mid }
+        }
+        0.5 * (lo + hi) * large.sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn radii_of_known_laws() {
+        // The textbook 1.96 of one dimension, the 2.448 of two.
+        let line = Covariance { xx: 4.0, xy: 0.0, yy: 0.0 };
+        assert!((line.radius(0.95) - 2.0 * 1.959_964).abs() < 1e-5);
+        assert!((line.radius(0.5) - 2.0 * 0.674_490).abs() < 1e-5);
+        let disc = Covariance { xx: 4.0, xy: 0.0, yy: 4.0 };
+        assert!((disc.radius(0.95) - 2.0 * radius_in_deviations()).abs() < 1e-9);
+        // Turned by 45° nothing changes.
+        let turned = Covariance { xx: 2.0, xy: 2.0, yy: 2.0 };
+        assert!((turned.radius(0.95) - line.radius(0.95)).abs() < 1e-9);
+        assert_eq!(Covariance::default().radius(0.95), 0.0);
+    }
+}

@@ -1,0 +1,62 @@
+//! How large the drawings have to be for a wanted tolerance.
+
+use super::drafting::{Drawn, LEVELS};
+use crate::construct::Layout;
+use crate::construct::scale::finer;
+
+/// The relative tolerance that an engineering drawing is expected to give.
+const WANTED: f64 = 0.01;
+
+/// ISO 216 sheets, upright, in mm, the smallest first.
+const SHEETS: [(&str, [f64; 2]); 5] =
+    [("A4", [210.0, 297.0]), ("A3", [297.0, 420.0]), ("A2", [420.0, 594.0]), ("A1", [594.0, 841.0]), ("A0", [841.0, 1189.0])];
+
+/// Kept free on each side of a sheet (mm).
+const BORDER_MM: f64 = 10.0;
+
+/// The drawings enlarged until a reading is within 1 %.
+///
+/// All drawings on which the reading rests (diagram, velocity polygon, acceleration polygon) are enlarged alike: the tolerance is then exactly in
+/// inverse proportion. One of them alone would not do in general, for the marks of the others stay.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Larger {
+    /// By this factor; not more than 1 where the drawing is large enough as it is.
+    pub factor: f64,
+    /// μ_l, μ_v, μ_a (SI per mm) for that: the next of the series, the present one where it suffices, `None` for a drawing
+    /// on which the reading does not rest.
+    pub mu: [Option<f64>; 3],
+    /// Width and height of the largest of these drawings then (mm).
+    pub size_mm: [f64; 2],
+}
+
+impl Larger {
+    /// The factor to tenths, from 10 on to whole numbers, rounded up: a little larger does no harm, a little smaller would not do.
+    pub fn rounded(&self) -> f64 {
+        if self.factor < 10.0 { (self.factor * 10.0).ceil() / 10.0 } else { self.factor.ceil() }
+    }
+
+    /// The smallest sheet that holds the largest of the drawings, upright or across; `None` where A0 does not.
+    pub fn sheet(&self) -> Option<&'static str> {
+        let [w, h] = self.size_mm;
+        let (short, long) = (w.min(h) + 2.0 * BORDER_MM, w.max(h) + 2.0 * BORDER_MM);
+        SHEETS.iter().find(|(_, [a, b])| short <= *a && long <= *b).map(|s| s.0)
+    }
+}
+
+/// The enlargement for a relative tolerance; `parts` says which drawings matter.
+pub(super) fn larger(drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64; 3]) -> Larger {
+    let factor = relative / WANTED;
+    let present = [Some(layout.mu_l), layout.mu_v, layout.mu_a];
+    let mut mu = [None; 3];
+    let mut size_mm = [0.0f64; 2];
+    for (i, level) in LEVELS.into_iter().enumerate() {
+        let Some(now) = present[i].filter(|_| parts[i] > 0.0) else { continue };
+        let then = if factor > 1.0 { finer(now, factor) } else { now };
+        let on_paper = drawn.size_mm(level).map(|mm| mm * now / then);
+        if on_paper[0].max(on_paper[1]) > size_mm[0].max(size_mm[1]) {
+            size_mm = on_paper;
+        }
+        mu[i] = Some(then);
+    }
+    Larger { factor, mu, size_mm }
+}

@@ -1,0 +1,60 @@
+//! Drawing many times with a blunt pencil, and how far the readings lie from the truth.
+
+use super::drafting::{Drawn, difference};
+use crate::construct::Layout;
+use crate::construct::pencil::Blunt;
+
+/// Errors of one answer over many drawings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Errors {
+    /// The error (SI) that half of the drawings stay within; infinite where half of them fail.
+    pub median: f64,
+    /// The error that 95 % of the drawings stay within.
+    pub within_95: f64,
+    /// Both as parts of the answer; `None` for an answer of zero.
+    pub relative: Option<[f64; 2]>,
+}
+
+/// Draws the scene `runs` times with a pencil of the given error (mm), to the scales of the finished construction; the errors of each question's
+/// answer, `None` for what is not drawn and for no runs at all.
+///
+/// The error of a vector is the length of the difference, so that a wrong direction counts too. A drawing in which the pencil made two lines
+/// parallel has an infinite error. The same seed gives the same numbers.
+pub fn simulate(drawn: &Drawn, pencil_mm: f64, runs: usize, seed: u64) -> Vec<Option<Errors>> {
+    let layout = Layout::of(drawn.construction);
+    let mut pencil = Blunt::new(pencil_mm, seed);
+    let mut errors: Vec<Vec<f64>> = vec![Vec::with_capacity(runs); drawn.values.len()];
+    for _ in 0..runs {
+        let read = drawn.read_with(&layout, &mut pencil).ok();
+        for (find, list) in errors.iter_mut().enumerate() {
+            let read = read.as_ref().and_then(|r| r[find]);
+            list.push(match (read, drawn.values[find]) {
+                (Some(a), Some(b)) => difference(&drawn.scene.find[find].what, a, b).norm(),
+                _ => f64::INFINITY,
+            });
+        }
+    }
+    let of = |(list, value): (Vec<f64>, &Option<crate::answer::Value>)| summary(list, (*value)?.magnitude());
+    errors.into_iter().zip(&drawn.values).map(of).collect()
+}
+
+fn summary(mut errors: Vec<f64>, size: f64) -> Option<Errors> {
+    errors.sort_by(f64::total_cmp);
+    // The smallest error that the part `p` of the drawings does not exceed.
+    let within = |p: f64| errors.get(((p * errors.len() as f64).ceil() as usize).saturating_sub(1)).copied();
+    let (median, within_95) = (within(0.5)?, within(0.95)?);
+    Some(Errors { median, within_95, relative: (size > 0.0).then(|| [median / size, within_95 / size]) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn median_and_95_percent_of_twenty() {
+        let e = summary((1..=20).rev().map(f64::from).collect(), 2.0).unwrap();
+        assert_eq!((e.median, e.within_95, e.relative), (10.0, 19.0, Some([5.0, 9.5])));
+        assert_eq!(summary(Vec::new(), 1.0), None);
+        assert_eq!(summary(vec![1.0], 0.0).unwrap().relative, None);
+    }
+}

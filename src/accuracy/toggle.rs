@@ -1,0 +1,69 @@
+//! Where a driver can go no farther: the toggle, found by halving, and poses at given distances before it.
+
+use crate::mechanism::{Demand, Mechanism};
+use crate::position;
+use crate::scene::{Angle, DriverKind, Given, Scene};
+
+/// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
+/// coordinates.
+pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
+    match &scene.drivers.get(driver)?.kind {
+        DriverKind::Turn { angle, .. } => Some(angle.as_ref()?.value.radians()),
+        DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => Some(x.as_ref()?.value),
+    }
+}
+
+/// The same scene with a driver elsewhere: just the decimal that is printed for `position` (radians or metres).
+///
+/// A scene whose driver has no position stays as it is.
+pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
+    let mut scene = scene.clone();
+    // The shortest decimal that reads back as the same double is within half a unit of its last place.
+    let radius = position.abs() * f64::EPSILON;
+    match &mut scene.drivers[driver].kind {
+        DriverKind::Turn { angle: Some(angle), .. } => {
+            *angle = Given { value: Angle::Rad(position), radius, text: format!("({position:?}) rad"), span: angle.span };
+        }
+        DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => {
+            *x = Given { value: position, radius, text: format!("({position:?}) m"), span: x.span };
+        }
+        _ => {}
+    }
+    scene
+}
+
+/// Steps of the search: a degree, or as fine a part of the mechanism's size.
+const STEPS: usize = 360;
+
+/// The last position of a driver at which the mechanism closes, going on from where it stands (`up`: with increasing
+/// position) for a full turn, or for twice the mechanism's size; `None` where nothing stops it, or where it has no position.
+///
+/// The mechanism does not close beyond: there two of its links lie in line.
+pub fn limit(scene: &Scene, driver: usize, up: bool) -> Option<f64> {
+    let start = driver_position(scene, driver)?;
+    let m = Mechanism::new(scene).ok()?.value;
+    let demand = Demand::of(scene, &m).with_all_positions();
+    let extent = |at: f64| Some(position::configure(&with_driver_at(scene, driver, at), &m, &demand).ok()?.value.extent());
+    let reach = match scene.drivers[driver].kind {
+        DriverKind::Turn { .. } => std::f64::consts::TAU,
+        _ => 2.0 * extent(start)?,
+    };
+    let step = if up { reach } else { -reach } / STEPS as f64;
+    let mut inside = start;
+    extent(inside)?;
+    let mut outside = (1..=STEPS).map(|i| start + step * i as f64).find(|&at| {
+        let closes = extent(at).is_some();
+        if closes {
+            inside = at;
+        }
+        !closes
+    })?;
+    loop {
+        let middle = 0.5 * (inside + outside);
+        // No double lies between.
+        if middle == inside || middle == outside {
+            return Some(inside);
+        }
+        if extent(middle).is_some() { inside = middle } else { outside = middle }
+    }
+}

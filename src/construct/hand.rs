@@ -1,0 +1,204 @@
+//! Drawing by hand: a construction drawn again with a pencil that misses.
+//!
+//! What a draughtsman knows is not drawn but reckoned with: the length of a link (two joints of one link), the radius of a slot, the rates of the
+//! drivers, and μ. Everything else comes from paper: directions from the joints where they really lie, lengths that change (a
+//! pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
+
+use super::board::Board;
+use super::pencil::Pencil;
+use super::{Construction, Polygon};
+use crate::diag::Faults;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Leg, Level, Mechanism};
+use crate::plan::{Body, By, Plan, Spot, Term, VertexId};
+use crate::position::{Configuration, Path, Pose};
+use crate::scene::{DriverKind, GuideId, PointId, Scene};
+
+/// What has to be chosen before a drawing is made: scales, and which special points are used.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    /// μ_l, m/mm.
+    pub mu_l: f64,
+    /// μ_v, (m/s)/mm; `None`: no velocity polygon.
+    pub mu_v: Option<f64>,
+    /// μ_a, (m/s²)/mm.
+    pub mu_a: Option<f64>,
+    /// For each group, the alternative of its steps.
+    pub chosen: Vec<usize>,
+}
+
+impl Layout {
+    /// That of a finished construction.
+    pub fn of(done: &Construction) -> Layout {
+        let mu = |p: &Option<Polygon>| p.as_ref().map(|p| p.mu);
+        Layout { mu_l: done.diagram.mu_l, mu_v: mu(&done.velocity), mu_a: mu(&done.acceleration), chosen: done.chosen.clone() }
+    }
+
+    /// All drawings `factor` times as large.
+    pub fn enlarged(&self, factor: f64) -> Layout {
+        Layout {
+            mu_l: self.mu_l / factor,
+            mu_v: self.mu_v.map(|mu| mu / factor),
+            mu_a: self.mu_a.map(|mu| mu / factor),
+            chosen: self.chosen.clone(),
+        }
+    }
+}
+
+/// Draws a plan with a pencil, to given scales.
+///
+/// With it comes the configuration as the diagram shows it: joints where the pencil put them. With the exact pencil the construction
+/// is that of [`construct`](super::construct()).
+///
+/// # Errors
+/// As [`construct`](super::construct()): a pencil may make two lines parallel.
+pub fn by_hand<P: Pencil>(
+    scene: &Scene,
+    m: &Mechanism,
+    at: &Configuration,
+    plan: &Plan,
+    layout: &Layout,
+    pencil: &mut P,
+) -> Result<(Construction, Configuration), Faults> {
+    let mut board = Board::new(scene, m, at, plan, layout.mu_l, pencil);
+    board.done.chosen.clone_from(&layout.chosen);
+    board.set_out();
+    for (level, mu) in [(Level::Velocity, layout.mu_v), (Level::Acceleration, layout.mu_a)] {
+        if let Some(mu) = mu {
+            let polygon = board.draw(level, mu)?;
+            board.keep(polygon);
+        }
+    }
+    let shown = board.shown();
+    Ok((board.finish()?, shown))
+}
+
+/// What a blunt pencil made of the mechanism.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Hand {
+    /// Each joint where it lies (mm).
+    joints: Vec<Option<Point>>,
+    /// For each guide the turn from its true direction, as (cos, sin).
+    turns: Vec<Vec2>,
+}
+
+impl<P: Pencil> Board<'_, P> {
+    /// Draws every joint, and every guide through its runner.
+    pub(super) fn draw_joints(&mut self) {
+        if P::EXACT {
+            return;
+        }
+        for p in 0..self.at.points.len() {
+            let drawn = self.at.points[p].map(|q| self.paper(q)).map(|q| self.pencil.mark(Level::Position, q));
+            self.hand.joints.push(drawn);
+        }
+        for g in 0..self.at.guides.len() {
+            let apart = self.guide_length(GuideId(g));
+            let turn = self.pencil.ruler(Level::Position, Vec2::new(1.0, 0.0), apart);
+            self.hand.turns.push(turn);
+        }
+    }
+
+    /// A joint on the diagram.
+    pub(super) fn joint(&self, p: PointId) -> Option<Point> {
+        if P::EXACT { self.at.points[p.0].map(|q| self.paper(q)) } else { self.hand.joints[p.0] }
+    }
+
+    /// A direction that goes with a guide, as the guide was drawn.
+    pub(super) fn turned(&self, guide: GuideId, direction: Vec2) -> Vec2 {
+        if P::EXACT { direction } else { direction.rotate_by(self.hand.turns[guide.0]) }
+    }
+
+    /// The direction of a constraint line as a ruler takes it.
+    pub(super) fn laid(&mut self, leg: &Leg, along: Vec2) -> Vec2 {
+        if P::EXACT {
+            return along;
+        }
+        let apart = match *leg {
+            Leg::OnGuide { guide, .. } | Leg::InSlot { guide, .. } => self.guide_length(guide),
+            _ => along.norm(),
+        };
+        along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
+    }
+
+    /// How far apart the two marks lie from which the direction of a term is taken (mm): the joints of its arm, or the ends of the
+    /// guide on the diagram.
+    pub(super) fn drawn_length(&self, term: &Term) -> f64 {
+        match term.by {
+            _ if P::EXACT => 0.0,
+            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).norm() / self.done.diagram.mu_l,
+            By::Guide { guide, .. } => self.guide_length(guide),
+        }
+    }
+
+    /// How long a guide is drawn (mm): from its runner to the farthest joint of the link that carries it, across the
+    /// diagram where there is none; for an arc its radius, square to which it runs.
+    fn guide_length(&self, guide: GuideId) -> f64 {
+        let diagram = self.at.extent() / self.done.diagram.mu_l;
+        let g = &self.scene.guides[guide.0];
+        let Some(path) = self.at.guides[guide.0] else { return diagram };
+        if let Path::Arc { radius, .. } = path {
+            return radius / self.done.diagram.mu_l;
+        }
+        let runner = match (g.pin, g.slider) {
+            (Some(p), _) => self.at.points[p.0],
+            (None, Some(s)) => self.at.poses[s.0].map(|pose| pose.origin),
+            (None, None) => None,
+        };
+        let joints = self.scene.links[g.on.0].points.iter().filter_map(|p| self.at.points[p.0]);
+        let farthest = runner.map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max)) / self.done.diagram.mu_l;
+        if farthest > 0.0 { farthest } else { diagram }
+    }
+
+    /// The arm on which a body turns, in metres: its direction from the diagram, its length from the body where both ends
+    /// are joints of it.
+    pub(super) fn arm_of(&self, body: Body, of: VertexId, to: VertexId) -> Vec2 {
+        let drawn = self.arm(of, to);
+        if P::EXACT {
+            return drawn;
+        }
+        match (drawn.unit(), self.known_length(body, of, to)) {
+            (Some(u), Some(length)) => u * length,
+            _ => drawn,
+        }
+    }
+
+    fn known_length(&self, body: Body, of: VertexId, to: VertexId) -> Option<f64> {
+        let point = |v: VertexId| match self.plan.vertex(v).spot {
+            Spot::Point(p) => Some(p),
+            Spot::Special { .. } => None,
+        };
+        let (p, q) = (point(of)?, point(to)?);
+        let known = match body {
+            Body::Link(l) => [p, q].iter().all(|x| self.scene.links[l.0].points.contains(x)),
+            Body::Cylinder(d) => match self.scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => (a, b) == (p, q) || (b, a) == (p, q),
+                _ => false,
+            },
+        };
+        if known { Some(self.at.points[p.0]?.distance(self.at.points[q.0]?)) } else { None }
+    }
+
+    /// The configuration as the diagram shows it.
+    pub(super) fn shown(&self) -> Configuration {
+        let mut shown = self.at.clone();
+        if P::EXACT {
+            return shown;
+        }
+        let d = &self.done.diagram;
+        for (place, joint) in shown.points.iter_mut().zip(&self.hand.joints) {
+            *place = joint.map(|q| d.origin + q.to_vec2() * d.mu_l);
+        }
+        // A link without two joints shows its angle by its guide.
+        for (guide, turn) in self.scene.guides.iter().zip(&self.hand.turns) {
+            for l in [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != self.scene.ground) {
+                if self.scene.links[l.0].points.len() < 2
+                    && let Some(pose) = self.at.poses[l.0]
+                {
+                    shown.poses[l.0] = Some(Pose { axis: pose.axis.rotate_by(*turn), ..pose });
+                }
+            }
+        }
+        shown
+    }
+}

@@ -1,0 +1,50 @@
+//! What a sheet says of its own worth: crossings under a bad angle with what helps, and what its tolerances are.
+
+use crate::accuracy::BadAngle;
+use crate::mechanism::Core;
+use crate::plan::text::{point_label, vertex_name};
+use crate::quantity::{shortest, significant};
+use crate::report::phrase::Phrase;
+use crate::scene::Scene;
+use crate::worked::Worked;
+
+use super::results::number;
+use super::tables::constraint_line;
+use super::words::Words;
+
+/// The remarks, one a line.
+pub(super) fn remarks(scene: &Scene, worked: &Worked, words: &Words) -> Vec<Phrase> {
+    let mut lines = Vec::new();
+    if let Some(d) = &worked.drafting {
+        lines.push(words.by_hand.replace("{}", &shortest(d.pencil_mm)));
+    }
+    for bad in &worked.bad_angles {
+        lines.extend(bad_angle(scene, worked, words, bad));
+    }
+    lines.iter().map(|l| Phrase::new(l)).collect()
+}
+
+/// One crossing, and below it each thing that helps. Angles and lengths are told to two digits, for they are advice.
+fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> Vec<String> {
+    let two = |x: f64| significant(x, 2).replace('-', "−");
+    let name = point_label(&vertex_name(scene, &worked.plan, bad.crossing.target));
+    let angle = format!("{}\\degree", number(bad.crossing.angle_deg(), 2));
+    let moves = bad.crossing.moves_on_paper_mm().map_or(words.off_paper.into(), |mm| words.by_mm.replace("{}", &two(mm)));
+    let what = words.bad_angle.replace("{1}", &angle).replace("{2}", &shortest(bad.pencil_mm));
+    let mut lines = vec![what.replace("{3}", &moves).replace("{}", &name)];
+    if let Some(factor) = bad.larger {
+        lines.push(words.bad_larger.replace("{}", &shortest(factor)));
+    }
+    if let Some(p) = bad.special
+        && let Core::Link { link, legs } = &worked.mechanism.groups[p.group].core
+    {
+        let [a, b] = [p.legs.0, p.legs.1].map(|k| constraint_line(scene, words, &legs[k]));
+        let text = words.bad_special.replace("{1}", &a).replace("{2}", &b).replace("{3}", &two(p.worst_deg));
+        lines.push(text.replace("{}", scene.link_name(*link)));
+    }
+    if let Some(p) = bad.pose {
+        let (text, turn) = p.to_deg.map_or((words.bad_turn, p.turn_deg), |to| (words.bad_pose, to));
+        lines.push(text.replace("{1}", &two(p.crossing_deg)).replace("{}", &shortest(turn).replace('-', "−")));
+    }
+    lines
+}

@@ -1,0 +1,140 @@
+//! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
+
+use super::answers::unit;
+use super::phrase::{formula, tr};
+use crate::accuracy::{CrossingTolerance, Drafting, Tolerance};
+use crate::mechanism::Level;
+use crate::plan::text::{Writer, vertex_name};
+use crate::quantity::{shortest, significant};
+use crate::scene::{Asked, Find, Scene};
+use crate::worked::Worked;
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+/// Digits of a tolerance: it is an estimate.
+pub const DIGITS: usize = 2;
+
+/// A tolerance beside its answer: `0.62 %`, or with its unit where a part of the answer says nothing (an answer of zero or smaller than its
+/// tolerance, a coordinate, an angle). `None` for what is given, not read.
+pub fn amount(find: &Find, t: &Tolerance) -> Option<(f64, &'static str)> {
+    if t.absolute == 0.0 {
+        return None;
+    }
+    Some(match (t.relative, find.what) {
+        (Some(r), _) if r < 1.0 => (r * 100.0, "%"),
+        (_, Asked::LinkAngle(_)) => (t.absolute.to_degrees(), "°"),
+        (_, ref what) => (t.absolute, unit(what)),
+    })
+}
+
+/// The words of [`amount`] for a terminal.
+pub fn words(find: &Find, t: Option<&Tolerance>) -> String {
+    match t.and_then(|t| amount(find, t)) {
+        Some((value, "°")) => format!("± {}°", significant(value, DIGITS)),
+        Some((value, unit)) => format!("± {} {unit}", significant(value, DIGITS)),
+        None => String::new(),
+    }
+}
+
+fn scale_unit(level: usize) -> &'static str {
+    ["m/mm", "(m/s)/mm", "(m/s²)/mm"][level]
+}
+
+fn level_unit(level: Level) -> &'static str {
+    ["m", "m/s", "m/s²"][level as usize]
+}
+
+/// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for.
+pub fn text(w: &Writer, worked: &Worked) -> String {
+    let Some(d) = &worked.drafting else { return String::new() };
+    let lang = w.lang;
+    let pencil = shortest(d.pencil_mm);
+    let mut out = match lang {
+        crate::scene::Lang::En => format!("drawn by hand, 95 % of the marks within {pencil} mm\n"),
+        crate::scene::Lang::Zh => format!("手工作图，95% 的点误差不超过 {pencil} mm\n"),
+    };
+    if !d.crossings.is_empty() {
+        let head = ["crossing", "angle", "moves by", ""];
+        let zh = ["交点", "交角", "偏移", ""];
+        let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
+        rows.extend(d.crossings.iter().map(|c| {
+            let [moves, si] = match c.moves_on_paper_mm() {
+                Some(mm) => {
+                    [format!("{} mm", significant(mm, DIGITS)), format!("{} {}", significant(c.moves, DIGITS), level_unit(c.level))]
+                }
+                None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
+            };
+            [crossing_name(w, c), format!("{}°", significant(c.angle_deg(), 3)), moves, si]
+        }));
+        out.push_str(&table(&rows));
+    }
+    let mut rows = vec![
+        [tr(lang, "for 1 %", "误差 1% 时"), tr(lang, "larger by", "放大"), "μ_l", "μ_v", "μ_a", tr(lang, "paper", "图纸")]
+            .map(str::to_string),
+    ];
+    for (find, t) in w.scene.find.iter().zip(&d.tolerances) {
+        let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
+        let [width, height] = l.size_mm;
+        let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
+        let mu = [0, 1, 2].map(|i| l.mu[i].map_or(String::new(), |mu| format!("{} {}", shortest(mu), scale_unit(i))));
+        let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
+        let [l_, v, a] = mu;
+        rows.push([find.text.clone(), by, l_, v, a, format!("{width:.0} × {height:.0} mm, {sheet}")]);
+    }
+    if rows.len() > 1 {
+        out.push_str(&table(&rows));
+    }
+    out
+}
+
+fn crossing_name(w: &Writer, c: &CrossingTolerance) -> String {
+    match c.level {
+        Level::Position => w.name(c.target),
+        level => formula(&w.image(level, c.target)),
+    }
+}
+
+fn table<const N: usize>(rows: &[[String; N]]) -> String {
+    let wide: Vec<usize> = (0..N).map(|i| rows.iter().map(|r| r[i].width()).max().unwrap_or(0)).collect();
+    let mut out = String::new();
+    for row in rows {
+        let cells = row.iter().zip(&wide).filter(|(_, w)| **w > 0).map(|(c, w)| format!("{c}{}", " ".repeat(w - c.width())));
+        out.push_str(format!("  {}", cells.collect::<Vec<_>>().join("  ")).trim_end());
+        out.push('\n');
+    }
+    out
+}
+
+/// The drawings' names for programs, in the order of [`Level`].
+const DRAWINGS: [&str; 3] = ["diagram", "velocity polygon", "acceleration polygon"];
+
+/// The pencil and the crossings, for programs.
+pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
+    let crossing = |c: &CrossingTolerance| {
+        json!({
+            "point": vertex_name(scene, &worked.plan, c.target),
+            "drawing": DRAWINGS[c.level as usize],
+            "sine": c.sine,
+            "angle_deg": c.angle_deg(),
+            "tolerance_mm": c.moves_mm,
+            "tolerance": c.moves,
+            "unit": level_unit(c.level),
+        })
+    };
+    json!({"pencil_mm": d.pencil_mm, "part_within": crate::construct::pencil::WITHIN, "crossings": d.crossings.iter().map(crossing).collect::<Vec<_>>()})
+}
+
+/// The fields of one answer, for programs.
+pub fn answer_fields(t: Option<&Tolerance>) -> [(&'static str, Json); 3] {
+    let larger = t.and_then(|t| t.larger.as_ref()).map(|l| {
+        json!({
+            "factor": l.factor,
+            "mu_l": l.mu[0],
+            "mu_v": l.mu[1],
+            "mu_a": l.mu[2],
+            "largest_drawing_mm": l.size_mm,
+            "paper": l.sheet(),
+        })
+    });
+    [("tolerance", t.map(|t| t.absolute).into()), ("relative", t.and_then(|t| t.relative).into()), ("scale_for_1_percent", larger.into())]
+}

@@ -1,0 +1,166 @@
+//! Every printed digit is true: what the ladder prints against differences of positions in 640-bit arithmetic.
+
+use crate::emit::{Ask, Pose, scene as emitted};
+use crate::properties::{mechanism, seeds, style};
+use crate::rng::Rng;
+use hodograph::accuracy::ladder::{certify, parts};
+use hodograph::accuracy::{toggle, truth};
+use hodograph::answer::Value;
+use hodograph::geom::Vec2;
+use hodograph::number::{Ball, Big, within};
+use hodograph::scene::{Scene, read, templates};
+use hodograph::worked::{Scope, work};
+
+/// What was compared.
+#[derive(Default)]
+struct Tally {
+    scenes: usize,
+    printed: usize,
+    /// Numbers printed with fewer digits than asked for.
+    short: usize,
+    wrong: Vec<String>,
+    by_rung: std::collections::BTreeMap<String, usize>,
+    /// Numbers that plain `f64` would have printed wrong.
+    plain: usize,
+}
+
+const DIGITS: [usize; 3] = [4, 6, 12];
+
+impl Tally {
+    fn check(&mut self, name: &str, scene: &Scene) {
+        let Ok(worked) = work(scene, Scope::Questions) else { return };
+        let worked = worked.value;
+        let printed = DIGITS.map(|d| certify(scene, &worked, d));
+        within(truth::BITS, || {
+            let Ok(truth) = truth::answers(scene, &worked) else { return };
+            self.scenes += 1;
+            for (i, (r, t)) in worked.results.iter().zip(truth).enumerate() {
+                let find = &scene.find[r.find];
+                let Some(t) = t else {
+                    self.wrong.push(format!("{name}: {} has no true value", find.text));
+                    continue;
+                };
+                let ball = |x: Big| Ball::new(x, 1e-60 * r.scale);
+                let t = match t {
+                    Value::Scalar(s) => Value::Scalar(ball(s)),
+                    Value::Vector(v) => Value::Vector(Vec2::new(ball(v.x), ball(v.y))),
+                };
+                for (digits, printed) in DIGITS.iter().zip(&printed) {
+                    let Ok(expected) = parts(find.what, t, r.scale, *digits) else { continue };
+                    let c = &printed[i];
+                    *self.by_rung.entry(c.rung.name()).or_default() += c.parts.len();
+                    for (part, n) in &c.parts {
+                        let Some((text, certain)) = n.text(*digits) else {
+                            self.short += 1;
+                            continue;
+                        };
+                        let Some((_, e)) = expected.iter().find(|(p, _)| p == part) else {
+                            self.wrong.push(format!("{name}: {} has no {}", find.text, part.key()));
+                            continue;
+                        };
+                        self.printed += 1;
+                        self.short += usize::from(certain < *digits);
+                        let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
+                        if truth != text {
+                            self.wrong.push(format!(
+                                "{name}: {} {} is printed {text}, it is {truth} ({})",
+                                find.text,
+                                part.key(),
+                                c.rung.name()
+                            ));
+                        }
+                        let f64s = match (r.value(), part.key()) {
+                            (Value::Scalar(s), "value") => Some(s),
+                            (Value::Vector(v), "magnitude") => Some(v.norm()),
+                            _ => None,
+                        };
+                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::quantity::significant(x, certain) != text));
+                    }
+                }
+            }
+        });
+    }
+
+    fn done(&self, least: usize) {
+        println!(
+            "{} scenes, {} printed numbers against {} bit: {} wrong; {} with fewer digits than asked; plain f64 would print {} wrong; {:?}",
+            self.scenes,
+            self.printed,
+            truth::BITS,
+            self.wrong.len(),
+            self.short,
+            self.plain,
+            self.by_rung
+        );
+        for w in self.wrong.iter().take(20) {
+            println!("  {w}");
+        }
+        assert!(self.wrong.is_empty(), "{} printed digits are wrong, first {}", self.wrong.len(), self.wrong[0]);
+        assert!(self.printed >= least, "only {} numbers were compared", self.printed);
+    }
+}
+
+#[test]
+fn printed_digits_are_true_on_templates() {
+    let mut tally = Tally::default();
+    let mut rng = Rng::new(7);
+    for t in templates::list() {
+        let scene = read(templates::get(t.name).unwrap()).unwrap().value;
+        tally.check(t.name, &scene);
+        let Some(start) = toggle::driver_position(&scene, 0) else { continue };
+        for _ in seeds(3) {
+            // Anywhere on its way, as the shortest decimal of a double.
+            let at = if start.abs() > 0.0 { start * rng.between(0.6, 1.4) } else { rng.between(-0.5, 0.5) };
+            tally.check(&format!("{} at {at}", t.name), &toggle::with_driver_at(&scene, 0, at));
+        }
+    }
+    tally.done(1500);
+}
+
+#[test]
+fn printed_digits_are_true_on_random_mechanisms() {
+    let mut tally = Tally::default();
+    for seed in seeds(40) {
+        let Some(m) = mechanism(seed).filter(|m| !m.coordinates_only) else { continue };
+        let scene = read(emitted(&m, &style(Pose::Lengths, Ask::Everything, seed))).unwrap().value;
+        tally.check(&format!("seed {seed}"), &scene);
+    }
+    tally.done(2000);
+}
+
+#[test]
+fn printed_digits_are_true_next_to_a_toggle() {
+    let mut tally = Tally::default();
+    for t in templates::list() {
+        let scene = read(templates::get(t.name).unwrap()).unwrap().value;
+        tally.toward(t.name, &scene);
+    }
+    // Rocker driven: every four-bar whose driver is no crank has a toggle.
+    for seed in seeds(6) {
+        let mut rng = Rng::new(seed + 100);
+        let (a, b, c) = (rng.between(0.2, 0.5), rng.between(0.3, 0.9), rng.between(0.3, 0.9));
+        let text = format!(
+            r#"{{"links": {{"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4",
+            "lengths": {{"AB": "{a} m", "BC": "{b} m", "CD": "{c} m", "AD": "{} m"}},
+            "driver": {{"link": "1", "angle": "20 deg", "omega": "3.7 rad/s", "alpha": "1.3 rad/s^2"}}}}"#,
+            b + c - 0.5 * a
+        );
+        if let Ok(scene) = read(&text) {
+            tally.toward(&format!("four-bar {seed}"), &scene.value);
+        }
+    }
+    tally.done(1500);
+}
+
+impl Tally {
+    /// Poses down to 1e-12 (radians, or of the way) before both toggles.
+    fn toward(&mut self, name: &str, scene: &Scene) {
+        for up in [true, false] {
+            let Some(limit) = toggle::limit(scene, 0, up) else { continue };
+            for k in (2..=12).step_by(2) {
+                let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
+                self.check(&format!("{name} 1e-{k} before {limit}"), &toggle::with_driver_at(scene, 0, at));
+            }
+        }
+    }
+}
