@@ -85,7 +85,7 @@ fn main() {
         Variant::new("last joint F: acceleration, with a further dyad", &["a_F"], with_a_dyad),
         Variant::new("last joint F: velocity, the driver with α", &["v_F"], |j| j["driver"]["alpha"] = json!("3 rad/s^2")),
     ];
-    // `cargo test` builds and runs benches too: once through will do.
+    // `cargo test --all-targets` runs benches too: once through will do.
     let rounds = if std::env::args().any(|a| a == "--bench") { ROUNDS } else { 1 };
     let mut times = vec![Vec::with_capacity(rounds); variants.len()];
     for _ in 0..rounds {

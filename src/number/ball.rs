@@ -314,3 +314,21 @@ impl<M: Middle> Real for Ball<M> {
         Self::rounded(M::pi(), 0.0)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A driver at rest moves nothing, and that is certain; what merely underflows is not.
+    #[test]
+    fn zeros_stay_exact() {
+        let nil = Ball::<f64>::exact(0.0);
+        let some = Ball::new(3.0, 1e-9);
+        let zeros = [nil * some, some * nil, nil / some, nil.sqrt(), nil.hypot(nil), nil + nil, nil - nil, -nil];
+        assert!(zeros.iter().all(|z| z.is_nil()), "{zeros:?}");
+        assert_eq!((some + nil, nil - some), (some, -some));
+        let tiny = Ball::exact(1e-200);
+        assert!((tiny * tiny).contains_zero() && !(tiny * tiny).is_nil());
+        assert!(!(nil * Ball::new(1.0, f64::INFINITY)).is_nil() && !(nil / Ball::new(0.0, 1.0)).is_decided());
+    }
+}
