@@ -100,7 +100,8 @@ impl<M: Middle> Ball<M> {
     /// Whether zero is inside.
     pub fn contains_zero(self) -> bool {
         // Undecided balls contain everything.
-        !(self.mid.approx().abs() * (1.0 - 1e-15) > self.radius)
+        let surely_off = self.mid.approx().abs() * (1.0 - 1e-15) > self.radius;
+        !surely_off
     }
 
     /// Whether it is zero and nothing else: sums and products with it are exact.
@@ -235,7 +236,7 @@ impl<M: Middle> Real for Ball<M> {
         if self.contains_zero() {
             // Everything from zero to the root of the upper end.
             let upper = (m + self.radius) * (1.0 + 1e-15);
-            if !(upper >= 0.0 && upper.is_finite()) {
+            if upper.is_nan() || upper < 0.0 || upper.is_infinite() {
                 return Self::undecided();
             }
             let half = upper.sqrt() * 0.5 * INFLATE;
@@ -283,7 +284,7 @@ impl<M: Middle> Real for Ball<M> {
 
     fn atan2(self, x: Self) -> Self {
         let room = self.mid.approx().hypot(x.mid.approx()) * (1.0 - 1e-14) - (self.radius + x.radius);
-        if !(room > 0.0) {
+        if room.is_nan() || room <= 0.0 {
             return Self::undecided();
         }
         Self::elementary(self.mid.atan2(x.mid), (self.radius + x.radius) / room)
@@ -298,13 +299,13 @@ impl<M: Middle> Real for Ball<M> {
         let (m, e) = (self.mid.approx(), exponent.mid.approx());
         let mid = self.mid.pow(exponent.mid);
         let room = m - self.radius;
-        if !(room > 0.0 && mid.is_decided()) {
+        if room.is_nan() || room <= 0.0 || !mid.is_decided() {
             return Self::undecided();
         }
         // d(x^y) = x^y (y dx/x + ln x dy); twice the first order covers the second where the relative change is small.
         let change = (e.abs() * self.radius + self.radius * exponent.radius) / room
             + libm::log(room).abs().max(libm::log(m).abs()) * exponent.radius;
-        if !(change < 0.1) {
+        if change.is_nan() || change >= 0.1 {
             return Self::undecided();
         }
         Self::elementary(mid, 2.0 * change * mid.approx().abs())
