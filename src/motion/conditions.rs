@@ -76,8 +76,8 @@ enum Condition<N> {
     /// k·(P relative to the body of Q, at Q's place) changes at `rate`, `acceleration`; k is fixed in the body of Q, and P
     /// and Q are at one place: k·(v_P − v_Q) = ṡ, k·(a_P − a_Q − 2ω_Q × (v_P − v_Q)) = s̈.
     Along { p: Handle<N>, q: Handle<N>, k: Vec2<N>, rate: N, acceleration: N },
-    /// The distance u = P − Q: u·(v_P − v_Q) = l l̇, u·(a_P − a_Q) + |v_P − v_Q|² = l̇² + l l̈.
-    Distance { p: Handle<N>, q: Handle<N>, u: Vec2<N>, rate: N, acceleration: N },
+    /// The distance P − Q, times a weight w: u = w (P − Q), u·(v_P − v_Q) = w l l̇, u·(a_P − a_Q) + w |v_P − v_Q|² = w (l̇² + l l̈).
+    Distance { p: Handle<N>, q: Handle<N>, u: Vec2<N>, weight: N, rate: N, acceleration: N },
     /// ω_P − ω_Q.
     Turning { p: Handle<N>, q: Handle<N>, rate: N, acceleration: N },
 }
@@ -110,9 +110,9 @@ impl<N: Real> Condition<N> {
                 let two = N::from_f64(2.0);
                 *acceleration + two * q.omega(x) * k.dot(relative.perp()) - k.dot(p.bias(x) - q.bias(x))
             }
-            Condition::Distance { p, q, u, acceleration, .. } => {
+            Condition::Distance { p, q, u, weight, acceleration, .. } => {
                 let relative = p.velocity(x) - q.velocity(x);
-                *acceleration - relative.norm2() - u.dot(p.bias(x) - q.bias(x))
+                *acceleration - relative.norm2() * *weight - u.dot(p.bias(x) - q.bias(x))
             }
             Condition::Turning { p, q, acceleration, .. } => {
                 let alpha = |h: &Handle<N>| if let Handle::Known(m) = h { m.alpha } else { N::from_f64(0.0) };
@@ -299,7 +299,7 @@ impl<N: Real> Builder<'_, N> {
                     }
                     Path::Arc { centre, .. } => {
                         let u = (place - centre) * self.scale;
-                        Condition::Distance { p, q: self.body(on, centre), u, rate: zero, acceleration: zero }
+                        distance(p, self.body(on, centre), u, zero, zero)
                     }
                 });
             }
@@ -322,16 +322,17 @@ impl<N: Real> Builder<'_, N> {
                 let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
                 let u = (self.at.point(b) - self.at.point(a)) * self.scale;
                 let l = u.norm();
-                list.push(Condition::Distance {
-                    p: self.pin(b),
-                    q: self.pin(a),
-                    u,
-                    rate: l * rate,
-                    acceleration: rate * rate + l * acceleration,
-                });
+                list.push(distance(self.pin(b), self.pin(a), u, l * rate, rate * rate + l * acceleration));
             }
         }
     }
+}
+
+/// The condition of a distance, weighed with a power of two that makes u of about one: pivots compare with those of other
+/// conditions whatever the unit, and nothing is rounded.
+fn distance<N: Real>(p: Handle<N>, q: Handle<N>, u: Vec2<N>, rate: N, acceleration: N) -> Condition<N> {
+    let weight = N::from_f64(power_of_two_scale(u.approx().norm()));
+    Condition::Distance { p, q, u: u * weight, weight, rate: rate * weight, acceleration: acceleration * weight }
 }
 
 /// A matrix decomposed with row pivots; zeros that are exact cost nothing and add no error.
