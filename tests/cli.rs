@@ -194,7 +194,13 @@ fn commands_of_the_readme_run() {
             };
             let words: Vec<String> = words
                 .iter()
-                .map(|w| if w.starts_with("templates/") { root.join(w).display().to_string() } else { (*w).to_string() })
+                .map(|w| {
+                    if w.starts_with("templates/") || w.starts_with("docs/") {
+                        root.join(w).display().to_string()
+                    } else {
+                        (*w).to_string()
+                    }
+                })
                 .collect();
             Command::cargo_bin("hodograph").unwrap().current_dir(folder.path()).args(words).assert().success();
             ran += 1;
@@ -209,4 +215,56 @@ fn the_scene_of_the_readme_is_solved() {
     let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
     let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_string();
     hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
+}
+
+/// Fewer digits than asked for are a remark, never a wrong digit; programs get value, radius and rung.
+#[test]
+fn digits_are_printed_as_far_as_they_are_certain() {
+    let near = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/near-toggle.json");
+    let out = hodograph().args(["solve", near, "--digits", "20"]).assert().success();
+    let text = String::from_utf8(out.get_output().stdout.clone()).unwrap();
+    let omega = text.lines().find(|l| l.trim_start().starts_with("omega_3")).unwrap();
+    // Twenty digits and the point.
+    assert!(omega.split_whitespace().nth(2).is_some_and(|n| n.len() == 21), "{omega}");
+    assert!(!text.contains("certain"), "{text}");
+    let out = hodograph().args(["solve", near, "--digits", "6", "--json"]).assert().success();
+    let json: serde_json::Value = serde_json::from_slice(&out.get_output().stdout).unwrap();
+    for answer in json["answers"].as_array().unwrap() {
+        let c = &answer["certified"];
+        assert_eq!(c["complete"], true, "{answer}");
+        assert!(["f64", "double-double"].contains(&c["rung"].as_str().unwrap()), "{c}");
+        for n in c["numbers"].as_object().unwrap().values() {
+            assert!(n["radius"].as_f64().unwrap() >= 0.0 && n["digits"] == 6 && n["text"].is_string(), "{n}");
+        }
+    }
+    hodograph().args(["solve", near, "--digits", "31"]).assert().code(2);
+}
+
+/// The price of accuracy: a table of all ways, a series toward the toggle, a figure; a crank has no toggle.
+#[test]
+fn accuracy_tells_every_way_and_what_it_costs() {
+    let folder = tempfile::tempdir().unwrap();
+    let near = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/near-toggle.json");
+    let figure = folder.path().join("costs.svg");
+    let run = |extra: &[&str]| {
+        let out = hodograph().args(["accuracy", near, "--patience", "1"]).args(extra).assert().success();
+        String::from_utf8(out.get_output().stdout.clone()).unwrap()
+    };
+    let json: serde_json::Value = serde_json::from_str(&run(&["--json", "--toward-toggle", "-o", figure.to_str().unwrap()])).unwrap();
+    let ways = json["ways"].as_array().unwrap();
+    let way = |name: &str| ways.iter().find(|w| w["way"] == name).unwrap_or_else(|| panic!("no {name}"));
+    let error = |w: &serde_json::Value| w["acceleration"].as_f64().unwrap_or(f64::INFINITY);
+    // A bound is a bound, longer numbers are truer, and paper is worth nothing here.
+    assert!(error(way("closed form, f64")) <= error(way("certified, f64")));
+    assert!(error(way("closed form, double-double")) <= error(way("certified, double-double")));
+    assert!(error(way("certified, double-double")) < 1e-15 && error(way("closed form, 256 bit")) < 1e-55);
+    assert!(way("paper, pencil 0.1 mm")["seconds"].is_null());
+    assert_eq!(json["toward_toggle"].as_array().unwrap().len(), 12);
+    let svg = std::fs::read_to_string(figure).unwrap();
+    assert!(svg.starts_with("<svg") && svg.contains("What accuracy costs"));
+    assert!(run(&["--lang", "zh"]).contains("有限差分"));
+    let crank = concat!(env!("CARGO_MANIFEST_DIR"), "/templates/crank-rocker.json");
+    let out = hodograph().args(["accuracy", crank, "--patience", "1", "--toward-toggle"]).assert().code(2);
+    assert!(String::from_utf8_lossy(&out.get_output().stderr).contains("the driver turns fully"));
+    hodograph().args(["accuracy", near, "--patience", "1", "-o", "costs.pdf"]).assert().code(2);
 }
