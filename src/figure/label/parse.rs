@@ -7,6 +7,11 @@ use super::{Node, Role};
 
 /// A thin space, TeX's `\,`: 3/18 em.
 const THIN_EM: f64 = 0.167;
+/// Whether a node can be the end of a number: upright, without scripts, or a power of ten.
+fn ends_a_number(n: &Node) -> bool {
+    n.slant == Slant::Upright && n.sub.is_empty() && (n.sup.is_empty() || n.text == "10")
+}
+
 /// An interword space of Times: 1/4 em. Stands between a number and its unit, and beside Chinese.
 const WORD_EM: f64 = 0.25;
 
@@ -162,7 +167,7 @@ impl Parser<'_> {
         let Some(next) = self.peek() else { return };
         if is_cjk(last) || is_cjk(next) {
             row.push(Node::space(WORD_EM));
-        } else if row.last().is_some_and(|n| n.slant == Slant::Upright && n.sub.is_empty() && n.sup.is_empty()) && last.is_ascii_digit() {
+        } else if row.last().is_some_and(ends_a_number) && last.is_ascii_digit() {
             let micro = self.chars[self.at..].starts_with(&['\\', 'm', 'u', ' ']);
             if next.is_ascii_alphabetic() || matches!(next, '(' | '°' | 'µ' | 'μ' | '%') || micro {
                 row.push(Node::space(WORD_EM));
