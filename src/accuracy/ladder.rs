@@ -8,9 +8,10 @@ use crate::diag::Diagnostic;
 use crate::geom::Vec2;
 use crate::number::decimal::{Certain, Enclosure};
 use crate::number::{Ball, Big, Dd, Real, within};
+use crate::position::Configuration;
 use crate::quantity;
 use crate::scene::{Asked, Lang, Scene};
-use crate::worked::Worked;
+use crate::worked::{Outcome, Worked};
 use crate::{motion, position};
 
 /// A rung of the ladder.
@@ -127,9 +128,23 @@ pub struct Certified {
     pub rung: Rung,
     /// Its numbers; empty where no rung gave any.
     pub parts: Vec<(Part, Number)>,
+    /// What the ruler gives on the drawing.
+    pub reading: Option<Reading>,
     /// Why not all digits asked for are certain; `None`: they are.
     pub why: Option<Why>,
 }
+
+/// A length on the drawing: the answer through its scale.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// mm of polygon.
+    pub length_mm: Number,
+    /// For a turning rate, the arm (m).
+    pub arm_m: Option<Number>,
+}
+
+/// Digits to which readings are printed: one more than a ruler gives.
+pub const READING_DIGITS: usize = 4;
 
 /// Why digits are missing.
 #[derive(Clone, Debug, PartialEq)]
@@ -196,8 +211,11 @@ pub const MOST_DIGITS: usize = 30;
 /// those that call for it.
 pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> {
     let digits = digits.clamp(1, MOST_DIGITS);
-    let mut out: Vec<Certified> =
-        worked.results.iter().map(|_| Certified { rung: Rung::Double, parts: Vec::new(), why: Some(Why::NoValue) }).collect();
+    let mut out: Vec<Certified> = worked
+        .results
+        .iter()
+        .map(|_| Certified { rung: Rung::Double, parts: Vec::new(), reading: None, why: Some(Why::NoValue) })
+        .collect();
     // What the pose leaves singular no longer number mends, and where it is singular within the rounding of its lengths only
     // the ladder would tell the motion of another pose.
     for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
@@ -215,13 +233,16 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
             c.rung = rung;
             match &seen {
                 Ok(answers) => match &answers[i] {
-                    Ok(parts) => {
-                        c.why = match parts.iter().find(|(_, n)| !n.holds(digits, last)) {
-                            None => None,
-                            Some(_) if last => Some(Why::Tie),
-                            Some(_) => Some(Why::TooClose),
+                    Ok((parts, reading)) => {
+                        let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm_m));
+                        let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
+                        c.why = match whole {
+                            true => None,
+                            false if last => Some(Why::Tie),
+                            false => Some(Why::TooClose),
                         };
                         c.parts.clone_from(parts);
+                        c.reading.clone_from(reading);
                     }
                     Err(why) => c.why = Some(why.clone()),
                 },
@@ -242,7 +263,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
 }
 
 /// All answers in one kind of number.
-fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec<Parts>, Diagnostic> {
+fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec<Seen>, Diagnostic> {
     let (m, demand) = (&worked.mechanism, &worked.demand);
     let at = position::recompute::<N>(scene, m, demand, &worked.configuration).map_err(|f| {
         f.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
@@ -254,7 +275,7 @@ fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec
         .map(|r| {
             let find = &scene.find[r.find];
             match evaluate(scene, &at, &motion, &find.what) {
-                Some(value) => parts(find.what, value, r.scale, digits),
+                Some(value) => parts(find.what, value, r.scale, digits).map(|list| (list, reading(&at, r, value))),
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
@@ -269,6 +290,29 @@ fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec
 
 /// The parts of an answer, or why it has none.
 pub type Parts = Result<Vec<(Part, Number)>, Why>;
+
+/// The same with the reading.
+type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
+
+/// What the ruler gives: |v|/μ, or |ω| l/μ for a turning rate measured on a line of length l.
+fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
+    let m = r.drawn.as_ref()?.measured?;
+    let mu = N::from_decimal(&quantity::shortest(m.mu));
+    let number = |x: N| Some(Number { zero: false, enclosure: x.enclosure()? });
+    let (size, arm) = match (value, m.arm_m) {
+        (Value::Vector(v), None) => (v.norm(), None),
+        (Value::Scalar(s), Some(_)) => {
+            let (a, b) = m.arm_of?;
+            let arm = at.points[a.0]?.distance(at.points[b.0]?);
+            (if s.approx() < 0.0 { -s } else { s } * arm, Some(arm))
+        }
+        _ => return None,
+    };
+    let mut length_mm = number(size / mu)?;
+    // Less than a thousandth of a millimetre is nothing that a ruler gives.
+    length_mm.zero = length_mm.enclosure.largest() < 1e-3;
+    Some(Reading { length_mm, arm_m: arm.and_then(number) })
+}
 
 /// The numbers of one answer as they are printed; `scale` is the size against which it is judged to be zero.
 ///

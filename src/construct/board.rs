@@ -426,9 +426,9 @@ impl<'a, P: Pencil> Board<'a, P> {
             return;
         }
         let reading = match rate {
-            _ if self.stands(level) => RateReading { level, body, value: 0.0, measured: None },
-            Rate::Zero => RateReading { level, body, value: 0.0, measured: None },
-            Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None },
+            _ if self.stands(level) => RateReading { level, body, value: 0.0, measured: None, line: None },
+            Rate::Zero => RateReading { level, body, value: 0.0, measured: None, line: None },
+            Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None, line: None },
             Rate::Given { driver, against } => {
                 let d = &self.scene.drivers[driver];
                 let own = match level {
@@ -440,7 +440,7 @@ impl<'a, P: Pencil> Board<'a, P> {
                     DriverKind::Turn { link, .. } if Body::Link(link) == body => 1.0,
                     _ => -1.0,
                 };
-                RateReading { level, body, value: self.rate(level, Body::Link(against)) + sign * own, measured: None }
+                RateReading { level, body, value: self.rate(level, Body::Link(against)) + sign * own, measured: None, line: None }
             }
             Rate::Measured { of, to } if p.images[of.0].is_none() || p.images[to.0].is_none() => return,
             Rate::Measured { of, to } => {
@@ -454,7 +454,7 @@ impl<'a, P: Pencil> Board<'a, P> {
                     let omega = self.rate(Level::Velocity, body);
                     square -= 2.0 * omega * self.scene.drivers[d].rate.value / p.mu;
                 }
-                RateReading { level, body, value: square * p.mu / l, measured: Some((square.abs(), l)) }
+                RateReading { level, body, value: square * p.mu / l, measured: Some((square.abs(), l)), line: Some((of, to)) }
             }
         };
         self.done.rates.push(reading);

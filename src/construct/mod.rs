@@ -159,6 +159,8 @@ pub struct RateReading {
     pub value: f64,
     /// Length measured (mm of polygon), the link's length (m) by which its value was divided; `None` where it was given.
     pub measured: Option<(f64, f64)>,
+    /// The line on which it was measured: of the first vertex, seen from the second.
+    pub line: Option<(VertexId, VertexId)>,
 }
 
 /// Everything on the board.

@@ -5,7 +5,7 @@ use super::pencil::Pencil;
 use crate::answer::{Source, Value, evaluate, level_of};
 use crate::geom::Vec2;
 use crate::mechanism::{Level, Mechanism, Passive};
-use crate::plan::{Body, Plan, VertexId};
+use crate::plan::{Body, Plan, Spot, VertexId};
 use crate::position::Configuration;
 use crate::scene::{Asked, Find, LinkId, PointId, Scene};
 
@@ -29,6 +29,8 @@ pub struct Measured {
     pub mu: f64,
     /// For a turning rate, the arm (m) by which the product is divided.
     pub arm_m: Option<f64>,
+    /// The two points whose distance the arm is, where it is one.
+    pub arm_of: Option<(PointId, PointId)>,
 }
 
 struct OnPaper<'a> {
@@ -76,6 +78,16 @@ impl Source for OnPaper<'_> {
     }
 }
 
+/// The points at the ends of a line, if the arm is their distance (a special point is no point of the scene, and some arms
+/// begin in a centre of curvature).
+fn points_of(at: &Configuration, plan: &Plan, line: Option<(VertexId, VertexId)>, arm: f64) -> Option<(PointId, PointId)> {
+    let (of, to) = line?;
+    let (Spot::Point(a), Spot::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
+    let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
+    // Both are the same distance but for rounding, or another one altogether.
+    (off.abs() < 1e-9 * arm).then_some((a, b))
+}
+
 /// The answers from the drawing board; `None` for what was not drawn (a group higher than class III).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
@@ -87,18 +99,16 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
             let value = evaluate(scene, at, &source, &f.what)?;
             let level = level_of(&f.what);
             let measured = match (value, paper.polygon(level)) {
-                (Value::Vector(v), Some(p)) => Some(Measured { length_mm: v.norm() / p.mu, mu: p.mu, arm_m: None }),
+                (Value::Vector(v), Some(p)) => Some(Measured { length_mm: v.norm() / p.mu, mu: p.mu, arm_m: None, arm_of: None }),
                 (Value::Scalar(_), Some(p)) => {
                     let body = match f.what {
                         Asked::Omega(l) | Asked::Alpha(l) => Some(source.body(l)),
                         _ => None,
                     };
-                    paper
-                        .rates
-                        .iter()
-                        .find(|r| r.level == level && Some(r.body) == body)
-                        .and_then(|r| r.measured)
-                        .map(|(length_mm, arm)| Measured { length_mm, mu: p.mu, arm_m: Some(arm) })
+                    paper.rates.iter().find(|r| r.level == level && Some(r.body) == body).and_then(|r| {
+                        let (length_mm, arm) = r.measured?;
+                        Some(Measured { length_mm, mu: p.mu, arm_m: Some(arm), arm_of: points_of(at, plan, r.line, arm) })
+                    })
                 }
                 _ => None,
             };

@@ -1,7 +1,7 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
-use crate::accuracy::ladder::{Certified, Part as Kind, Why};
+use crate::accuracy::ladder::{Certified, Number, Part as Kind, READING_DIGITS, Why};
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -74,7 +74,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
-        let measured = measured(r, find, words);
+        let measured = measured(r, c, find, words);
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -160,7 +160,7 @@ fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
-fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
+fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
     if level == Level::Position {
         return None;
@@ -170,10 +170,18 @@ fn measured(r: &Outcome, find: &Find, words: &Words) -> Option<Label> {
     let mm = measured.length_mm;
     let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
     // Less than a thousandth of a millimetre is nothing that a ruler gives.
-    let mm_text = if mm < 1e-3 { "0".to_owned() } else { number(mm, DIGITS) };
+    let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| inked(&t.0));
+    let mm_text = match certain(c.reading.as_ref().map(|r| &r.length_mm)) {
+        Some(text) => text,
+        None if mm < 1e-3 => "0".to_owned(),
+        None => number(mm, DIGITS),
+    };
     let read = format!("{mm_text} mm \\cdot {scale}");
     Some(Label::math(match measured.arm_m {
-        Some(length) => format!("{read} / {} m", number(length, DIGITS)),
+        Some(length) => {
+            let arm = certain(c.reading.as_ref().and_then(|r| r.arm_m.as_ref()));
+            format!("{read} / {} m", arm.unwrap_or_else(|| number(length, DIGITS)))
+        }
         None => read,
     }))
 }

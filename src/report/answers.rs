@@ -2,7 +2,7 @@
 
 use super::drafting;
 use super::phrase::{sense, tr};
-use crate::accuracy::ladder::{Certified, Part, Why};
+use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, SingularKind, Singularity};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Severity};
@@ -132,9 +132,12 @@ fn measured_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: 
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match a.measured {
             Some(m) => {
-                let arm = m.arm_m.map(|l| format!(" / {} m", significant(l, 4))).unwrap_or_default();
+                let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
+                let arm = certain(c.reading.as_ref().and_then(|r| r.arm_m.as_ref()));
+                let arm = m.arm_m.map(|l| format!(" / {} m", arm.unwrap_or_else(|| significant(l, READING_DIGITS)))).unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
-                format!("({} mm · μ {}{arm})", significant(length, 4), shortest(m.mu))
+                let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
+                format!("({length} mm · μ {}{arm})", shortest(m.mu))
             }
             None => String::new(),
         },
