@@ -332,4 +332,59 @@ mod tests {
         assert!((tiny * tiny).contains_zero() && !(tiny * tiny).is_nil());
         assert!(!(nil * Ball::new(1.0, f64::INFINITY)).is_nil() && !(nil / Ball::new(0.0, 1.0)).is_decided());
     }
+
+    /// Every operation on random numbers, some of them nearly equal, encloses what 300-bit arithmetic finds.
+    #[test]
+    fn balls_contain_the_truth() {
+        use crate::number::decimal::{Certain, Enclosure};
+        use crate::number::within;
+
+        fn all<N: Real>(a: f64, b: f64) -> Vec<N> {
+            let (x, y) = (N::from_f64(a), N::from_f64(b));
+            let (s, c) = x.sin_cos();
+            let (sd, cd) = (x * N::from_f64(57.0)).sin_cos_degrees();
+            let needle = (x + y) * (x + y) - (x * x + y * y);
+            vec![
+                x + y,
+                x - y,
+                x * y,
+                x / y,
+                (x * x).sqrt(),
+                x.hypot(y),
+                x.atan2(y),
+                s,
+                c,
+                sd,
+                cd,
+                needle,
+                x.pow(N::from_f64(3.0)),
+                N::pi() * x,
+            ]
+        }
+        fn enclosures<N: Certain>(a: f64, b: f64) -> Vec<Option<Enclosure>> {
+            all::<N>(a, b).into_iter().map(Certain::enclosure).collect()
+        }
+        let mut state = 0x9e37_79b9_7f4a_7c15u64;
+        let mut random = || {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+            (state >> 11) as f64 / (1u64 << 53) as f64 * 4.0 - 2.0
+        };
+        for i in 0..400 {
+            let a = random();
+            // Every other pair differs in its last bits only.
+            let b = if i % 2 == 0 { random() } else { -a * (1.0 + 1e-13 * random()) };
+            within(300, || {
+                let truth = enclosures::<Ball<Big>>(a, b);
+                for (kind, seen) in [("f64", enclosures::<Ball<f64>>(a, b)), ("double-double", enclosures::<Ball<Dd>>(a, b))] {
+                    for (k, (s, t)) in seen.iter().zip(&truth).enumerate() {
+                        let (Some(s), Some(t)) = (s, t) else { panic!("{kind}: operation {k} on {a:e}, {b:e} is undecided") };
+                        assert!(s.meets(t), "{kind}: operation {k} on {a:e}, {b:e}: {s:?} does not contain {t:?}");
+                        assert!(s.radius <= 1e-12 * (1.0 + s.approx.abs()), "{kind}: operation {k} on {a:e}, {b:e} is wide: {s:?}");
+                    }
+                }
+            });
+        }
+    }
 }
