@@ -71,8 +71,8 @@ impl Middle for Big {
 /// No other number of a scene is a multiple of it.
 const ONLY_ZERO: f64 = f64::MAX;
 
-/// The radius is computed in `f64`: a handful of operations, each with 2^-53.
-const INFLATE: f64 = 1.0 + 1e-15;
+/// The radius is computed in `f64`: some ten operations, each with 2^-53, and as much again in reserve.
+const INFLATE: f64 = 1.0 + 4e-15;
 
 /// More than any underflow of `f64` can lose, and large enough that products with it stay normal numbers.
 const TINY: f64 = 1e-290;
