@@ -87,7 +87,7 @@ impl Number {
         Some((quantity::plain(&e), digits))
     }
 
-    /// The same in e notation, the power of ten raised by `shift`.
+    /// The same in e notation.
     fn scientific(&self, digits: usize) -> Option<(String, usize)> {
         if self.zero {
             return Some(("0e0".into(), digits));
@@ -196,11 +196,6 @@ impl Certified {
             Some(Why::NextOrder(known)) => (digits.min(known), true),
             _ => (2, false),
         }
-    }
-
-    /// How many numbers of it a reader sees certified.
-    pub fn count(&self) -> usize {
-        self.parts.len()
     }
 }
 

@@ -70,7 +70,7 @@ pub struct Draw {
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
-    #[arg(long, default_value_t = 4, value_parser = digits)]
+    #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
     /// The tolerance of each result when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm)
     #[arg(long, value_name = "LENGTH", num_args = 0..=1, default_missing_value = "", value_parser = length)]
@@ -88,7 +88,7 @@ pub struct Solve {
     #[arg(long)]
     pub json: bool,
     /// Significant digits, 1 to 30; fewer are printed, with the reason, where fewer are certain
-    #[arg(long, default_value_t = 6, value_parser = digits)]
+    #[arg(long, default_value_t = crate::report::answers::DIGITS, value_parser = digits)]
     pub digits: usize,
     /// Tolerances when drawn by hand, with a pencil error such as 0.1mm (default: the scene's, else 0.1 mm): of each answer, of each
     /// crossing, and the scales for 1 %
