@@ -55,10 +55,10 @@ impl Loaded {
     }
 }
 
-static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-normal.ttf")));
-static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-italic.ttf")));
-static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/stix-math-sub.ttf")));
-static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/song-gb1-cff.otf")));
+static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Roman.bytes()));
+static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Italic.bytes()));
+static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Math.bytes()));
+static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Song.bytes()));
 
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
@@ -69,6 +69,19 @@ thread_local! {
 }
 
 impl Face {
+    /// All of them.
+    pub const ALL: [Face; 4] = [Face::Roman, Face::Italic, Face::Math, Face::Song];
+
+    /// The font file, for formats that carry their fonts.
+    pub fn bytes(self) -> &'static [u8] {
+        match self {
+            Face::Roman => include_bytes!("../../fonts/tinos-normal.ttf"),
+            Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
+            Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
+            Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
+        }
+    }
+
     fn loaded(self) -> &'static Loaded {
         match self {
             Face::Roman => &ROMAN,
@@ -113,6 +126,7 @@ impl Face {
         buffer.guess_segment_properties();
         shape(&ShaperFont::new(&loaded.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
         let mut sink = Sink { segments: Vec::new(), dx: 0.0, dy: 0.0, em };
+        let mut glyphs: Vec<Glyph> = Vec::new();
         let mut pen = 0.0;
         for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
             sink.dx = pen + f64::from(pos.x_offset);
@@ -121,9 +135,20 @@ impl Face {
                 // An embedded outline that cannot be drawn would be a damaged build, not a user's fault.
                 glyph.draw(DrawMemory::Scratch, &mut sink).expect("embedded outlines are sound");
             }
+            let start = info.cluster as usize;
+            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
+            if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
+                before.text.end = start;
+            }
+            glyphs.push(Glyph {
+                id: info.glyph_id,
+                advance_em: f64::from(pos.x_advance) / em,
+                offset_em: [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em],
+                text: start..run.len(),
+            });
             pen += f64::from(pos.x_advance);
         }
-        Run { segments: sink.segments, advance_em: pen / em }
+        Run { segments: sink.segments, advance_em: pen / em, glyphs }
     }
 }
 
@@ -162,6 +187,21 @@ pub struct Run {
     pub segments: Vec<Segment<f64>>,
     /// Where the next run begins, in em.
     pub advance_em: f64,
+    /// The glyphs by number, for formats that carry their fonts.
+    pub glyphs: Vec<Glyph>,
+}
+
+/// A glyph of a shaped run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glyph {
+    /// Its number in the font.
+    pub id: u32,
+    /// From its origin to that of the next one.
+    pub advance_em: f64,
+    /// From the pen to where it is drawn, y up.
+    pub offset_em: [f64; 2],
+    /// The bytes of the run's text that it stands for: more than one character for a ligature.
+    pub text: std::ops::Range<usize>,
 }
 
 struct Sink {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 
-use super::font::{Face, Segment, Slant};
+use super::font::{Face, Glyph, Segment, Slant};
 use super::label::{Label, Node, Role};
 
 /// `ScriptPercentScaleDown` = 70.
@@ -36,6 +36,8 @@ const MISSING_ADVANCE: f64 = 0.5;
 pub struct Typeset {
     /// The outline in 1/1000 em, y up, origin at the start of the baseline. Filled by the non-zero rule.
     pub outline: Vec<Segment<i32>>,
+    /// The same as characters: what stands where in which font, for formats that carry text and fonts.
+    pub runs: Vec<Run>,
     /// Advance width.
     pub width_em: f64,
     /// Height of the ink above the baseline (0 for an empty label).
@@ -44,6 +46,23 @@ pub struct Typeset {
     pub descent_em: f64,
     /// Faults of the label: `label-syntax` and `missing-glyph`.
     pub faults: Vec<Diagnostic>,
+}
+
+/// Characters of one font, size and place in a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The font.
+    pub face: Face,
+    /// What is written.
+    pub text: String,
+    /// How the font writes it; measures in em of the run.
+    pub glyphs: Vec<Glyph>,
+    /// Origin of the first glyph from the start of the baseline, in em of the label.
+    pub x_em: f64,
+    /// Its height over the baseline, in em of the label.
+    pub y_em: f64,
+    /// The run's em in those of the label: 1, or less in a script.
+    pub size_em: f64,
 }
 
 /// Sets a label.
@@ -73,7 +92,7 @@ fn set_anew(label: &Label) -> Typeset {
     }
     let (bottom, top) = line.vertical_ink();
     let outline = line.segments.iter().map(|s| s.map(|[x, y]| [milli(x), milli(y)])).collect();
-    Typeset { outline, width_em: line.advance, ascent_em: top, descent_em: -bottom, faults }
+    Typeset { outline, runs: line.runs, width_em: line.advance, ascent_em: top, descent_em: -bottom, faults }
 }
 
 fn milli(em: f64) -> i32 {
@@ -84,12 +103,15 @@ fn milli(em: f64) -> i32 {
 #[derive(Clone, Default)]
 struct Line {
     segments: Vec<Segment<f64>>,
+    runs: Vec<Run>,
     advance: f64,
 }
 
 impl Line {
-    fn append(&mut self, other: &Line, scale: f64, dx: f64, dy: f64) {
+    fn append(&mut self, other: Line, scale: f64, dx: f64, dy: f64) {
         self.segments.extend(other.segments.iter().map(|s| s.map(|[x, y]| [dx + x * scale, dy + y * scale])));
+        let moved = |r: Run| Run { x_em: dx + r.x_em * scale, y_em: dy + r.y_em * scale, size_em: r.size_em * scale, ..r };
+        self.runs.extend(other.runs.into_iter().map(moved));
     }
 
     /// Bounds of the control points: for the fonts at hand their curves touch them at the extremes.
@@ -135,9 +157,9 @@ impl Setter {
             let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };
             line.advance += side;
             let atom = self.atom(node);
-            let at = line.advance;
-            line.append(&atom, 1.0, at, 0.0);
-            line.advance += atom.advance + after + node.space_em;
+            let (at, wide) = (line.advance, atom.advance);
+            line.append(atom, 1.0, at, 0.0);
+            line.advance += wide + after + node.space_em;
         }
         line
     }
@@ -153,8 +175,9 @@ impl Setter {
         if node.primes > 0 {
             // Full size, above the subscript: the glyph ′ of a text-size mathematical font already stands raised.
             let primes = self.characters(&"′".repeat(node.primes), Slant::Symbol);
-            line.append(&primes, 1.0, upper, 0.0);
-            upper += primes.advance;
+            let wide = primes.advance;
+            line.append(primes, 1.0, upper, 0.0);
+            upper += wide;
         }
         let sub = self.row(&node.sub);
         let sup = self.row(&node.sup);
@@ -171,12 +194,12 @@ impl Setter {
         }
         let mut end = upper;
         if !node.sup.is_empty() {
-            line.append(&sup, SCRIPT_SCALE, upper, up);
             end = upper + sup.advance * SCRIPT_SCALE + AFTER_SCRIPT;
+            line.append(sup, SCRIPT_SCALE, upper, up);
         }
         if !node.sub.is_empty() {
-            line.append(&sub, SCRIPT_SCALE, base, -down);
             end = end.max(base + sub.advance * SCRIPT_SCALE + AFTER_SCRIPT);
+            line.append(sub, SCRIPT_SCALE, base, -down);
         }
         line.advance = end;
         line
@@ -208,7 +231,8 @@ impl Setter {
         if let (Some(face), false) = (face, run.is_empty()) {
             let set = face.outline(run);
             let at = line.advance;
-            line.append(&Line { segments: set.segments.clone(), advance: set.advance_em }, 1.0, at, 0.0);
+            let run = Run { face, text: run.clone(), glyphs: set.glyphs.clone(), x_em: 0.0, y_em: 0.0, size_em: 1.0 };
+            line.append(Line { segments: set.segments.clone(), runs: vec![run], advance: set.advance_em }, 1.0, at, 0.0);
             line.advance += set.advance_em;
         }
         run.clear();
@@ -262,6 +286,36 @@ mod tests {
         assert!(with.width_em < without.width_em + 0.1, "{} against {}", with.width_em, without.width_em);
         assert!(set(&Label::math("n''")).width_em > set(&Label::math("n'")).width_em + 0.1);
         assert!(close(set(&Label::math("b_2'")).width_em, with.width_em));
+    }
+
+    #[test]
+    fn runs_are_the_outline_in_characters() {
+        let set = set(&Label::text("速 office ").then(Label::math(r"a^n_{CB} = 2\omega_3 v'_B")));
+        let text: String = set.runs.iter().map(|r| r.text.as_str()).collect();
+        // A superscript is written before its subscript, the primes before both.
+        assert_eq!(text, "速 office anCB=2ω3v′B");
+        // Drawn glyph by glyph, each run gives just the contours of the outline.
+        let mut contours = Vec::new();
+        for r in &set.runs {
+            let mut pen = r.x_em;
+            for g in &r.glyphs {
+                let drawn = r.face.outline(&r.text[g.text.clone()]);
+                let at = |[x, y]: [f64; 2]| [milli(pen + x * r.size_em), milli(r.y_em + y * r.size_em)];
+                contours.extend(drawn.segments.iter().map(|s| s.map(at)));
+                pen += g.advance_em * r.size_em;
+            }
+        }
+        let off = |a: [i32; 2], b: [i32; 2]| (a[0] - b[0]).abs().max((a[1] - b[1]).abs());
+        let points = |segments: &[Segment<i32>]| {
+            let mut all = Vec::new();
+            for s in segments {
+                s.map(|p| all.push(p));
+            }
+            all
+        };
+        let (one, other) = (points(&contours), points(&set.outline));
+        assert_eq!(one.len(), other.len());
+        assert!(one.iter().zip(&other).all(|(a, b)| off(*a, *b) <= 1));
     }
 
     #[test]
