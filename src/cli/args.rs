@@ -20,7 +20,7 @@ pub struct Args {
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG and PNG)
+    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG, PNG, PDF)
     Draw(Draw),
     /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
     Solve(Solve),
@@ -63,7 +63,7 @@ pub struct Common {
 pub struct Draw {
     #[command(flatten)]
     pub common: Common,
-    /// Folder for the files, or one file ending in .svg or .png
+    /// Folder for the files, or one file ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
     /// Which files to write into a folder
@@ -133,6 +133,23 @@ pub struct Accuracy {
 pub enum Format {
     Svg,
     Png,
+    Pdf,
+}
+
+impl Format {
+    /// How its files end.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Png => "png",
+            Format::Pdf => "pdf",
+        }
+    }
+
+    /// The format of files that end so.
+    pub fn of_extension(extension: &str) -> Option<Format> {
+        [Format::Svg, Format::Png, Format::Pdf].into_iter().find(|f| f.extension() == extension)
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -66,16 +66,12 @@ pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, nam
             .map_err(input)?;
     let svg = crate::render::svg::write(&figure).map_err(input)?.value;
     let out = Path::new(&a.output);
-    let single = match out.extension().and_then(|e| e.to_str()) {
-        Some("svg") => Some(Format::Svg),
-        Some("png") => Some(Format::Png),
-        _ => None,
-    };
+    let single = out.extension().and_then(|e| e.to_str()).and_then(Format::of_extension);
     let targets: Vec<(Format, PathBuf)> = match single {
         Some(f) => vec![(f, out.to_path_buf())],
         None => {
             let stem = Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or("sheet");
-            a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", if *f == Format::Svg { "svg" } else { "png" })))).collect()
+            a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", f.extension())))).collect()
         }
     };
     for (format, path) in targets {
@@ -85,6 +81,7 @@ pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, nam
                 let png = crate::render::png::render(&svg, a.dpi).map_err(|d| input(d.into()))?;
                 write(&path, &png)?;
             }
+            Format::Pdf => write(&path, &crate::render::pdf::pdf(std::slice::from_ref(&figure)).map_err(input)?.value)?,
         }
         print(&format!("{}\n", path.display()))?;
     }

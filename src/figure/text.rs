@@ -309,7 +309,10 @@ mod tests {
         let points = |segments: &[Segment<i32>]| {
             let mut all = Vec::new();
             for s in segments {
-                s.map(|p| all.push(p));
+                s.map(|p| {
+                    all.push(p);
+                    p
+                });
             }
             all
         };
