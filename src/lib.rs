@@ -42,7 +42,7 @@
 //! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
-//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`].
+//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
 //!
 //! # What must not be
 //! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the
@@ -62,6 +62,7 @@ pub mod diag;
 pub mod effort;
 pub mod figure;
 pub mod geom;
+mod json;
 pub mod mechanism;
 pub mod motion;
 pub mod number;

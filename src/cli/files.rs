@@ -1,13 +1,9 @@
 //! Files: read with a bound, written whole or not at all.
 
 use super::Failure;
-use super::args::{Draw, Format};
 use crate::diag::Diagnostic;
-use crate::plan::notation::Notation;
-use crate::scene::{Lang, Scene};
-use crate::worked::Worked;
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
@@ -37,6 +33,11 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
     }
 }
 
+/// How a file's name ends, after its last dot.
+pub fn ending(path: &str) -> Option<&str> {
+    Path::new(path).extension().and_then(|e| e.to_str())
+}
+
 /// Writes a file whole: beside it first, then renamed.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
@@ -55,36 +56,6 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let mut file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
     file.write_all(bytes).and_then(|()| file.flush()).map_err(fail)?;
     file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
-}
-
-/// Draws the sheet into the files that were asked for, and prints their names.
-pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
-    let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
-    let figure =
-        crate::figure::sheet::sheet(scene, worked, &crate::figure::sheet::Options { lang, notation: notation.clone(), digits: a.digits })
-            .map_err(input)?;
-    let svg = crate::render::svg::write(&figure).map_err(input)?.value;
-    let out = Path::new(&a.output);
-    let single = out.extension().and_then(|e| e.to_str()).and_then(Format::of_extension);
-    let targets: Vec<(Format, PathBuf)> = match single {
-        Some(f) => vec![(f, out.to_path_buf())],
-        None => {
-            let stem = Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or("sheet");
-            a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", f.extension())))).collect()
-        }
-    };
-    for (format, path) in targets {
-        match format {
-            Format::Svg => write(&path, svg.as_bytes())?,
-            Format::Png => {
-                let png = crate::render::png::render(&svg, a.dpi).map_err(|d| input(d.into()))?;
-                write(&path, &png)?;
-            }
-            Format::Pdf => write(&path, &crate::render::pdf::pdf(std::slice::from_ref(&figure)).map_err(input)?.value)?,
-        }
-        print(&format!("{}\n", path.display()))?;
-    }
     Ok(())
 }
 

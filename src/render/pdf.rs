@@ -77,20 +77,27 @@ pub struct Page {
 /// Warnings and errors as [`document`].
 ///
 /// ```
-/// use hodograph::figure::item::{Figure, Item, Shape, Stroke};
+/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
 /// use hodograph::{geom::Point, render::pdf};
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge)];
-/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), items };
+/// let (title, lang) = ("A link".into(), "en".into());
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title, desc: String::new(), lang, paper: Colour::WHITE, items };
 /// let file = pdf::pdf(&[figure])?.value;
 /// assert!(file.starts_with(b"%PDF-1.7"));
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
-    let page = |f: &Figure| Page {
-        width_mm: f.width_mm,
-        height_mm: f.height_mm,
-        parts: vec![Part { kind: Kind::Figure(f.desc.clone()), items: f.items.clone() }],
+    let page = |f: &Figure| {
+        let mut parts = vec![Part { kind: Kind::Figure(f.desc.clone()), items: f.items.clone() }];
+        // White is the paper itself.
+        if f.paper != Colour::WHITE {
+            let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
+            let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
+            let ground = Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
+            parts.insert(0, Part { kind: Kind::Artifact, items: vec![Item::new("", ground)] });
+        }
+        Page { width_mm: f.width_mm, height_mm: f.height_mm, parts }
     };
     let pages: Vec<Page> = figures.iter().map(page).collect();
     let (title, lang) = figures.first().map_or(("", "en"), |f| (f.title.as_str(), f.lang.as_str()));

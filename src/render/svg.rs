@@ -7,7 +7,7 @@
 use std::fmt::Write as _;
 
 use ::svg::Document;
-use ::svg::node::element::{Circle, Description, Group, Line, Path, Title};
+use ::svg::node::element::{Circle, Description, Group, Line, Path, Rectangle, Title};
 use ::svg::node::{Node, Text};
 
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -30,11 +30,11 @@ use super::number::mm;
 /// all of them in the order of the items.
 ///
 /// ```
-/// use hodograph::figure::item::{Figure, Item, Shape, Stroke};
+/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
 /// use hodograph::{geom::Point, render::svg};
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge).with_id("crank")];
-/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), items };
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
 /// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
 /// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
 /// # Ok::<(), hodograph::diag::Faults>(())
@@ -53,6 +53,11 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
         .set("lang", figure.lang.as_str())
         .add(Title::new(figure.title.as_str()))
         .add(Description::new().add(Text::new(figure.desc.as_str())));
+    if figure.paper != Colour::WHITE {
+        let paper =
+            Rectangle::new().set("width", w.as_str()).set("height", h.as_str()).set("class", "paper").set("fill", hex(figure.paper));
+        document = document.add(paper);
+    }
     for item in &figure.items {
         // A point that is not finite would make the whole path disappear in every viewer, without a word.
         if !item.is_finite() {
@@ -287,7 +292,15 @@ mod tests {
     use crate::figure::label::Label;
 
     fn figure(items: Vec<Item>) -> Figure {
-        Figure { width_mm: 100.0, height_mm: 50.0, title: "A < B".into(), desc: "two \"things\"".into(), lang: "en".into(), items }
+        Figure {
+            width_mm: 100.0,
+            height_mm: 50.0,
+            title: "A < B".into(),
+            desc: "two \"things\"".into(),
+            lang: "en".into(),
+            paper: Colour::WHITE,
+            items,
+        }
     }
 
     fn line(id: &str, from: Point, to: Point) -> Item {

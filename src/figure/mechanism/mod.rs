@@ -72,7 +72,7 @@ struct Draft<'a> {
 
 impl<'a> Draft<'a> {
     fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation) -> Self {
-        let d = Drawing::new("mechanism", *style);
+        let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
         let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
@@ -206,8 +206,10 @@ impl<'a> Draft<'a> {
                 continue;
             }
             let items = sym::plate(self.style, plate);
+            self.d.of_link(Some(l));
             self.d.draw(&self.link_id(l), "", items);
         }
+        self.d.of_link(None);
     }
 
     /// Bars that are not guides, and the marks of their rigid corners.
@@ -215,6 +217,7 @@ impl<'a> Draft<'a> {
         for l in 0..self.forms.len() {
             let Some(form) = self.forms[l].clone() else { continue };
             let id = self.link_id(l);
+            self.d.of_link(Some(l));
             for (a, b) in &form.bars {
                 self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
             }
@@ -222,6 +225,7 @@ impl<'a> Draft<'a> {
                 self.d.draw(&format!("{id}-corner"), "", sym::weld(self.style, *corner, *one, *other));
             }
         }
+        self.d.of_link(None);
     }
 
     fn link_id(&self, l: usize) -> String {
@@ -260,14 +264,16 @@ impl<'a> Draft<'a> {
             let through =
                 |(a, b): &&(Point, Point)| form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM;
             if form.plate.is_empty() {
-                across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).copied());
+                across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).map(|bar| (l, *bar)));
             }
         }
         // Two bars that both go on would look welded: then the circle stays empty.
-        if let [(a, b)] = across[..] {
+        if let [(l, (a, b))] = across[..] {
             let u = (b - a).unit().unwrap_or(Vec2::ZERO) * self.style.pin_radius_mm;
             let shape = Shape::Line { from: at - u, to: at + u, stroke: self.style.link.flat() };
+            self.d.of_link(Some(l.0));
             self.d.shape(&format!("through-{name}"), "link through", shape);
+            self.d.of_link(None);
         }
     }
 }

@@ -101,7 +101,9 @@ impl Draft<'_> {
         let name = self.scene.links[slider.0].name.clone();
         let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::Guide::TwoSided);
         self.d.draw(&format!("guide-{name}"), "", items);
+        self.d.of_link(Some(slider.0));
         let owner = self.d.draw(&format!("link-{name}"), "", sym::link(self.style, &[root, end]));
+        self.d.of_link(None);
         self.number_at[slider.0] = Some(NumberPlace::Along(root, root + u * BUSHING_MM, owner));
     }
 
@@ -126,6 +128,7 @@ impl Draft<'_> {
             if self.scene.links[l].points.is_empty() {
                 self.extend_yoke(l, &mut form);
             }
+            self.d.of_link(Some(l));
             for (a, b) in &form.guide_bars {
                 self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
             }
@@ -141,6 +144,7 @@ impl Draft<'_> {
             }
             self.forms[l] = Some(form);
         }
+        self.d.of_link(None);
     }
 
     /// The slotted bar of a yoke reaches its rod.
@@ -169,9 +173,11 @@ impl Draft<'_> {
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((at, tangent)) = self.runner(g) else { continue };
             let items = sym::block(self.style, at, tangent.angle(), through);
+            self.d.of_link(Some(slider.0));
             self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
             self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }
+        self.d.of_link(None);
     }
 
     /// Cylinders: barrel at their first point, rod at their second.
