@@ -20,7 +20,7 @@ pub struct Args {
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG and PNG)
+    /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG, PNG, PDF)
     Draw(Draw),
     /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
     Solve(Solve),
@@ -63,7 +63,7 @@ pub struct Common {
 pub struct Draw {
     #[command(flatten)]
     pub common: Common,
-    /// Folder for the files, or one file ending in .svg or .png
+    /// Folder for the files, or one file ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
     /// Which files to write into a folder
@@ -142,6 +142,7 @@ pub struct Accuracy {
 pub enum Format {
     Svg,
     Png,
+    Pdf,
 }
 
 impl Format {
@@ -155,6 +156,7 @@ impl Format {
         match self {
             Format::Svg => "svg",
             Format::Png => "png",
+            Format::Pdf => "pdf",
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::figure::sheet::{Options, Single, sheet, single};
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
 use crate::mechanism::Level;
-use crate::render::{png, svg};
+use crate::render::{pdf, png, svg};
 use crate::scene::Scene;
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
@@ -30,6 +30,14 @@ pub fn run(a: args::Draw) -> Run {
     } else {
         pictures(&input.scene, &worked, &options, &a.figure).map_err(failed)?
     };
+    if files::ending(&a.output) == Some(Format::Pdf.ending()) {
+        // A document holds them all, a page each.
+        let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
+        files::write(Path::new(&a.output), &pdf::pdf(&pages).map_err(failed)?.value)?;
+        files::print(&format!("{}\n", a.output))?;
+        input.say_notes();
+        return Ok(verdict(&worked));
+    }
     let names = names(&a, &input.name, &figures).map_err(failed)?;
     for ((_, figure), targets) in figures.iter().zip(names) {
         write(figure, &targets, &a).map_err(|e| match e {
@@ -89,7 +97,7 @@ fn pictures(scene: &Scene, worked: &Worked, options: &Options, which: &[Picture]
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
 fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
-    let one = out.extension().and_then(|e| e.to_str()).and_then(Format::of);
+    let one = files::ending(&a.output).and_then(Format::of);
     if let (Some(format), [_]) = (one, figures) {
         return Ok(vec![vec![(format, out.to_path_buf())]]);
     }
@@ -118,6 +126,10 @@ fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw) -> Resu
             Format::Svg => svg.as_bytes(),
             Format::Png => {
                 picture = png::render(&svg, a.dpi).map_err(|d| Unwritten::Faults(d.into()))?;
+                &picture
+            }
+            Format::Pdf => {
+                picture = pdf::pdf(std::slice::from_ref(figure)).map_err(Unwritten::Faults)?.value;
                 &picture
             }
         };

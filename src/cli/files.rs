@@ -33,6 +33,11 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
     }
 }
 
+/// How a file's name ends, after its last dot.
+pub fn ending(path: &str) -> Option<&str> {
+    Path::new(path).extension().and_then(|e| e.to_str())
+}
+
 /// Writes a file whole: beside it first, then renamed.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
