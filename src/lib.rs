@@ -62,6 +62,7 @@ pub mod diag;
 pub mod effort;
 pub mod figure;
 pub mod geom;
+pub mod lesson;
 pub mod mechanism;
 pub mod motion;
 pub mod number;

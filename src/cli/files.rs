@@ -58,6 +58,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The name of a scene file without folder and ending, for the files made from it.
+pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
+    Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
+}
+
 /// Draws the sheet into the files that were asked for, and prints their names.
 pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
     let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
@@ -74,7 +79,7 @@ pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, nam
     let targets: Vec<(Format, PathBuf)> = match single {
         Some(f) => vec![(f, out.to_path_buf())],
         None => {
-            let stem = Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or("sheet");
+            let stem = stem(name, "sheet");
             a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", if *f == Format::Svg { "svg" } else { "png" })))).collect()
         }
     };

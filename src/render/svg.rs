@@ -54,13 +54,9 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
         .add(Title::new(figure.title.as_str()))
         .add(Description::new().add(Text::new(figure.desc.as_str())));
     for item in &figure.items {
-        // A point that is not finite would make the whole path disappear in every viewer, without a word.
-        if !item.is_finite() {
-            let name = if item.id.is_empty() { &item.class } else { &item.id };
-            writer.faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
-            continue;
+        if let Some(node) = writer.finite(item) {
+            document = document.add(node);
         }
-        document = document.add(writer.item(item));
     }
     if writer.faults.has_errors() {
         return Err(writer.faults);
@@ -68,6 +64,17 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     let mut value = document.to_string();
     value.push('\n');
     Ok(Warned { value, notes: writer.faults.list })
+}
+
+/// Items as elements, one string each, as they stand in a document of this height: for pages that put documents together
+/// by themselves.
+///
+/// # Errors
+/// As [`write`].
+pub fn elements(items: &[Item], height_mm: f64) -> Result<Vec<String>, Faults> {
+    let mut writer = Writer { height_mm, faults: Faults::default() };
+    let list = items.iter().map(|item| writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
+    if writer.faults.has_errors() { Err(writer.faults) } else { Ok(list) }
 }
 
 struct Writer {
@@ -83,6 +90,16 @@ impl Writer {
 
     fn xy(&self, p: Point) -> String {
         format!("{} {}", mm(p.x), self.y(p.y))
+    }
+
+    /// The item's element; a point that is not finite would make the whole path disappear in every viewer, without a word.
+    fn finite(&mut self, item: &Item) -> Option<Box<dyn Node>> {
+        if item.is_finite() {
+            return Some(self.item(item));
+        }
+        let name = if item.id.is_empty() { &item.class } else { &item.id };
+        self.faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
+        None
     }
 
     fn item(&mut self, item: &Item) -> Box<dyn Node> {
