@@ -127,7 +127,8 @@ impl Drawing {
     pub fn finish_after(mut self, habits: &mut Habits) -> Part {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|(r, ..)| r.clone()).collect();
-        let before: Vec<Option<usize>> = self.wanted.iter().map(|(_, id, _)| habits.get(id).copied()).collect();
+        let first = habits.is_empty();
+        let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|(_, id, _)| habits.get(id).copied()).collect();
         let placements = place_after(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
         habits.extend(self.wanted.iter().map(|(_, id, _)| id.clone()).zip(placements.iter().map(|p| p.index)));
         for (p, (request, id, class)) in placements.iter().zip(&self.wanted) {

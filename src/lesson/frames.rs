@@ -43,10 +43,12 @@ pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
 
 /// A polygon next to a limit leaves the paper when it is so many times as large as three quarters of all.
 const OFF_PAPER: f64 = 4.0;
-/// What the page shows between two frames may be off by this (mm): with the rounding of what it is told, a hundredth.
-const BETWEEN_MM: f64 = 0.003;
+/// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
+const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
-const ADDED: f64 = 0.75;
+const ADDED: f64 = 0.5;
+/// How much larger than on a sheet a polygon may be: it has to be read in the poses too in which it is small.
+const LARGER: f64 = 1.5;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
 const ROUNDS: usize = 4;
 /// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it.
@@ -176,10 +178,16 @@ impl Maker<'_> {
         worst
     }
 
+    /// The room for each drawing.
+    fn boxes(&self, trials: &[Trial]) -> Boxes {
+        let usual = trials.first().map_or(Boxes::default(), |t| Boxes::of(&self.scene.paper, &t.worked.plan));
+        Boxes { polygon: usual.polygon.map(|side| side * LARGER), ..usual }
+    }
+
     /// The scales at which all poses fit, but those next to a limit.
     fn scales(&self, trials: &[Trial], full: bool) -> Scales {
         let paper = &self.scene.paper;
-        let boxes = trials.first().map_or(Boxes::default(), |t| Boxes::of(paper, &t.worked.plan));
+        let boxes = self.boxes(trials);
         let places = trials.iter().flat_map(|t| t.worked.configuration.points.iter().flatten().copied());
         let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
         let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2] };
@@ -208,7 +216,7 @@ impl Maker<'_> {
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let scales = self.scales(&trials, sweep.full);
         let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
-        let boxes = trials.first().map_or(Boxes::default(), |t| Boxes::of(&self.scene.paper, &t.worked.plan));
+        let boxes = self.boxes(&trials);
         for trial in trials {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
             scene.paper.mu_l = Some(scales.mu_l);

@@ -9,6 +9,7 @@
 mod bank;
 mod curve;
 mod frames;
+mod limit;
 mod mathml;
 mod pack;
 mod page;

@@ -104,10 +104,15 @@
     return parts;
   }
 
-  const drawings = data.drawings.map(({ key, moving, shown }) => {
+  const drawings = data.drawings.map(({ key, moving, labels, shown }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
+    for (const [index, triples] of labels) {
+      let d = "";
+      for (let i = 0; i < triples.length; i += 3) d += `m${triples[i]} ${triples[i + 1]}${data.outlines[triples[i + 2]]}`;
+      elements[index].setAttribute("d", d);
+    }
     const movers = moving.map(([index, runs, places, packed]) => {
       const element = elements[index];
       const seen = flags(runs);
@@ -448,7 +453,7 @@
 
   function face() {
     const key = playing ? "pause" : data.driver.turns ? "play" : "slide";
-    $("play").textContent = `${playing ? "⏸" : "⟳"} ${word(key)}`;
+    $("play").querySelector("span").textContent = word(key);
     $("play").setAttribute("aria-pressed", playing);
   }
 
@@ -486,18 +491,22 @@
     document.documentElement.dataset.theme = dark ? "light" : "dark";
   }
 
-  /** All drawings to one scale, as large as they fit side by side. */
+  /** All drawings to one scale, as large as they fit side by side with the words below the polygons. */
   function fit() {
     const sizes = drawings.map((d) => d.figure.querySelector("svg").viewBox.baseVal);
-    const room = $("drawings").clientWidth - 40 - 14 * sizes.length;
-    const wide = room / sizes.reduce((sum, s) => sum + s.width, 0);
-    const high = (innerHeight * 0.62) / Math.max(...sizes.map((s) => s.height));
-    const across = Math.min(wide, high);
-    // Too small to read side by side: the mechanism above, the polygons below.
-    const below = Math.min(room / Math.max(sizes[0].width, sizes.slice(1).reduce((sum, s) => sum + s.width, 0)), high);
-    document.body.style.setProperty("--k", Math.max(across, Math.min(below, 2.6)));
-    // On paper, A4 across.
-    document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(...sizes.map((s) => s.width)), 120 / sizes[0].height));
+    const [first, ...rest] = sizes;
+    const em = parseFloat(getComputedStyle(document.body).fontSize);
+    const wide = document.querySelector("main").clientWidth - 32 - 14 * sizes.length;
+    const high = innerHeight - $("left").getBoundingClientRect().top - scrollY - 2.5 * em;
+    const k = Math.min(
+      wide / sizes.reduce((sum, s) => sum + s.width, 0),
+      high / first.height,
+      (0.6 * high) / Math.max(1, ...rest.map((s) => s.height)),
+    );
+    document.body.style.setProperty("--k", Math.max(k, 1.5));
+    // On paper, A4 upright: the polygons beside one another below the mechanism.
+    const below = rest.reduce((sum, s) => sum + s.width, 0);
+    document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(first.width, below), 110 / first.height));
   }
 
   $("first").addEventListener("click", () => go(0));

@@ -5,7 +5,6 @@
 use serde_json::{Value, json};
 
 use crate::accuracy::toggle::driver_position;
-use crate::analytic::{self, SingularKind};
 use crate::diag::Faults;
 use crate::figure::sheet;
 use crate::figure::words as figure_words;
@@ -18,9 +17,9 @@ use super::mathml::{escaped, formula};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::sweep::Sweep;
-use super::track::runs;
+use super::track::{Outlines, Told, runs};
 use super::words::{table, word};
-use super::{Options, pack};
+use super::{Options, limit, pack};
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -32,7 +31,11 @@ const SCRIPT: &str = include_str!("page.js");
 /// Those of the SVG writer.
 pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Result<String, Faults> {
     let drawings = scenery(frames, &options.notation)?;
-    let figures: String = drawings.iter().map(|d| figure(d, frames, options.lang)).collect();
+    let mut outlines = Outlines::default();
+    let told: Vec<Told> = drawings.iter().map(|d| d.track.told(&mut outlines)).collect();
+    let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
+    let mechanism = figures.next().unwrap_or_default();
+    let polygons: String = figures.collect();
     let title = |lang: Lang| match scene.title.get(lang) {
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
@@ -47,10 +50,11 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "travel": frames.list.iter().map(|f| f.travel).collect::<Vec<_>>(),
         "base": frames.base,
         "full": frames.full,
-        "limits": limits(scene, options, sweep, frames),
+        "limits": limits(scene, sweep, frames),
         "cut": frames.cut,
         "handle": handle(frames, options.driver, &drawings[0]),
-        "drawings": drawings.iter().map(|d| json!({"key": d.shows.key(), "moving": d.told.moving, "shown": runs(d.shown.iter().copied())})).collect::<Vec<_>>(),
+        "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
+        "outlines": outlines.list,
         "steps": steps(frames, &options.notation),
         "answers": answers(frames, options.driver, &options.notation),
     });
@@ -60,7 +64,8 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         .replace("{{lang}}", tag(options.lang))
         .replace("{{title}}", &escaped(&title(options.lang)))
         .replace("{{style}}", STYLE)
-        .replace("{{figures}}", &figures)
+        .replace("{{mechanism}}", &mechanism)
+        .replace("{{polygons}}", &polygons)
         .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
         .replace("{{data}}", &data)
         .replace("{{script}}", SCRIPT))
@@ -70,8 +75,13 @@ fn tag(lang: Lang) -> &'static str {
     figure_words::words(lang).tag
 }
 
+/// What the page is told of a drawing.
+fn drawing(d: &Scenery, told: &Told) -> Value {
+    json!({"key": d.shows.key(), "moving": told.moving, "labels": told.labels, "shown": runs(d.shown.iter().copied())})
+}
+
 /// A drawing with its caption; its scale is said below.
-fn figure(d: &Scenery, frames: &Frames, lang: Lang) -> String {
+fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
     let paper = &frames.list[frames.base].worked.construction;
@@ -88,7 +98,7 @@ fn figure(d: &Scenery, frames: &Frames, lang: Lang) -> String {
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> {}</figcaption>\n</figure>\n",
-        d.told.markup,
+        told.markup,
         escaped(caption(lang)),
         formula(&scale),
     )
@@ -123,26 +133,16 @@ fn driver(scene: &Scene, k: usize) -> Value {
     json!({"turns": turns, "symbol": formula(&symbol), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
 }
 
-/// What is said at each limit, English and Chinese.
-fn limits(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Value {
+/// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.
+fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
+    let mechanism = &frames.list[frames.base].worked.mechanism;
     let ends = [sweep.poses.first(), sweep.poses.last()];
-    let said = ends.iter().zip(sweep.limits).map(|(pose, limit)| {
-        limit?;
-        let frame = &frames.list[frames.base];
-        let here = super::sweep::scene_at(scene, options.driver, pose.as_ref()?.travel);
-        let found = analytic::solve(&here, &frame.worked.mechanism, &pose.as_ref()?.configuration, &frame.worked.demand);
-        Some(LANGS.map(|lang| match &found {
-            Ok(solution) => match solution.singular.iter().find(|s| s.kind == SingularKind::Limit) {
-                Some(s) => {
-                    let links: Vec<String> = s.named.iter().map(|l| word("link", lang).replace("{}", scene.link_name(*l))).collect();
-                    word("limit_links", lang).replace("{}", &links.join(word("and", lang)))
-                }
-                None => word("limit", lang).to_owned(),
-            },
-            Err(_) => word("limit", lang).to_owned(),
-        }))
+    let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
+        let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };
+        let key = if sweep.far(pose) { "limit_far" } else { "limit" };
+        json!(LANGS.map(|lang| limit::words(scene, mechanism, &pose.configuration, lang).unwrap_or_else(|| word(key, lang).to_owned())))
     });
-    said.map(|s| json!(s)).collect()
+    said.collect()
 }
 
 /// The point by which the driver is dragged, over the frames: two packed columns of thousandths of a millimetre on the

@@ -15,7 +15,7 @@ use crate::plan::text::Writer;
 use crate::scene::Lang;
 
 use super::frames::{Frame, Frames, LEVELS};
-use super::track::{Told, Track};
+use super::track::Track;
 
 /// Around all ink of all poses.
 const MARGIN_MM: f64 = 3.0;
@@ -50,8 +50,8 @@ pub struct Scenery {
     pub size_mm: [f64; 2],
     /// The diagram's origin or the pole on that paper, x to the right and y up from its lower left corner.
     pub origin: Point,
-    /// What the page is told.
-    pub told: Told,
+    /// Its elements over the frames.
+    pub track: Track,
     /// Whether it is on the paper, in each frame.
     pub shown: Vec<bool>,
 }
@@ -95,7 +95,7 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
         part.translate(shift);
         track.add(k, &part.items)?;
     }
-    Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, told: track.told(), shown })
+    Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
 }
 
 fn part(frames: &Frames, k: usize, notation: &Notation, shows: Shows, habits: &mut Habits) -> Option<Part> {

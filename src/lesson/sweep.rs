@@ -31,11 +31,22 @@ pub struct Sweep {
     pub limits: [Option<f64>; 2],
 }
 
+impl Sweep {
+    /// Whether a pose is an end because a joint leaves the paper there.
+    pub fn far(&self, pose: &Pose) -> bool {
+        let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
+        stray(&pose.configuration, &base.configuration) > FAR * 0.999 * base.configuration.extent()
+    }
+}
+
 /// A joint that strays farther than this part of the mechanism's size from where its motion leads has jumped to another
 /// assembly, or turns so fast that the step must be smaller. (A crank as long as the mechanism strays by 0.008 in 5°.)
 const STRAY: f64 = 0.03;
 /// Halvings of a step before the motion is taken to end: 5° become 0.0003°.
 const HALVINGS: usize = 14;
+/// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
+/// parallel send their crossing beyond all bounds.
+const FAR: f64 = 3.0;
 /// Fewest steps between two limits.
 const STEPS_LEAST: usize = 48;
 
@@ -141,8 +152,12 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// The pose at a travel that is nearest to a guess; `None` where the mechanism does not close.
+    /// The pose at a travel that is nearest to a guess; `None` where the mechanism does not close, or leaves the paper.
     pub fn at(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
+    }
+
+    fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
         let mut best = match later(guess) {
             Ok(found) => found,
@@ -170,9 +185,13 @@ impl<'a> Follower<'a> {
 
     /// The largest distance of a joint in two poses, as a part of the mechanism's size.
     fn stray(&self, a: &Configuration, b: &Configuration) -> f64 {
-        let pairs = a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?)));
-        pairs.fold(0.0, f64::max) / self.base.extent().max(f64::MIN_POSITIVE)
+        stray(a, b) / self.base.extent().max(f64::MIN_POSITIVE)
     }
+}
+
+/// The largest distance (m) of a joint in two poses.
+fn stray(a: &Configuration, b: &Configuration) -> f64 {
+    a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
 }
 
 /// Where the motion leads: as far on as from the pose before.

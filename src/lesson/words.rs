@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 36] = [
+const WORDS: [(&str, &str, &str); 38] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -28,10 +28,12 @@ const WORDS: [(&str, &str, &str); 36] = [
     ("scales_cut", "One set of scales for all positions but those next to a limit, where the vectors leave the paper.", "除极限位置附近（矢量超出图纸）外，各位置采用同一组比例尺。"),
     ("limit", "The driver can go no farther.", "原动件已到极限位置，不能再继续运动。"),
     ("limit_links", "The driver can go no farther: {} lie in line.", "原动件已到极限位置，不能再继续运动：{}共线。"),
-    ("limit_square", "The driver can go no farther: {}.", "原动件已到极限位置，不能再继续运动（{}）。"),
+    ("limit_square", "The driver can go no farther: {} stands square to the guide of {1}.", "原动件已到极限位置，不能再继续运动：{}垂直于点 {1} 的导路。"),
+    ("limit_far", "The lesson ends here: beyond, a joint leaves the paper.", "演示到此为止：再往前，运动副将超出图纸。"),
     ("off_velocity", "Too large for the paper: next to the limit the velocities grow beyond all bounds.", "超出图纸：接近极限位置时速度趋于无穷大。"),
     ("off_acceleration", "Too large for the paper: next to the limit the accelerations grow beyond all bounds.", "超出图纸：接近极限位置时加速度趋于无穷大。"),
-    ("link", "link {}", "构件{}"),
+    ("link", "link {} ({1})", "构件 {}（{1}）"),
+    ("cylinder", "cylinder {1}", "油缸 {1}"),
     ("and", " and ", "与"),
     ("keys", "Keys", "键盘操作"),
     ("keys_steps", "→ or Page Down: next step; ← or Page Up: previous; Home: first; End: all", "→ 或 Page Down：下一步；← 或 Page Up：上一步；Home：第一步；End：全部"),

@@ -65,11 +65,13 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
             if before.is_some_and(|b| b >= choice.places.len()) {
                 choice.offer(candidate::far(w), w, obstacles, paper);
             }
-            choice.picked = argmin(&choice.fixed);
+            choice.picked = before.filter(|b| *b < choice.places.len()).unwrap_or_else(|| argmin(&choice.fixed));
             choice
         })
         .collect();
-    settle(&mut choices);
+    // In a series the figure before has settled what stands where: one descent mends what has come in the way.
+    let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
+    settle(&mut choices, rounds);
     let poor: Vec<usize> = (0..choices.len()).filter(|&i| total(&choices, i, choices[i].picked) > POOR).collect();
     if !poor.is_empty() {
         for i in poor {
@@ -78,7 +80,7 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
             }
             choices[i].offer(candidate::far(&wanted[i]), &wanted[i], obstacles, paper);
         }
-        settle(&mut choices);
+        settle(&mut choices, rounds);
     }
     let picked = |i: usize| choices[i].picked;
     (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, picked(i)) - choices[i].leave(picked(i)), picked(i))).collect()
@@ -107,10 +109,10 @@ fn meet(choices: &mut [Choice]) {
     }
 }
 
-fn settle(choices: &mut [Choice]) {
+fn settle(choices: &mut [Choice], rounds: usize) {
     meet(choices);
     descend(choices);
-    for _ in 0..ROUNDS_MAX {
+    for _ in 0..rounds {
         if !move_pairs(choices) {
             return;
         }
