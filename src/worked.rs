@@ -129,8 +129,23 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         demand = demand.with_all_positions();
     }
     let placed = position::configure(scene, &mechanism, &demand)?;
-    let configuration = placed.value;
     notes.extend(placed.notes);
+    let Warned { value: mut worked, notes: more } = work_placed(scene, mechanism, demand, placed.value)?;
+    notes.extend(more);
+    let drawn = worked.drawn(scene);
+    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
+    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
+    worked.bad_angles = bad_angles;
+    Ok(Warned { value: worked, notes })
+}
+
+/// The stages from positions on, for callers who followed the mechanism to a pose by themselves; crossings under bad angles
+/// are not looked for.
+///
+/// # Errors
+/// The faults of the first stage that has any.
+pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
+    let mut notes = Vec::new();
     let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
     notes.extend(solution.notes.iter().cloned());
     let plan = plan::plan_without(scene, &mechanism, &demand, &singular_groups(&mechanism, &solution));
@@ -170,12 +185,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order });
     }
 
-    let mut worked =
-        Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
-    let drawn = worked.drawn(scene);
-    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
-    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
-    worked.bad_angles = bad_angles;
+    let worked = Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
     Ok(Warned { value: worked, notes })
 }
 

@@ -26,6 +26,7 @@ pub fn main() -> ExitCode {
     let args = Args::parse();
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
+        Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
         Command::Accuracy(a) => accuracy(a),
@@ -111,6 +112,28 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
 /// 3 where drawing and analysis disagree, else 0.
 fn verdict(worked: &Worked) -> ExitCode {
     if worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) { ExitCode::SUCCESS } else { ExitCode::from(3) }
+}
+
+fn lesson(a: args::Lesson) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let made = if a.reveal {
+        let Warned { value: worked, notes } = work(&input.scene, Scope::Figure).map_err(failed)?;
+        input.notes.extend(notes);
+        let options = sheet::Options { notation, ..sheet::Options::of_language(lang) };
+        crate::lesson::reveal(&input.scene, &worked, &options)
+    } else {
+        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1 };
+        crate::lesson::lesson(&input.scene, &options)
+    };
+    let Warned { value, notes } = made.map_err(|faults| Failure::Input(faults, input.name.clone(), input.source.clone()))?;
+    input.notes.extend(notes);
+    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
+    files::write(std::path::Path::new(&path), value.as_bytes())?;
+    files::print(&format!("{path}\n"))?;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
 }
 
 fn solve(a: args::Solve) -> Run {
