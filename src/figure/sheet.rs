@@ -21,7 +21,7 @@ use super::style::Style;
 use super::tables::Tables;
 use super::words::{Words, words};
 use super::{mechanism, polygon, results};
-use crate::accuracy::{Certified, certify};
+use crate::accuracy::{Certified, Steps, certify, steps};
 
 /// How a sheet is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl Maker<'_> {
     }
 
     fn tables(&self) -> TablesOwner<'_> {
-        TablesOwner { maker: self, writer: self.writer() }
+        TablesOwner { maker: self, writer: self.writer(), steps: steps(self.scene, self.worked, None) }
     }
 
     fn mechanism(&self) -> Part {
@@ -205,12 +205,19 @@ impl Maker<'_> {
 struct TablesOwner<'a> {
     maker: &'a Maker<'a>,
     writer: Writer<'a>,
+    steps: Steps,
 }
 
 impl TablesOwner<'_> {
     fn parts(&self, level: Level) -> Vec<Part> {
         let worked = self.maker.worked;
-        let tables = Tables { style: STYLE, writer: &self.writer, mechanism: &worked.mechanism, construction: &worked.construction };
+        let tables = Tables {
+            style: STYLE,
+            writer: &self.writer,
+            mechanism: &worked.mechanism,
+            construction: &worked.construction,
+            steps: &self.steps,
+        };
         tables.parts(level)
     }
 }
