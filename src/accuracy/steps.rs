@@ -6,7 +6,7 @@
 
 use super::ladder::{Climb, Number, READING_DIGITS, Rung, Why};
 use crate::construct::pencil::Exact;
-use crate::construct::{Action, Construction, Edge, Layout, Polygon, by_hand, scale};
+use crate::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::number::Real;
@@ -48,7 +48,7 @@ impl What {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Step(Level, usize, What),
-    /// Length of a vertex's vector (SI).
+    /// Length of the vector of a vertex in which a laid-off vector ends (SI).
     Vector(Level, VertexId),
 }
 
@@ -88,7 +88,7 @@ impl Steps {
         self.numbers.get(&Key::Step(level, action, what)).map(|n| &n.0)
     }
 
-    /// The length of a vertex's vector, in SI.
+    /// The length of the vector of a vertex in which a laid-off vector ends, in SI.
     pub fn vector(&self, level: Level, v: VertexId) -> Option<&Number> {
         self.numbers.get(&Key::Vector(level, v)).map(|n| &n.0)
     }
@@ -118,10 +118,12 @@ pub fn steps(scene: &Scene, worked: &Worked, pencil_mm: Option<f64>) -> Steps {
             if kept {
                 continue;
             }
-            if !number.holds(key.digits(), last) {
+            if !number.as_ref().is_some_and(|n| n.holds(key.digits(), last)) {
                 done.why = Some(if last { Why::Tie } else { Why::TooClose });
             }
-            done.numbers.insert(key, (number, rung));
+            if let Some(number) = number {
+                done.numbers.insert(key, (number, rung));
+            }
         }
         if done.why.is_none() {
             break;
@@ -138,7 +140,7 @@ struct Redrawn<'a> {
 }
 
 impl Climb for Redrawn<'_> {
-    type Found = Option<Vec<(Key, Number)>>;
+    type Found = Option<Vec<(Key, Option<Number>)>>;
 
     fn with<N: Certain>(&self) -> Self::Found {
         let Worked { mechanism: m, demand, configuration, plan, construction, .. } = self.worked;
@@ -149,49 +151,52 @@ impl Climb for Redrawn<'_> {
     }
 }
 
-/// Everything that the sentences tell of a drawing, but for what has no value in its numbers.
-fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Number)> {
+/// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
+fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
     for level in [Level::Velocity, Level::Acceleration] {
         let Some(p) = paper.polygon(level) else { continue };
         let rates = paper.rates.iter().filter(|r| r.level == level);
         let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);
         for (i, action) in p.actions.iter().enumerate() {
-            let mut tell = |what, number: Option<Number>| out.extend(number.map(|n| (Key::Step(level, i, what), n)));
+            let mut tell = |what, number: Option<Number>| out.push((Key::Step(level, i, what), number));
             match action {
-                Action::LayOff(e) => tell(What::Length(0), length(span(&p.edges[*e]))),
+                Action::LayOff(e) => {
+                    tell(What::Length(0), length(span(&p.edges[*e])));
+                    // A given vector stands in the equations as a number.
+                    if let Mark::Image(v) = p.edges[*e].to.0 {
+                        let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
+                        let size = from_pole(p, v).and_then(|drawn| some((drawn * scale::number(p.mu)).norm()));
+                        out.push((Key::Vector(level, v), size.map(|n| n.or_zero(nothing))));
+                    }
+                }
                 Action::Cross { edges, sine, .. } => {
                     for (k, e) in edges.iter().enumerate() {
                         tell(What::Length(k), length(span(&p.edges[*e])));
                     }
                     tell(What::Angle, some(angle_deg(*sine)));
-                    tell(What::Moved, pencil_mm.and_then(|e| some(scale::number::<N>(e) / absolute(*sine))));
+                    if let Some(e) = pencil_mm {
+                        tell(What::Moved, some(scale::number::<N>(e) / absolute(*sine)));
+                    }
                 }
                 Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),
                 Action::Rate(r) => {
                     let r = &paper.rates[*r];
-                    let drawn = r.measured.and_then(|(mm, arm)| Some((length_of(mm)?, arm)));
-                    let mut rate = some(r.value);
-                    if let Some(rate) = &mut rate {
-                        rate.zero = match &drawn {
-                            Some((mm, _)) => mm.zero,
-                            None => rate.enclosure().contains_zero() && rate.enclosure().largest() <= NOTHING * largest,
-                        };
-                    }
-                    if let Some((mm, arm)) = drawn {
-                        tell(What::Length(0), Some(mm));
-                        tell(What::Arm, some(arm));
-                    }
-                    tell(What::Rate, rate);
+                    let small = |n: &Number| n.enclosure().contains_zero() && n.enclosure().largest() <= NOTHING * largest;
+                    let zero = match r.measured {
+                        Some((mm, arm)) => {
+                            let mm = length_of(mm);
+                            let zero = mm.as_ref().is_some_and(|n| n.zero);
+                            tell(What::Length(0), mm);
+                            tell(What::Arm, some(arm));
+                            zero
+                        }
+                        None => some(r.value).as_ref().is_some_and(small),
+                    };
+                    tell(What::Rate, some(r.value).map(|n| n.or_zero(zero)));
                 }
                 Action::Nothing { .. } | Action::Line { .. } | Action::Same { .. } => {}
             }
-        }
-        for v in (0..p.images.len()).map(VertexId) {
-            let Some(drawn) = from_pole(p, v) else { continue };
-            let nothing = length(drawn).is_some_and(|l| l.zero);
-            let size = some((drawn * scale::number(p.mu)).norm()).map(|n| n.or_zero(nothing));
-            out.extend(size.map(|n| (Key::Vector(level, v), n)));
         }
     }
     out
