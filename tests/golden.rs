@@ -2,7 +2,7 @@
 //!
 //! To accept what the program now makes, look at the new files and run `HODOGRAPH_ACCEPT=1 cargo test --test golden`.
 
-use hodograph::accuracy::certify;
+use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::plan::notation::Notation;
@@ -115,7 +115,7 @@ fn templates_look_as_accepted() {
             check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
             check_text(
                 &folder.join(format!("construction.{suffix}.txt")),
-                &construction::text(&w, &worked.construction, None),
+                &construction::text(&w, &worked.construction, &steps(&scene, &worked, None)),
                 &mut failures,
             );
             if t.name == "shaper" {

@@ -11,7 +11,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
     version,
     about,
     max_term_width = 110,
-    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/"
+    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written; 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
 )]
 pub struct Args {
     #[command(subcommand)]

@@ -1,13 +1,13 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
-//! ours.
+//! ours; 4 done, but for answers that do not exist in the pose (dead centres).
 
 mod args;
 mod draw;
 mod files;
 
-use crate::accuracy::{certify, ways};
+use crate::accuracy::{certify, steps, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
 use crate::figure::sheet;
@@ -109,9 +109,12 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
     (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
 }
 
-/// 3 where drawing and analysis disagree, else 0.
+/// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0.
 fn verdict(worked: &Worked) -> ExitCode {
-    if worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) { ExitCode::SUCCESS } else { ExitCode::from(3) }
+    if !worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) {
+        return ExitCode::from(3);
+    }
+    if worked.unanswered.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(4) }
 }
 
 fn lesson(a: args::Lesson) -> Run {
@@ -157,7 +160,7 @@ fn solve(a: args::Solve) -> Run {
     }
     if a.steps {
         let pencil_mm = worked.drafting.as_ref().map(|d| d.pencil_mm);
-        files::print(&format!("\n{}", construction::text(&w, &worked.construction, pencil_mm)))?;
+        files::print(&format!("\n{}", construction::text(&w, &worked.construction, &steps(&input.scene, &worked, pencil_mm))))?;
     }
     input.say_notes();
     Ok(verdict(&worked))

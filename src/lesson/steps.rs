@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::accuracy::ladder::Certified;
-use crate::accuracy::{certify, toggle};
+use crate::accuracy::{certify, steps as certified_steps, toggle};
 use crate::figure::results::{DIGITS, amount, sense, symbol};
 use crate::figure::words::words;
 use crate::mechanism::Level;
@@ -46,7 +46,7 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>) -> [Value; 2] {
 fn of_level(frame: &Frame, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
     let Some(p) = frame.worked.construction.polygon(level) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
-    sentences(&w, &frame.worked.construction, p, None).iter().map(source).collect()
+    sentences(&w, &frame.worked.construction, p, &certified_steps(&frame.scene, &frame.worked, None)).iter().map(source).collect()
 }
 
 /// A sentence with its formulas between dollar signs again.
@@ -64,7 +64,7 @@ pub fn answers(frames: &Frames, driver: usize, notation: &Notation) -> Vec<Value
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {
-            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, &c[i], i, notation, LANGS[l])).collect();
+            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, c, i, notation, LANGS[l])).collect();
             let [en, zh] = in_both(said);
             json!([en, zh])
         })
@@ -82,8 +82,9 @@ fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
     list
 }
 
-fn answer(frame: &Frame, c: &Certified, i: usize, notation: &Notation, lang: Lang) -> Option<String> {
-    let r = &frame.worked.results[i];
+fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
+    // In a dead centre some questions have no answer.
+    let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];
     let sense = sense(find, r.value(), c, words(lang), DIGITS).plain();
     Some(format!("${} = {}$ {sense}", symbol(find, notation), amount(find, r.value(), c, DIGITS)).trim_end().to_owned())
