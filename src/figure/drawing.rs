@@ -10,7 +10,7 @@ use crate::geom::{Point, Vec2};
 use super::extent::{Rect, bounds, translate};
 use super::item::{Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{LabelRequest, Obstacles, Placement, place_after};
+use super::place::{LabelRequest, Obstacles, Placement, place_or_leave};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -25,13 +25,15 @@ pub struct Part {
     pub bounds: Rect,
     /// Where the labels found their places, and what it cost.
     pub placements: Vec<Placement>,
+    /// The names of optional labels for which there was no clear place.
+    pub left_out: Vec<String>,
 }
 
 impl Part {
     /// A part of finished items; an empty one takes no room.
     pub fn of(items: Vec<Item>) -> Part {
         let bounds = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
-        Part { items, bounds, placements: Vec::new() }
+        Part { items, bounds, placements: Vec::new(), left_out: Vec::new() }
     }
 
     /// Moves the part so that its box begins at `corner`, its upper left one.
@@ -106,10 +108,18 @@ impl Drawing {
         self.draw(name, class, vec![Item::new("", shape)])
     }
 
-    /// Asks for a label; it is placed when the drawing is finished.
-    pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) {
+    /// Draws a thin frame around other things: labels may stand in it, and across it where there is no better place.
+    pub fn frame(&mut self, name: &str, class: &str, shape: Shape) {
+        let mut item = Item::new("", shape).with_id(self.name(name));
+        tag(std::slice::from_mut(&mut item), &format!("{} {class}", self.kind));
+        self.items.push(item);
+    }
+
+    /// Asks for a label; it is placed when the drawing is finished. Returns its name.
+    pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) -> String {
         let id = self.name(&format!("label-{name}"));
-        self.wanted.push(Wanted { request, id, class: format!("{} {class} {PLACED}", self.kind), link: self.link });
+        self.wanted.push(Wanted { request, id: id.clone(), class: format!("{} {class} {PLACED}", self.kind), link: self.link });
+        id
     }
 
     /// A label at a point.
@@ -145,9 +155,10 @@ impl Drawing {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         let first = habits.is_empty();
         let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
-        let placements = place_after(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
-        habits.extend(self.wanted.iter().map(|w| w.id.clone()).zip(placements.iter().map(|p| p.index)));
-        for (p, w) in placements.iter().zip(&self.wanted) {
+        let placed = place_or_leave(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
+        for (p, w) in placed.iter().zip(&self.wanted) {
+            let Some(p) = p else { continue };
+            habits.insert(w.id.clone(), p.index);
             for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
                 item.link = w.link;
                 let id = &w.id;
@@ -156,7 +167,8 @@ impl Drawing {
             }
         }
         let mut part = Part::of(self.items);
-        part.placements = placements;
+        part.left_out = placed.iter().zip(&self.wanted).filter(|(p, _)| p.is_none()).map(|(_, w)| w.id.clone()).collect();
+        part.placements = placed.into_iter().flatten().collect();
         part
     }
 }

@@ -8,7 +8,7 @@ use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::shortest;
+use crate::quantity::{inked, shortest};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 
@@ -179,8 +179,8 @@ impl Maker<'_> {
         };
         part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), self.options.style.caption_mm, "caption"));
         part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu.as_str()), self.options.style.small_mm, "scale"));
-        let placements = part.placements;
-        Part { placements, ..Part::of(part.items) }
+        let (placements, left_out) = (part.placements, part.left_out);
+        Part { placements, left_out, ..Part::of(part.items) }
     }
 
     fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {
@@ -220,8 +220,5 @@ impl Maker<'_> {
 
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
 pub fn scale(mu: f64) -> String {
-    match shortest(mu).split_once('e') {
-        Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{}}}", exponent.replace('-', "−")),
-        None => shortest(mu),
-    }
+    inked(&shortest(mu))
 }

@@ -68,28 +68,35 @@ pub struct LabelRequest {
     pub owner: Option<u32>,
     /// The side to prefer, such as away from a polygon's middle; `None` for the upper right, for an arc the outside.
     pub prefer: Option<Vec2>,
+    /// Whether it may be left out where there is no clear place for it, as its thing is named otherwise too.
+    pub optional: bool,
 }
 
 impl LabelRequest {
     /// A label at a point.
     pub fn at_point(label: Label, size_mm: f64, at: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Point { at, clear_mm }, owner: None, prefer: None }
+        LabelRequest { label, size_mm, target: Target::Point { at, clear_mm }, owner: None, prefer: None, optional: false }
     }
 
     /// A label along a line.
     pub fn along(label: Label, size_mm: f64, from: Point, to: Point, clear_mm: f64) -> LabelRequest {
-        LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None }
+        LabelRequest { label, size_mm, target: Target::Segment { from, to, clear_mm }, owner: None, prefer: None, optional: false }
     }
 
     /// A label along a piece of a circle.
     pub fn along_arc(label: Label, size_mm: f64, centre: Point, radius_mm: f64, angles_rad: [f64; 2], clear_mm: f64) -> LabelRequest {
         let target = Target::Arc { centre, radius_mm, from_rad: angles_rad[0], to_rad: angles_rad[1], clear_mm };
-        LabelRequest { label, size_mm, target, owner: None, prefer: None }
+        LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
     }
 
     /// The same with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
+    }
+
+    /// The same for a label that may be left out.
+    pub fn optional(self, optional: bool) -> LabelRequest {
+        LabelRequest { optional, ..self }
     }
 
     /// The same with a side to prefer.
@@ -154,6 +161,31 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
             index,
         })
         .collect()
+}
+
+/// Finds places as [`place_after`], and leaves out optional labels that cover something at their best; the others then have
+/// more room. `None` for those left out.
+pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Option<Placement>> {
+    let mut kept: Vec<usize> = (0..requests.len()).collect();
+    loop {
+        let wanted: Vec<LabelRequest> = kept.iter().map(|&i| requests[i].clone()).collect();
+        let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(|&i| before[i]).collect() };
+        let places = place_after(&wanted, obstacles, bounds, &habits);
+        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| wanted[k].optional && places[k].cost >= CROWDED).collect();
+        if crowded.is_empty() {
+            let mut out = vec![None; requests.len()];
+            kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
+            return out;
+        }
+        // The worst third at once: to go one by one would take as many searches as labels.
+        crowded.sort_by(|&a, &b| places[b].cost.total_cmp(&places[a].cost));
+        crowded.truncate(crowded.len().div_ceil(3));
+        let mut k = 0;
+        kept.retain(|_| {
+            k += 1;
+            !crowded.contains(&(k - 1))
+        });
+    }
 }
 
 /// A request with its measures.

@@ -1,8 +1,11 @@
 //! A velocity or acceleration polygon, from the drawing board's actions to ink.
 //!
-//! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. The places are
+//! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
+//! what is too small for its names.) The places are
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
+
+mod inset;
 
 use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
@@ -11,12 +14,13 @@ use crate::plan::text::Writer;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
 use crate::scene::{Asked, DriverKind};
 
-use super::drawing::{Drawing, Part};
-use super::item::Shape;
-use super::label::Label;
-use super::place::LabelRequest;
-use super::style::Style;
-use super::symbols as sym;
+use crate::figure::drawing::{Drawing, Part};
+use crate::figure::item::Shape;
+use crate::figure::label::Label;
+use crate::figure::place::LabelRequest;
+use crate::figure::style::Style;
+use crate::figure::symbols as sym;
+use inset::Inset;
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;
@@ -62,23 +66,35 @@ struct Draft<'a> {
 /// More arrows than this, and vectors from the pole that nothing asks for are left out; the names become smaller.
 const MANY_ARROWS: usize = 16;
 
-/// Draws a polygon; its pole lies in the origin.
+/// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
-    drawing(style, w, p).finish()
+    let (draft, style) = Draft::new(style, w, p);
+    let (drawing, names) = draft.draw(&style, &[]);
+    let part = drawing.finish();
+    let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
+    if insets.is_empty() { part } else { draft.draw(&style, &insets).0.finish() }
 }
 
-/// The same before its labels are placed.
+/// The same without insets and before its labels are placed, for series of drawings.
 pub fn drawing(style: &Style, w: &Writer, p: &Polygon) -> Drawing {
-    let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
-    draft.letter(Point::ORIGIN, w.pole(p.level), 0);
-    draft.follow();
-    let mut style = style.clone();
-    if draft.arrows.len() > MANY_ARROWS {
-        let needed = draft.needed();
-        draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
-        style.label_mm = style.small_mm;
+    let (draft, style) = Draft::new(style, w, p);
+    draft.draw(&style, &[]).0
+}
+
+impl<'a> Draft<'a> {
+    /// A polygon's things, and the style that suits their number.
+    fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon) -> (Draft<'a>, Style) {
+        let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
+        draft.letter(Point::ORIGIN, w.pole(p.level), 0);
+        draft.follow();
+        let mut style = style.clone();
+        if draft.arrows.len() > MANY_ARROWS {
+            let needed = draft.needed();
+            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
+            style.label_mm = style.small_mm;
+        }
+        (draft, style)
     }
-    draft.draw(&style)
 }
 
 impl Draft<'_> {
@@ -233,7 +249,8 @@ impl Draft<'_> {
         far.map_or(a.from, |b| b.to)
     }
 
-    fn draw(self, style: &Style) -> Drawing {
+    /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.
+    fn draw(&self, style: &Style, insets: &[Inset]) -> (Drawing, Vec<String>) {
         let kind = match self.p.level {
             Level::Acceleration => "acceleration",
             _ => "velocity",
@@ -255,21 +272,18 @@ impl Draft<'_> {
             }
         }
         // The small vectors last, so that their heads lie over the large ones.
-        let mut order: Vec<&Arrow> = self.arrows.iter().collect();
-        order.sort_by(|a, b| b.from.distance(b.to).total_cmp(&a.from.distance(a.to)));
-        for a in order {
-            // A normal part that is all there is bears the name of the whole.
-            let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
-            let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
-            let class = a.steps.iter().fold(a.class.to_owned(), |class, step| format!("{class} step-{step}"));
-            let word = a.class.split(' ').next().unwrap_or_default();
+        let mut order: Vec<usize> = (0..self.arrows.len()).collect();
+        let length = |k: usize| self.arrows[k].from.distance(self.arrows[k].to);
+        order.sort_by(|&a, &b| length(b).total_cmp(&length(a)));
+        let mut names = vec![String::new(); self.arrows.len()];
+        for k in order {
+            let a = &self.arrows[k];
             d.of_link(a.link);
             let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
-            let owner = d.shape(&format!("{word}-{}", a.symbols[0]), &class, shape);
-            let from = self.own_part(a);
-            let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, a.to, style.vector.width_mm / 2.0);
-            let outward = (a.from + (a.to - a.from) * 0.5) - middle;
-            d.label(&a.symbols[0], &class, request.owned(owner).towards(outward));
+            let owner = d.shape(&format!("{}-{}", a.word(), a.symbols[0]), &a.classes(), shape);
+            if !insets.iter().any(|i| i.arrows.contains(&k)) {
+                names[k] = self.name(&mut d, style, a, (self.own_part(a), a.to), owner, middle);
+            }
         }
         d.of_link(None);
         for (at, note, step) in &self.zeros {
@@ -278,13 +292,48 @@ impl Draft<'_> {
             d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
         }
         for (k, l) in self.letters.iter().enumerate() {
-            let (class, clear) = if k == 0 { ("pole".to_owned(), style.dot_radius_mm) } else { (format!("point step-{}", l.step), 0.3) };
+            let clear = if k == 0 { style.dot_radius_mm } else { 0.3 };
             if k == 0 {
                 d.draw("pole", "pole", sym::dot(style, l.at));
             }
-            d.label_at(&l.letters[0], &class, &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
+            if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
+                d.label_at(&l.letters[0], &l.class(k), &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
+            }
         }
-        d
+        for inset in insets {
+            self.inset(&mut d, style, inset);
+        }
+        (d, names)
+    }
+
+    /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.
+    fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, (from, to): (Point, Point), owner: u32, middle: Point) -> String {
+        // A normal part that is all there is bears the name of the whole.
+        let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
+        let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
+        let lettered = |p: Point| self.letters.iter().any(|l| l.at.distance(p) < SAME_MM);
+        let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
+        let outward = (from + (to - from) * 0.5) - middle;
+        let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
+        d.label(&a.symbols[0], &a.classes(), request)
+    }
+}
+
+impl Arrow {
+    /// What it is, and the steps that draw it.
+    fn classes(&self) -> String {
+        self.steps.iter().fold(self.class.to_owned(), |class, step| format!("{class} step-{step}"))
+    }
+
+    /// What it is, in one word.
+    fn word(&self) -> &'static str {
+        self.class.split(' ').next().unwrap_or_default()
+    }
+}
+
+impl Letter {
+    fn class(&self, index: usize) -> String {
+        if index == 0 { "pole".to_owned() } else { format!("point step-{}", self.step) }
     }
 }
 
