@@ -160,7 +160,7 @@ fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
-fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
+pub(crate) fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
     if level == Level::Position {
         return None;
@@ -197,7 +197,7 @@ fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> 
     }
 }
 
-pub(super) fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+pub(crate) fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     match (find.what, value) {
         (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
         (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
@@ -219,7 +219,7 @@ fn unit(find: &Find) -> &'static str {
     }
 }
 
-pub(super) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
+pub(crate) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
         (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
             Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))

@@ -1,0 +1,110 @@
+//! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen and print. It fetches
+//! nothing. The file is well-formed XML too.
+
+use super::math::{mathml, mathml_display};
+use super::{Block, Document, Table, TableKind};
+use crate::diag::Faults;
+use crate::figure::item::Figure;
+use crate::figure::label::Label;
+use crate::figure::words::words;
+use crate::render::svg;
+use crate::report::phrase::{Phrase, Piece};
+
+/// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
+const STYLE: &str = "
+@page { size: A4; margin: 20mm }
+body { font: 12pt/1.5 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
+  margin: 2em auto; padding: 0 1em; color: #000; background: #fff }
+h1 { font-size: 1.5em } h2 { font-size: 1.25em } h3 { font-size: 1.05em } h4 { font-size: 1em }
+h1, h2, h3, h4 { font-weight: 600; line-height: 1.25; break-after: avoid; margin: 1.2em 0 .4em }
+li { margin: .15em 0 }
+figure { margin: 1em 0; text-align: center; overflow-x: auto; break-inside: avoid }
+figure svg { max-width: 100%; height: auto }
+.scroll { overflow-x: auto }
+table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
+td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
+.values th { border-bottom: 1px solid; font-style: italic }
+.equation td, .equation th { text-align: center }
+@media print { body { margin: 0; padding: 0; max-width: none } .scroll, figure { overflow: visible } figure svg { max-width: none }
+  .solution { break-before: page } }
+";
+
+/// Writes the document.
+///
+/// # Errors
+/// Those of [`svg::write`] for a drawing.
+pub fn html(document: &Document) -> Result<String, Faults> {
+    let title = escaped(&document.title);
+    let lang = words(document.lang).tag;
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{lang}\" xml:lang=\"{lang}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
+         <body>\n<h1>{title}</h1>\n"
+    );
+    let mut sides = 0;
+    for block in &document.blocks {
+        match block {
+            Block::Heading(level, text) => {
+                sides += usize::from(*level == 1);
+                // The title is the first level; the second side begins a page.
+                let class = if *level == 1 && sides > 1 { " class=\"solution\"" } else { "" };
+                let h = level + 1;
+                out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
+            }
+            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", inline(p)),
+            Block::List { numbered, members } => {
+                let tag = if *numbered { "ol" } else { "ul" };
+                out += &format!("<{tag}>\n");
+                for m in members {
+                    out += &format!("<li>{}</li>\n", inline(m));
+                }
+                out += &format!("</{tag}>\n");
+            }
+            Block::Table(table) => out += &rows(table),
+            Block::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
+            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", svg::write(&nameless(figure))?.value),
+        }
+    }
+    out += "</body>\n</html>\n";
+    Ok(out)
+}
+
+/// The drawing without names of its parts: several in one page may not share them.
+fn nameless(figure: &Figure) -> Figure {
+    let mut figure = figure.clone();
+    for item in &mut figure.items {
+        item.id.clear();
+        item.class.clear();
+    }
+    figure
+}
+
+fn rows(table: &Table) -> String {
+    let class = match table.kind {
+        TableKind::Equation => "equation",
+        TableKind::Values => "values",
+    };
+    let mut out = format!("<div class=\"scroll\"><table class=\"{class}\">\n");
+    for (r, row) in table.rows.iter().enumerate() {
+        out += "<tr>";
+        for (c, cell) in row.iter().enumerate() {
+            let tag = if r == 0 && table.kind == TableKind::Values || c == 0 && table.kind == TableKind::Equation { "th" } else { "td" };
+            out += &format!("<{tag}>{}</{tag}>", inline(cell));
+        }
+        out += "</tr>\n";
+    }
+    out + "</table></div>\n"
+}
+
+fn inline(phrase: &Phrase) -> String {
+    let piece = |p: &Piece| match p {
+        Piece::Words(w) => escaped(w),
+        Piece::Formula(f) => mathml(&Label::math(f.as_str())),
+    };
+    phrase.pieces().iter().map(piece).collect()
+}
+
+/// Text as it stands in HTML and XML.
+pub(super) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

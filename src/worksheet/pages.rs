@@ -1,0 +1,484 @@
+//! A worksheet as pages of A4 in our own display list, for [`crate::render::pdf::document`].
+//!
+//! Decided here: where lines break (Unicode line breaking, which knows where Chinese may not break; a formula breaks before
+//! a relation only), where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
+//! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
+//! millimetres, because their scales are true; one that is larger than the page's text has a page as large as itself.
+
+use std::collections::VecDeque;
+
+use icu_segmenter::LineSegmenter;
+use icu_segmenter::options::LineBreakOptions;
+
+use super::{Block, Document, Math, Table, TableKind};
+use crate::figure::extent::{bounds, translate};
+use crate::figure::grid::{self, Cell, Row};
+use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use crate::figure::label::Label;
+use crate::figure::text;
+use crate::geom::{Point, Vec2};
+use crate::render::pdf::{Kind, Page, Part};
+use crate::report::phrase::{Phrase, Piece};
+
+/// A4.
+const PAPER_MM: [f64; 2] = [210.0, 297.0];
+/// Left and right: lines of 174 mm hold some 85 letters.
+const SIDE_MM: f64 = 18.0;
+/// Above and below; the page number stands in the lower one.
+const TOP_MM: f64 = 18.0;
+const BOTTOM_MM: f64 = 20.0;
+/// The page number's baseline.
+const FOOT_MM: f64 = 10.0;
+/// Size of the type: 11 point.
+const TEXT_MM: f64 = 3.9;
+/// Sizes of the headings, title first.
+const HEADINGS_MM: [f64; 4] = [6.2, 5.2, 4.5, 4.1];
+/// Distance of baselines, in em: formulas in the line have scripts above and below.
+const LINE_EM: f64 = 1.6;
+/// Air above headings, and between blocks, in em of the text.
+const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
+const BLOCK_AIR_EM: f64 = 0.6;
+/// From the margin to the text of a list's member.
+const INDENT_MM: f64 = 7.5;
+/// Between the columns of tables; an equation's are nearer than a table's.
+const EQUATION_GAP_MM: f64 = 2.2;
+const VALUES_GAP_MM: f64 = 5.0;
+/// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
+const SMALLEST: f64 = 0.6;
+/// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and thickness, in em.
+const AXIS_EM: f64 = 0.258;
+const RULE_EM: f64 = 0.068;
+/// From a fraction's line to what stands over and under it.
+const FRACTION_GAP_EM: f64 = 0.16;
+
+/// Sets a document on pages.
+pub fn pages(document: &Document) -> Vec<Page> {
+    let mut setter = Setter::new();
+    setter.heading(0, &document.title);
+    let mut sides = 0;
+    for block in &document.blocks {
+        match block {
+            Block::Heading(level, text) => {
+                sides += usize::from(*level == 1);
+                if *level == 1 && sides > 1 {
+                    setter.finish_page();
+                }
+                setter.heading(usize::from(*level), text);
+            }
+            Block::Paragraph(p) => setter.paragraph(p),
+            Block::List { numbered, members } => setter.list(*numbered, members),
+            Block::Table(t) => setter.table(t),
+            Block::Formula(parts) => setter.formula(parts),
+            Block::Figure { figure, .. } => setter.figure(figure),
+        }
+    }
+    setter.finish_page();
+    let count = setter.pages.len();
+    for (n, page) in setter.pages.iter_mut().enumerate() {
+        let label = Label::text(format!("{} / {count}", n + 1));
+        let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
+        page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
+    }
+    setter.pages
+}
+
+/// A box that stands on a page as a whole: its items hang below the origin.
+struct Chunk {
+    kind: Kind,
+    items: Vec<Item>,
+    height_mm: f64,
+    /// Air above, unless it is first on its page.
+    air_mm: f64,
+}
+
+struct Setter {
+    pages: Vec<Page>,
+    parts: Vec<Part>,
+    /// The upper edge of what is still free.
+    y: f64,
+    /// Headings that wait for what follows them.
+    waiting: Vec<Chunk>,
+    /// Drawings that wait for the next page.
+    drawings: VecDeque<Chunk>,
+}
+
+impl Setter {
+    fn new() -> Setter {
+        Setter { pages: Vec::new(), parts: Vec::new(), y: PAPER_MM[1] - TOP_MM, waiting: Vec::new(), drawings: VecDeque::new() }
+    }
+
+    fn width() -> f64 {
+        PAPER_MM[0] - 2.0 * SIDE_MM
+    }
+
+    fn fresh(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    fn need(&self, chunks: &[&Chunk]) -> f64 {
+        let air = |i: usize, c: &Chunk| if i == 0 && self.fresh() { 0.0 } else { c.air_mm };
+        chunks.iter().enumerate().map(|(i, c)| air(i, c) + c.height_mm).sum()
+    }
+
+    fn room(&self) -> f64 {
+        self.y - BOTTOM_MM
+    }
+
+    /// Puts a chunk, with the headings that wait for it.
+    fn put(&mut self, chunk: Chunk) {
+        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
+        together.push(&chunk);
+        if self.need(&together) > self.room() && !self.fresh() {
+            self.break_page();
+        }
+        let waiting = std::mem::take(&mut self.waiting);
+        for c in waiting.into_iter().chain([chunk]) {
+            self.place(c);
+        }
+    }
+
+    fn place(&mut self, chunk: Chunk) {
+        if !self.fresh() {
+            self.y -= chunk.air_mm;
+        }
+        let mut items = chunk.items;
+        translate(&mut items, Vec2::new(SIDE_MM, self.y));
+        self.y -= chunk.height_mm;
+        match self.parts.last_mut() {
+            // The lines of a paragraph are one paragraph.
+            Some(last) if chunk.kind == Kind::Paragraph && chunk.air_mm == 0.0 && last.kind == Kind::Paragraph => last.items.extend(items),
+            _ => self.parts.push(Part { kind: chunk.kind, items }),
+        }
+    }
+
+    /// Ends the page; drawings that wait come first on the next.
+    fn break_page(&mut self) {
+        let parts = std::mem::take(&mut self.parts);
+        self.pages.push(Page { width_mm: PAPER_MM[0], height_mm: PAPER_MM[1], parts });
+        self.y = PAPER_MM[1] - TOP_MM;
+        while let Some(next) = self.drawings.front() {
+            if self.need(&[next]) > self.room() && !self.fresh() {
+                break;
+            }
+            if let Some(next) = self.drawings.pop_front() {
+                self.place(next);
+            }
+        }
+    }
+
+    /// Ends the page and puts all that waits.
+    fn finish_page(&mut self) {
+        for c in std::mem::take(&mut self.waiting) {
+            self.place(c);
+        }
+        while !self.drawings.is_empty() {
+            self.break_page();
+        }
+        if !self.fresh() {
+            self.break_page();
+        }
+    }
+
+    fn heading(&mut self, level: usize, words: &str) {
+        // No section begins before the drawings of the one before it are shown.
+        if !self.drawings.is_empty() && level <= 2 {
+            self.break_page();
+            while !self.drawings.is_empty() {
+                self.break_page();
+            }
+        }
+        let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
+        let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * TEXT_MM;
+        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), Setter::width(), size).into_iter().enumerate() {
+            let title = if k == 0 { words.to_owned() } else { label.plain() };
+            let (anchor, x) = if level == 0 { (Anchor::Middle, Setter::width() / 2.0) } else { (Anchor::Start, 0.0) };
+            let height_mm = size * 1.35;
+            let item = line(&label, Point::new(x, -size), size, anchor);
+            let kind = if k == 0 { Kind::Heading { level: level as u16 + 1, title } } else { Kind::Paragraph };
+            self.waiting.push(Chunk { kind, items: vec![item], height_mm, air_mm: if k == 0 { air } else { 0.0 } });
+        }
+    }
+
+    fn paragraph(&mut self, phrase: &Phrase) {
+        self.lines(phrase, 0.0, None, BLOCK_AIR_EM * TEXT_MM);
+    }
+
+    fn list(&mut self, numbered: bool, members: &[Phrase]) {
+        for (k, m) in members.iter().enumerate() {
+            let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
+            let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * TEXT_MM;
+            self.lines(m, INDENT_MM, Some(mark), air);
+        }
+    }
+
+    /// Lines of text; the first two and the last two stay together.
+    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
+        let labels = wrapped(phrase, Setter::width() - indent, TEXT_MM);
+        let count = labels.len();
+        let step = LINE_EM * TEXT_MM;
+        let mut group: Vec<Item> = Vec::new();
+        let (mut rows, mut first) = (0, true);
+        for (k, label) in labels.iter().enumerate() {
+            let y = -(rows as f64) * step - TEXT_MM * 1.1;
+            if let (0, Some(mark)) = (k, &mark) {
+                group.push(line(&Label::text(mark.clone()), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
+            }
+            group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
+            rows += 1;
+            let held = k == 0 && count > 1 || k + 2 == count;
+            if !held {
+                let air = if first { air_mm } else { 0.0 };
+                self.put(Chunk { kind: Kind::Paragraph, items: std::mem::take(&mut group), height_mm: rows as f64 * step, air_mm: air });
+                (rows, first) = (0, false);
+            }
+        }
+    }
+
+    fn table(&mut self, table: &Table) {
+        let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
+        let set = |scale: f64| {
+            let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale)).collect();
+            grid::set(&rows, gap * scale)
+        };
+        let mut items = set(1.0);
+        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
+        let scale = (Setter::width() / wide).clamp(SMALLEST, 1.0);
+        if scale < 1.0 {
+            items = set(scale);
+        }
+        let step = LINE_EM * TEXT_MM * scale;
+        if table.kind == TableKind::Values {
+            let y = -step * 1.15;
+            let to = bounds(&items).map_or(0.0, |b| b.max.x);
+            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: Stroke::new(0.2) };
+            items.push(Item::new("rule", shape));
+        } else if wide * scale < Setter::width() - INDENT_MM {
+            translate(&mut items, Vec2::new(INDENT_MM, 0.0));
+        }
+        let cell = |c: &Phrase| c.plain();
+        let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
+        let height_mm = table.rows.len() as f64 * step + 0.5 * step;
+        // A long table is cut between its rows by nobody: a scene asks for some thirty things at most on a page.
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM / 2.0 * TEXT_MM });
+    }
+
+    fn formula(&mut self, parts: &[Math]) {
+        let built = built(parts);
+        let mut items = built.items;
+        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
+        let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
+        let height_mm = built.above + built.below;
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * TEXT_MM });
+    }
+
+    fn figure(&mut self, figure: &Figure) {
+        let mut items = figure.items.clone();
+        let Some(ink) = bounds(&items) else { return };
+        let (wide, high) = (ink.width_mm(), ink.height_mm());
+        let kind = Kind::Figure(figure.desc.clone());
+        if wide > Setter::width() || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
+            let parts = vec![Part { kind, items }];
+            self.pages.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm, parts });
+            return;
+        }
+        translate(&mut items, Vec2::new((Setter::width() - wide) / 2.0 - ink.min.x, -ink.max.y));
+        let chunk = Chunk { kind, items, height_mm: high, air_mm: BLOCK_AIR_EM * 1.5 * TEXT_MM };
+        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
+        together.push(&chunk);
+        if self.need(&together) > self.room() && !self.fresh() {
+            self.drawings.push_back(chunk);
+        } else {
+            self.put(chunk);
+        }
+    }
+}
+
+fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
+    Item::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
+}
+
+fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64) -> Row {
+    let cell = |(c, phrase): (usize, &Phrase)| {
+        let anchor = match kind {
+            TableKind::Equation if c > 0 => Anchor::Middle,
+            _ => Anchor::Start,
+        };
+        (!phrase.pieces().is_empty()).then(|| Cell { label: phrase.label(), size_mm, anchor, class: "cell".into(), id: String::new() })
+    };
+    // The second row stands off the rule below the head.
+    let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
+    let height = if r == 0 { 0.9 } else { air };
+    Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * LINE_EM * size_mm }
+}
+
+/// A display formula: items about its baseline, with what it needs above and below.
+struct Built {
+    items: Vec<Item>,
+    above: f64,
+    below: f64,
+}
+
+fn built(parts: &[Math]) -> Built {
+    let em = TEXT_MM;
+    let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
+    let mut x = 0.0;
+    let rule = |from: f64, to: f64, y: f64| {
+        let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: Stroke::new(RULE_EM * em) };
+        Item::new("rule", shape)
+    };
+    for part in parts {
+        match part {
+            Math::Row(label) => {
+                out.items.push(line(label, Point::new(x, 0.0), em, Anchor::Start));
+                x += text::set(label).width_em * em;
+            }
+            Math::Fraction(over, under) => {
+                let [top, bottom] = [over, under].map(text::set);
+                let wide = top.width_em.max(bottom.width_em) * em + 0.2 * em;
+                x += 0.1 * em;
+                let middle = x + wide / 2.0;
+                let up = AXIS_EM + FRACTION_GAP_EM + top.descent_em.max(0.0);
+                let down = FRACTION_GAP_EM + bottom.ascent_em - AXIS_EM;
+                out.items.push(line(over, Point::new(middle, up * em), em, Anchor::Middle));
+                out.items.push(line(under, Point::new(middle, -down * em), em, Anchor::Middle));
+                out.items.push(rule(x, x + wide, AXIS_EM * em));
+                out.above = out.above.max((up + top.ascent_em) * em);
+                out.below = out.below.max((down + bottom.descent_em) * em);
+                x += wide + 0.1 * em;
+            }
+            Math::Root(label) => {
+                let sign = Label::math("√");
+                let (set, inner) = (text::set(&sign), text::set(label));
+                // The sign grows with what stands under it; its bar begins where it ends.
+                let top = inner.ascent_em + FRACTION_GAP_EM;
+                let size = (top + inner.descent_em.max(0.0)) / (set.ascent_em + set.descent_em) * em;
+                let foot = -inner.descent_em.max(0.0) * em + set.descent_em * size;
+                let right = bounds(&[line(&sign, Point::new(x, foot), size, Anchor::Start)]).map_or(x, |b| b.max.x);
+                out.items.push(line(&sign, Point::new(x, foot), size, Anchor::Start));
+                let end = right + inner.width_em * em + 0.1 * em;
+                out.items.push(rule(right, end, (top - RULE_EM / 2.0) * em));
+                out.items.push(line(label, Point::new(right + 0.05 * em, 0.0), em, Anchor::Start));
+                out.above = out.above.max((top + 0.1) * em);
+                x = end + 0.1 * em;
+            }
+        }
+    }
+    out
+}
+
+/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. What has no place to break sticks
+/// out.
+fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label> {
+    // A formula is one thing among the words; before its relations it may break too.
+    const THING: char = '\u{FFFC}';
+    let mut plain = String::new();
+    let mut formulas = VecDeque::new();
+    for piece in phrase.pieces() {
+        match piece {
+            Piece::Words(w) => plain.push_str(w),
+            Piece::Formula(f) => {
+                for part in pieces_of(f) {
+                    plain.push(THING);
+                    formulas.push_back(part);
+                }
+            }
+        }
+    }
+    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
+    let breaks: Vec<usize> = segmenter.segment_str(&plain).collect();
+    let label = |from: &str, formulas: &mut VecDeque<String>| {
+        let mut out = Label::text("");
+        for (k, words) in from.split(THING).enumerate() {
+            if k > 0 {
+                out = out.then(Label::math(formulas.pop_front().unwrap_or_default()));
+            }
+            if !words.is_empty() {
+                out = out.then(Label::text(words));
+            }
+        }
+        out
+    };
+    let wide = |l: &Label| text::set(l).width_em * size_mm;
+    let mut lines = Vec::new();
+    let mut here: Option<Label> = None;
+    for ends in breaks.windows(2) {
+        let segment = &plain[ends[0]..ends[1]];
+        // The space at a line's end takes no room.
+        let things = segment.matches(THING).count();
+        let mut own: VecDeque<String> = formulas.drain(..things).collect();
+        let trimmed = label(segment.trim_end(), &mut own.clone());
+        let full = label(segment, &mut own);
+        here = Some(match here {
+            None => full,
+            Some(before) if wide(&before.clone().then(trimmed)) <= width_mm => before.then(full),
+            Some(before) => {
+                lines.push(before);
+                full
+            }
+        });
+    }
+    lines.extend(here);
+    lines
+}
+
+/// A formula in parts that may stand on different lines: each relation begins one, if the formula is long.
+fn pieces_of(formula: &str) -> Vec<String> {
+    /// Shorter formulas stay whole.
+    const LONG: usize = 40;
+    if formula.len() < LONG {
+        return vec![formula.to_owned()];
+    }
+    let mut parts: Vec<String> = Vec::new();
+    let mut depth = 0;
+    for c in formula.chars() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        match parts.last_mut() {
+            Some(last) if c != '=' || depth != 0 => last.push(c),
+            _ => parts.push(c.to_string()),
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(source: &str, width_mm: f64) -> Vec<String> {
+        wrapped(&Phrase::new(source), width_mm, 4.0).iter().map(|l| l.plain().trim_end().to_owned()).collect()
+    }
+
+    #[test]
+    fn lines_break_at_words_and_fit() {
+        let source = "Through $b$ draw the direction of $v_{CB}$, $\\perp BC$, and through the pole that of $v_C$.";
+        let lines = wrapped(&Phrase::new(source), 50.0, 4.0);
+        assert!(lines.len() > 2);
+        for l in &lines {
+            assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());
+        }
+        let joined: String = lines.iter().map(Label::plain).collect();
+        assert_eq!(joined, Phrase::new(source).label().plain());
+        assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
+    }
+
+    #[test]
+    fn chinese_breaks_anywhere_but_before_its_stops() {
+        let lines = texts("两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。", 30.0);
+        assert!(lines.len() > 4, "{lines:?}");
+        assert!(lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')), "{lines:?}");
+    }
+
+    #[test]
+    fn a_fraction_stands_on_the_axis() {
+        let b = built(&[Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))]);
+        let ys: Vec<f64> = b
+            .items
+            .iter()
+            .filter_map(|i| match i.shape {
+                Shape::Label { at, .. } => Some(at.y),
+                _ => None,
+            })
+            .collect();
+        assert!(ys[1] > 0.0 && ys[2] < 0.0 && b.above > TEXT_MM && b.below > 0.5 * TEXT_MM);
+    }
+}
