@@ -3,6 +3,7 @@
 use super::{Failure, Input, Run, args, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::sheet;
+use crate::figure::words::words;
 use crate::render::pdf;
 use crate::worked::Scope;
 use crate::worksheet::{Beside, Document, Options, Sides, html, markdown, pages, typst, worksheet};
@@ -23,7 +24,9 @@ pub fn run(a: args::Worksheet) -> Run {
     let document = worksheet(&input.scene, &worked, &options);
     let out = Path::new(&a.output);
     let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
-    let (bytes, beside) = write(&document, stem).map_err(|f| Failure::Input(f, input.name.clone(), input.source.clone()))?;
+    let Written { bytes, beside, notes } =
+        write(&document, stem).map_err(|f| Failure::Input(f, input.name.clone(), input.source.clone()))?;
+    input.notes.extend(notes);
     // The drawings first: where the document is, they are too.
     for picture in beside {
         let path = out.with_file_name(&picture.name);
@@ -36,18 +39,30 @@ pub fn run(a: args::Worksheet) -> Run {
     Ok(verdict(&worked))
 }
 
-type Written = Result<(Vec<u8>, Vec<Beside>), Faults>;
+/// A document as files, and what could not be written as it should.
+#[derive(Default)]
+struct Written {
+    bytes: Vec<u8>,
+    beside: Vec<Beside>,
+    notes: Vec<Diagnostic>,
+}
+
+impl Written {
+    fn of((text, beside): (String, Vec<Beside>)) -> Written {
+        Written { bytes: text.into_bytes(), beside, ..Written::default() }
+    }
+}
 
 /// What writes files that end so.
-fn writer(output: &str) -> Result<fn(&Document, &str) -> Written, Faults> {
+fn writer(output: &str) -> Result<fn(&Document, &str) -> Result<Written, Faults>, Faults> {
     match files::ending(output) {
         Some("pdf") => Ok(|d, _| {
-            let lang = crate::figure::words::words(d.lang).tag;
-            Ok((pdf::document(&pages::pages(d), &d.title, lang)?.value, Vec::new()))
+            let file = pdf::document(&pages::pages(d), &d.title, words(d.lang).tag)?;
+            Ok(Written { bytes: file.value, notes: file.notes, ..Written::default() })
         }),
-        Some("html") => Ok(|d, _| Ok((html::html(d)?.into_bytes(), Vec::new()))),
-        Some("md") => Ok(|d, stem| markdown::markdown(d, stem).map(|(text, beside)| (text.into_bytes(), beside))),
-        Some("typ") => Ok(|d, stem| typst::typst(d, stem).map(|(text, beside)| (text.into_bytes(), beside))),
+        Some("html") => Ok(|d, _| Ok(Written::of((html::html(d)?, Vec::new())))),
+        Some("md") => Ok(|d, stem| markdown::markdown(d, stem).map(Written::of)),
+        Some("typ") => Ok(|d, stem| typst::typst(d, stem).map(Written::of)),
         _ => Err(Diagnostic::error("output", format!("{output} ends in none of .pdf, .html, .md, .typ"))
             .help("name the file after its format, such as -o sheet.pdf")
             .into()),

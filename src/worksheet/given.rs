@@ -83,7 +83,7 @@ impl Maker<'_> {
         };
         let path = self.path(&g.path);
         match self.lang() {
-            Lang::En => format!("{runner} slides on link {on}{path}"),
+            Lang::En => format!("{runner} slides in a guide of link {on}{path}"),
             Lang::Zh => format!("{runner} 沿构件 {on} 上的导路滑动{path}"),
         }
     }

@@ -11,6 +11,7 @@ use crate::render::svg;
 use crate::report::phrase::{Phrase, Piece};
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
+/// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.
 const STYLE: &str = "
 @page { size: A4; margin: 20mm }
 body { font: 12pt/1.5 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
@@ -20,7 +21,9 @@ h1, h2, h3, h4 { font-weight: 600; line-height: 1.25; break-after: avoid; margin
 li { margin: .15em 0 }
 figure { margin: 1em 0; text-align: center; overflow-x: auto; break-inside: avoid }
 figure svg { max-width: 100%; height: auto }
-.scroll { overflow-x: auto }
+.scroll { overflow-x: auto; overflow-y: hidden; padding: .2em 0 }
+mi { text-transform: none; font-style: italic; font-family: 'Tinos', 'Times New Roman', 'Liberation Serif', serif }
+mi[mathvariant] { font-style: normal }
 table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
 td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
 .values th { border-bottom: 1px solid; font-style: italic }

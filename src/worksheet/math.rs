@@ -7,6 +7,9 @@ use super::Math;
 use crate::figure::font::Slant;
 use crate::figure::label::{Label, Node, Role};
 
+/// From this on a space is one between words, in em.
+const WORD_EM: f64 = 0.2;
+
 /// A language of formulas.
 trait Tongue {
     /// Letters of quantities: `AB`, `ω`.
@@ -122,7 +125,7 @@ impl Tongue for Mathml {
         }
     }
     fn function(&self, name: &str) -> String {
-        format!("<mi>{name}</mi><mo>&#x2061;</mo>")
+        format!("<mi mathvariant=\"normal\">{name}</mi><mo>&#x2061;</mo>")
     }
     fn space(&self, em: f64) -> String {
         format!("<mspace width=\"{em}em\"/>")
@@ -208,9 +211,8 @@ fn named(c: char) -> Option<(&'static str, &'static str)> {
 
 impl Tongue for Tex {
     fn letters(&self, text: &str) -> String {
-        let each = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| format!("{tex} ")));
-        let all: String = each.collect();
-        if text.chars().count() > 1 { format!("{{{}}}", all.trim_end()) } else { all.trim_end().to_owned() }
+        let each: Vec<String> = text.chars().map(|c| named(c).map_or_else(|| c.to_string(), |(tex, _)| tex.to_owned())).collect();
+        self.join(each)
     }
     fn number(&self, text: &str) -> String {
         text.to_owned()
@@ -225,14 +227,12 @@ impl Tongue for Tex {
         format!("\\{name}")
     }
     fn space(&self, em: f64) -> String {
-        (if em >= 1.0 {
-            "\\quad"
-        } else if em > 0.2 {
-            "\\ "
-        } else {
-            "\\,"
-        })
-        .to_owned()
+        let command = match em {
+            1.0.. => r"\quad",
+            WORD_EM.. => r"\ ",
+            _ => r"\,",
+        };
+        command.to_owned()
     }
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
         let mut out = if base.is_empty() { "{}".to_owned() } else { base };
@@ -304,14 +304,12 @@ impl Tongue for Typst {
         name.to_owned()
     }
     fn space(&self, em: f64) -> String {
-        (if em >= 1.0 {
-            "quad"
-        } else if em > 0.2 {
-            "space"
-        } else {
-            "thin"
-        })
-        .to_owned()
+        let name = match em {
+            1.0.. => "quad",
+            WORD_EM.. => "\" \"",
+            _ => "thin",
+        };
+        name.to_owned()
     }
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
         // Scripts stand on one thing.
@@ -331,7 +329,15 @@ impl Tongue for Typst {
         format!("sqrt({row})")
     }
     fn join(&self, pieces: Vec<String>) -> String {
-        pieces.join(" ")
+        let mut out = String::new();
+        for p in pieces {
+            // A space beside quoted text is printed; everywhere else it parts names.
+            if !out.is_empty() && !out.ends_with('"') && !p.starts_with('"') {
+                out.push(' ');
+            }
+            out += &p;
+        }
+        out
     }
 }
 
@@ -346,7 +352,7 @@ mod tests {
     #[test]
     fn the_same_formula_in_three_languages() {
         let l = Label::math(r"a^n_{CB} = \omega_2^2 l_{BC}");
-        assert_eq!(tex(&l), r"a_{{CB}}^{n}=\omega_{2}^{2}l_{{BC}}");
+        assert_eq!(tex(&l), r"a_{CB}^{n}=\omega_{2}^{2}l_{BC}");
         assert_eq!(typst(&l), "a_(C B)^(n) = omega_(2)^(2) l_(B C)");
         assert_eq!(
             mathml(&l),
@@ -360,19 +366,19 @@ mod tests {
     fn units_primes_signs_and_words() {
         let l = Label::math(r"\mu_v = 0.01 (m/s)/mm");
         assert_eq!(tex(&l), r"\mu_{v}=0.01\ \text{(m/s)/mm}");
-        assert_eq!(typst(&l), r#"mu_(v) = 0.01 space "(m/s)/mm""#);
+        assert_eq!(typst(&l), r#"mu_(v) = 0.01" ""(m/s)/mm""#);
         assert_eq!(tex(&Label::math(r"b'_2")), "b'_{2}");
         assert_eq!(typst(&Label::math(r"\perp AB")), "perp A B");
-        assert_eq!(tex(&Label::math(r"\perp AB")), r"\perp{AB}");
+        assert_eq!(tex(&Label::math(r"\perp AB")), r"\perp AB");
         assert_eq!(typst(&Label::math("B \\to A")), "B arrow.r A");
         assert_eq!(tex(&Label::math("大小 v")), r"\text{大小}\ v");
-        assert_eq!(typst(&Label::math("(v_B)^2/\\rho")), r#""(" v_(B) ")"^(2) "/" rho"#);
+        assert_eq!(typst(&Label::math("(v_B)^2/\\rho")), r#""("v_(B)")"^(2)"/"rho"#);
     }
 
     #[test]
     fn fractions_and_roots() {
         let f = [Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))];
-        assert_eq!(tex_display(&f), r"\omega_{3}=\frac{v_{C}}{l_{{CD}}}");
+        assert_eq!(tex_display(&f), r"\omega_{3}=\frac{v_{C}}{l_{CD}}");
         assert_eq!(typst_display(&f), "omega_(3) = frac(v_(C), l_(C D))");
         assert!(mathml_display(&f).contains("<mfrac><mrow><msub><mi>v</mi>"));
         assert_eq!(tex_display(&[Math::Root(Label::math("3^2 + 4^2"))]), r"\sqrt{3^{2}+4^{2}}");

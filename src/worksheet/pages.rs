@@ -29,6 +29,14 @@ const TOP_MM: f64 = 18.0;
 const BOTTOM_MM: f64 = 20.0;
 /// The page number's baseline.
 const FOOT_MM: f64 = 10.0;
+/// Width of the text.
+const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
+/// A drawing up to this part of the text's width stands at the right, with text beside it.
+const BESIDE_PART: f64 = 0.42;
+/// Between such a drawing and the text.
+const BESIDE_GAP_MM: f64 = 8.0;
+/// Room worth filling with text when a drawing does not fit in it.
+const FLOW_MM: f64 = 70.0;
 /// Size of the type: 11 point.
 const TEXT_MM: f64 = 3.9;
 /// Sizes of the headings, title first.
@@ -43,6 +51,8 @@ const INDENT_MM: f64 = 7.5;
 /// Between the columns of tables; an equation's are nearer than a table's.
 const EQUATION_GAP_MM: f64 = 2.2;
 const VALUES_GAP_MM: f64 = 5.0;
+/// Rows of a table that fit on a page below a heading.
+const ROWS_MAX: usize = 34;
 /// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
 const SMALLEST: f64 = 0.6;
 /// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and thickness, in em.
@@ -100,15 +110,37 @@ struct Setter {
     waiting: Vec<Chunk>,
     /// Drawings that wait for the next page.
     drawings: VecDeque<Chunk>,
+    /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
+    beside: Option<[f64; 2]>,
 }
 
 impl Setter {
     fn new() -> Setter {
-        Setter { pages: Vec::new(), parts: Vec::new(), y: PAPER_MM[1] - TOP_MM, waiting: Vec::new(), drawings: VecDeque::new() }
+        Setter {
+            pages: Vec::new(),
+            parts: Vec::new(),
+            y: PAPER_MM[1] - TOP_MM,
+            waiting: Vec::new(),
+            drawings: VecDeque::new(),
+            beside: None,
+        }
     }
 
-    fn width() -> f64 {
-        PAPER_MM[0] - 2.0 * SIDE_MM
+    /// Width of the lines that begin here.
+    fn width(&self) -> f64 {
+        // What waits stands above the line that begins next.
+        let waiting: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
+        match self.beside {
+            Some([wide, bottom]) if self.y - waiting > bottom => FULL_MM - wide - BESIDE_GAP_MM,
+            _ => FULL_MM,
+        }
+    }
+
+    /// Goes below a drawing at the right.
+    fn clear(&mut self) {
+        if let Some([_, bottom]) = self.beside.take() {
+            self.y = self.y.min(bottom);
+        }
     }
 
     fn fresh(&self) -> bool {
@@ -156,6 +188,7 @@ impl Setter {
         let parts = std::mem::take(&mut self.parts);
         self.pages.push(Page { width_mm: PAPER_MM[0], height_mm: PAPER_MM[1], parts });
         self.y = PAPER_MM[1] - TOP_MM;
+        self.beside = None;
         while let Some(next) = self.drawings.front() {
             if self.need(&[next]) > self.room() && !self.fresh() {
                 break;
@@ -189,9 +222,10 @@ impl Setter {
         }
         let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
         let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * TEXT_MM;
-        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), Setter::width(), size).into_iter().enumerate() {
+        let width = self.width();
+        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size).into_iter().enumerate() {
             let title = if k == 0 { words.to_owned() } else { label.plain() };
-            let (anchor, x) = if level == 0 { (Anchor::Middle, Setter::width() / 2.0) } else { (Anchor::Start, 0.0) };
+            let (anchor, x) = if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
             let height_mm = size * 1.35;
             let item = line(&label, Point::new(x, -size), size, anchor);
             let kind = if k == 0 { Kind::Heading { level: level as u16 + 1, title } } else { Kind::Paragraph };
@@ -200,7 +234,17 @@ impl Setter {
     }
 
     fn paragraph(&mut self, phrase: &Phrase) {
-        self.lines(phrase, 0.0, None, BLOCK_AIR_EM * TEXT_MM);
+        let air_mm = BLOCK_AIR_EM * TEXT_MM;
+        if !phrase.plain().trim_end().ends_with([':', '：']) {
+            return self.lines(phrase, 0.0, None, air_mm);
+        }
+        // What announces a table or a formula stays with it.
+        let step = LINE_EM * TEXT_MM;
+        for (k, label) in wrapped(phrase, self.width(), TEXT_MM).iter().enumerate() {
+            let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
+            let air_mm = if k == 0 { air_mm } else { 0.0 };
+            self.waiting.push(Chunk { kind: Kind::Paragraph, items, height_mm: step, air_mm });
+        }
     }
 
     fn list(&mut self, numbered: bool, members: &[Phrase]) {
@@ -213,7 +257,7 @@ impl Setter {
 
     /// Lines of text; the first two and the last two stay together.
     fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
-        let labels = wrapped(phrase, Setter::width() - indent, TEXT_MM);
+        let labels = wrapped(phrase, self.width() - indent, TEXT_MM);
         let count = labels.len();
         let step = LINE_EM * TEXT_MM;
         let mut group: Vec<Item> = Vec::new();
@@ -234,7 +278,17 @@ impl Setter {
         }
     }
 
+    /// A table; one longer than a page goes on under its head again.
     fn table(&mut self, table: &Table) {
+        if let Some((head, rows)) = table.rows.split_first()
+            && rows.len() > ROWS_MAX
+        {
+            for some in rows.chunks(ROWS_MAX) {
+                let rows = std::iter::once(head).chain(some).cloned().collect();
+                self.table(&Table { kind: table.kind, rows });
+            }
+            return;
+        }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
             let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale)).collect();
@@ -242,7 +296,8 @@ impl Setter {
         };
         let mut items = set(1.0);
         let wide = bounds(&items).map_or(0.0, |b| b.max.x);
-        let scale = (Setter::width() / wide).clamp(SMALLEST, 1.0);
+        let room = self.width();
+        let scale = (room / wide).clamp(SMALLEST, 1.0);
         if scale < 1.0 {
             items = set(scale);
         }
@@ -252,14 +307,13 @@ impl Setter {
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
             let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: Stroke::new(0.2) };
             items.push(Item::new("rule", shape));
-        } else if wide * scale < Setter::width() - INDENT_MM {
+        } else if wide * scale < room - INDENT_MM {
             translate(&mut items, Vec2::new(INDENT_MM, 0.0));
         }
         let cell = |c: &Phrase| c.plain();
         let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
-        // A long table is cut between its rows by nobody: a scene asks for some thirty things at most on a page.
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM / 2.0 * TEXT_MM });
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * TEXT_MM });
     }
 
     fn formula(&mut self, parts: &[Math]) {
@@ -267,7 +321,7 @@ impl Setter {
         let mut items = built.items;
         translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
-        let height_mm = built.above + built.below;
+        let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
         self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * TEXT_MM });
     }
 
@@ -276,16 +330,25 @@ impl Setter {
         let Some(ink) = bounds(&items) else { return };
         let (wide, high) = (ink.width_mm(), ink.height_mm());
         let kind = Kind::Figure(figure.desc.clone());
-        if wide > Setter::width() || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
+        if wide > FULL_MM || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
             let parts = vec![Part { kind, items }];
             self.pages.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm, parts });
             return;
         }
-        translate(&mut items, Vec2::new((Setter::width() - wide) / 2.0 - ink.min.x, -ink.max.y));
-        let chunk = Chunk { kind, items, height_mm: high, air_mm: BLOCK_AIR_EM * 1.5 * TEXT_MM };
+        let air_mm = BLOCK_AIR_EM * 1.5 * TEXT_MM;
+        self.clear();
+        if wide <= BESIDE_PART * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
+            translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
+            self.parts.push(Part { kind, items });
+            self.beside = Some([wide, self.y - air_mm - high]);
+            return;
+        }
+        translate(&mut items, Vec2::new((FULL_MM - wide) / 2.0 - ink.min.x, -ink.max.y));
+        let chunk = Chunk { kind, items, height_mm: high + air_mm, air_mm };
         let mut together: Vec<&Chunk> = self.waiting.iter().collect();
         together.push(&chunk);
-        if self.need(&together) > self.room() && !self.fresh() {
+        // With little room left, heading and drawing go on together; with much, the text flows on before the drawing.
+        if self.need(&together) > self.room() && !self.fresh() && self.room() > FLOW_MM {
             self.drawings.push_back(chunk);
         } else {
             self.put(chunk);

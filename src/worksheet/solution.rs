@@ -17,6 +17,8 @@ use crate::scene::Lang;
 
 /// Digits of a length on paper in the choice of scales: a ruler gives no more.
 const RULER_DIGITS: usize = 4;
+/// Turning rates of a group in one line of formulas: more do not fit beside one another.
+const RATES_IN_A_LINE: usize = 4;
 
 impl Maker<'_> {
     /// `alone`: there is no problem side before it, so that the mechanism is shown here.
@@ -71,7 +73,6 @@ impl Maker<'_> {
     fn scales(&self, blocks: &mut Vec<Block>) {
         let paper = &self.worked.construction;
         let mut members = Vec::new();
-        let comma = self.tr(", ", "，");
         let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
         let mut mu_l = format!("$\\mu_l = {} m/mm$", scale(paper.diagram.mu_l));
         if let Some(l) = self.scene.lengths.first() {
@@ -85,21 +86,13 @@ impl Maker<'_> {
         }
         members.push(mu_l);
         for (level, unit, letter) in [(Level::Velocity, "m/s", "v"), (Level::Acceleration, "m/s^2", "a")] {
-            if let Some(p) = paper.polygon(level) {
-                let over = self.tr("the length of each vector on paper, times", "图上矢量长度乘以");
-                members.push(
-                    format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))
-                        + comma
-                        + over
-                        + &format!(" $\\mu_{letter}$")
-                        + self.tr(", is its magnitude", " 即为其大小"),
-                );
-            }
+            members.extend(paper.polygon(level).map(|p| format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))));
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(
-            "Taken from the series 1, 2, 2.5, 5 times a power of ten, as large as the paper allows:",
-            "取自 1、2、2.5、5 乘以 10 的幂，在图纸允许范围内尽量大：",
+            "From the series 1, 2, 2.5, 5 times a power of ten, as large as the paper allows. What is measured on paper, times its \
+             scale, is the quantity.",
+            "取自 1、2、2.5、5 乘以 10 的幂，在图纸允许范围内尽量大。图上量得的长度乘以相应的比例尺即为该量的大小。",
         ));
         blocks.push(Block::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
     }
@@ -224,23 +217,29 @@ impl Maker<'_> {
     /// How the turning of each link of the group follows from the vectors: `ω₃ = v_C / l_CD`.
     fn rates(&self, blocks: &mut Vec<Block>, level: Level, group: &GroupSteps) {
         let w = self.writer();
-        for (body, rate) in &group.rates {
+        let formula = |(body, rate): &(Body, Rate)| {
             let symbol = w.turning(level, *body);
             match rate {
                 Rate::Measured { of, to } => {
                     let absolute = w.plan.vertex(*to).fixed;
                     let sub = if absolute { w.name(*of) } else { format!("{}{}", w.name(*of), w.name(*to)) };
                     let over = if level == Level::Acceleration { format!("a^t_{{{sub}}}") } else { format!("v_{{{sub}}}") };
-                    let equals = Math::Row(Label::math(format!("{symbol} =")));
-                    let fraction = Math::Fraction(Label::math(over), Label::math(w.length(*of, *to)));
-                    blocks.push(Block::Formula(vec![equals, fraction]));
+                    Some((format!("{symbol} ="), Some((over, w.length(*of, *to)))))
                 }
-                Rate::Same(l) => {
-                    let formula = format!("{symbol} = {}", w.turning(level, Body::Link(*l)));
-                    blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
-                }
-                Rate::Given { .. } | Rate::Zero => {}
+                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(level, Body::Link(*l))), None)),
+                Rate::Given { .. } | Rate::Zero => None,
             }
+        };
+        let all: Vec<_> = group.rates.iter().filter_map(formula).collect();
+        for line in all.chunks(RATES_IN_A_LINE) {
+            let mut parts = Vec::new();
+            for (k, (row, fraction)) in line.iter().enumerate() {
+                let apart = if k > 0 { "\\quad \\quad " } else { "" };
+                parts.push(Math::Row(Label::math(format!("{apart}{row}"))));
+                parts
+                    .extend(fraction.as_ref().map(|(over, under)| Math::Fraction(Label::math(over.as_str()), Label::math(under.as_str()))));
+            }
+            blocks.push(Block::Formula(parts));
         }
     }
 }

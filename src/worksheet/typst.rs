@@ -21,17 +21,24 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), F
     let mut out = format!(
         "#set document(title: {})\n#set page(paper: \"a4\", margin: 18mm, numbering: \"1 / 1\")\n\
          #set text(lang: \"{lang}\", size: 11pt, font: (\"Tinos\", \"Times New Roman\", \"Liberation Serif\", \"Noto Serif CJK SC\", \"SimSun\"))\n\
-         #set par(justify: false)\n#show heading: set block(sticky: true)\n\n#align(center, text(size: 16pt)[{}])\n",
+         #set par(justify: false)\n#show heading: set block(sticky: true)\n#show table: set block(breakable: false)\n\n#align(center, text(size: 16pt)[{}])\n",
         string(&document.title),
         escaped(&document.title)
     );
     let pictures = picture_names(document, stem);
     let mut files = Vec::new();
     let mut next = pictures.iter();
+    let mut sides = 0;
     for block in &document.blocks {
         out.push('\n');
         match block {
-            Block::Heading(level, text) => out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(text)),
+            Block::Heading(level, text) => {
+                sides += usize::from(*level == 1);
+                if *level == 1 && sides > 1 {
+                    out += "#pagebreak()\n";
+                }
+                out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(text));
+            }
             Block::Paragraph(p) => out += &format!("{}\n", inline(p)),
             Block::List { numbered, members } => {
                 let mark = if *numbered { '+' } else { '-' };
@@ -59,7 +66,7 @@ fn rows(table: &Table) -> String {
         TableKind::Equation => ("center", ""),
         TableKind::Values => ("left", "  table.hline(y: 1, stroke: 0.5pt),\n"),
     };
-    let mut out = format!("#table(columns: {columns}, stroke: none, inset: 4pt, align: {align},\n{line}");
+    let mut out = format!("#table(columns: {columns}, stroke: none, inset: 4pt, align: {align} + horizon,\n{line}");
     for row in &table.rows {
         let cells: Vec<String> = row.iter().map(|c| format!("[{}]", inline(c))).collect();
         out += &format!("  {},\n", cells.join(", "));
