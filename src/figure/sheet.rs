@@ -213,7 +213,7 @@ impl Maker<'_> {
 }
 
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
-fn scale(mu: f64) -> String {
+pub(crate) fn scale(mu: f64) -> String {
     match shortest(mu).split_once('e') {
         Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{}}}", exponent.replace('-', "−")),
         None => shortest(mu),

@@ -2,6 +2,7 @@
 
 use super::Maker;
 use crate::figure::results::number;
+use crate::figure::sheet::scale;
 use crate::plan::text::point_label;
 use crate::quantity::shortest;
 use crate::report::phrase::Phrase;
@@ -203,7 +204,11 @@ impl Maker<'_> {
 
 /// A length as it is given.
 fn length(given: &Given) -> String {
-    literal(&given.text).unwrap_or_else(|| if given.value == 0.0 { "0".into() } else { format!("{} mm", inked(given.value * 1e3)) })
+    literal(&given.text).unwrap_or_else(|| match given.value {
+        0.0 => "0".into(),
+        metres if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
+        metres => format!("{} mm", inked(metres * 1e3)),
+    })
 }
 
 fn angle(given: &Given<Angle>) -> String {
@@ -212,8 +217,7 @@ fn angle(given: &Given<Angle>) -> String {
 
 /// A number in the label language, as short as it is, but not as long as a computed one.
 fn inked(value: f64) -> String {
-    let short = shortest(value);
-    if short.len() > DIGITS + 2 { number(value, DIGITS) } else { short.replace('-', "−") }
+    if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
 }
 
 /// What is written as a number and a unit stays as it is written; everything else (a name, a sum) is told by its value.

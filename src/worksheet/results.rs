@@ -82,8 +82,12 @@ impl Maker<'_> {
         let name = symbol(&self.scene.find[r.find], self.notation());
         let digits = trusted(r).min(self.options.digits + 1);
         let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(x, digits) };
-        let braced = |x: f64| if x < 0.0 && x.abs() > r.noise { format!("({})", part(x)) } else { part(x) };
-        let squares = format!("{}^2 + {}^2", braced(v.x), braced(v.y));
+        // A sign or a power of ten is not squared by itself.
+        let squared = |x: f64| match part(x) {
+            text if text.starts_with('−') || text.contains('^') => format!("({text})^2"),
+            text => format!("{text}^2"),
+        };
+        let squares = format!("{} + {}", squared(v.x), squared(v.y));
         blocks.push(Block::Formula(vec![
             Math::Row(Label::math(format!("{name} ="))),
             Math::Root(Label::math(squares)),
@@ -108,7 +112,7 @@ fn size(value: Value, digits: usize) -> String {
 
 /// What a figure writes in a cell: words, where it is one piece, else a formula.
 fn of_label(label: &Label) -> Phrase {
-    if label.row().len() > 1 { math(label.source()) } else { Phrase::new(label.source()) }
+    if label.row().len() > 1 || label.source().contains('\\') { math(label.source()) } else { Phrase::new(label.source()) }
 }
 
 fn math(source: &str) -> Phrase {

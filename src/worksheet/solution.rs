@@ -5,11 +5,10 @@ use crate::construct::Polygon;
 use crate::effort::is_carried;
 use crate::figure::label::Label;
 use crate::figure::results::number;
-use crate::figure::sheet::{Single, single};
+use crate::figure::sheet::{Single, scale, single};
 use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
 use crate::plan::{Body, Chain, GroupSteps, Method, Rate, Spot, Step, VertexId};
-use crate::quantity::shortest;
 use crate::report::construction::sentences;
 use crate::report::phrase::Phrase;
 use crate::report::plan::group_words;
@@ -241,13 +240,5 @@ impl Maker<'_> {
             }
             blocks.push(Block::Formula(parts));
         }
-    }
-}
-
-/// A scale as the label language wants it.
-fn scale(mu: f64) -> String {
-    match shortest(mu).split_once('e') {
-        Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{}}}", exponent.replace('-', "−")),
-        None => shortest(mu),
     }
 }
