@@ -53,8 +53,11 @@ impl Written {
     }
 }
 
+/// What writes a document, given the stem of the names of its drawings.
+type Writer = fn(&Document, &str) -> Result<Written, Faults>;
+
 /// What writes files that end so.
-fn writer(output: &str) -> Result<fn(&Document, &str) -> Result<Written, Faults>, Faults> {
+fn writer(output: &str) -> Result<Writer, Faults> {
     match files::ending(output) {
         Some("pdf") => Ok(|d, _| {
             let file = pdf::document(&pages::pages(d), &d.title, words(d.lang).tag)?;

@@ -8,8 +8,10 @@
 //! The problem's side holds the given things alone: no answer, no polygon, no special point, not even in the words that
 //! describe its figure to a screen reader.
 
+mod display;
 mod given;
 pub mod html;
+mod lines;
 pub mod markdown;
 pub mod math;
 pub mod pages;

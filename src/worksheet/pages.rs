@@ -1,24 +1,21 @@
 //! A worksheet as pages of A4 in our own display list, for [`crate::render::pdf::document`].
 //!
-//! Decided here: where lines break (Unicode line breaking, which knows where Chinese may not break; a formula breaks before
-//! a relation only), where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
+//! Decided here: where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
 //! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
 //! millimetres, because their scales are true; one that is larger than the page's text has a page as large as itself.
 
 use std::collections::VecDeque;
 
-use icu_segmenter::LineSegmenter;
-use icu_segmenter::options::LineBreakOptions;
-
+use super::display::built;
+use super::lines::wrapped;
 use super::{Block, Document, Math, Table, TableKind};
 use crate::figure::extent::{bounds, translate};
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
-use crate::figure::text;
 use crate::geom::{Point, Vec2};
 use crate::render::pdf::{Kind, Page, Part};
-use crate::report::phrase::{Phrase, Piece};
+use crate::report::phrase::Phrase;
 
 /// A4.
 const PAPER_MM: [f64; 2] = [210.0, 297.0];
@@ -43,6 +40,8 @@ const TEXT_MM: f64 = 3.9;
 const HEADINGS_MM: [f64; 4] = [6.2, 5.2, 4.5, 4.1];
 /// Distance of baselines, in em: formulas in the line have scripts above and below.
 const LINE_EM: f64 = 1.6;
+/// The same where the text is set closer: less, and the scripts of two lines touch.
+const CLOSE_LINE_EM: f64 = 1.4;
 /// Air above headings, and between blocks, in em of the text.
 const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
 const BLOCK_AIR_EM: f64 = 0.6;
@@ -55,26 +54,33 @@ const VALUES_GAP_MM: f64 = 5.0;
 const ROWS_MAX: usize = 34;
 /// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
 const SMALLEST: f64 = 0.6;
-/// The line of a fraction, as in the MATH table of STIX Two Math: height over the baseline and thickness, in em.
-const AXIS_EM: f64 = 0.258;
-const RULE_EM: f64 = 0.068;
-/// From a fraction's line to what stands over and under it.
-const FRACTION_GAP_EM: f64 = 0.16;
 
-/// Sets a document on pages.
+/// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page.
 pub fn pages(document: &Document) -> Vec<Page> {
-    let mut setter = Setter::new();
-    setter.heading(0, &document.title);
-    let mut sides = 0;
-    for block in &document.blocks {
+    let begins = |b: &Block| matches!(b, Block::Heading(1, _));
+    let mut pages = Vec::new();
+    for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
+        let title = (k == 0).then_some(document.title.as_str());
+        let [loose, close] = [LINE_EM, CLOSE_LINE_EM].map(|line_em| set(title, side, line_em));
+        pages.extend(if close.len() < loose.len() { close } else { loose });
+    }
+    let count = pages.len();
+    for (n, page) in pages.iter_mut().enumerate() {
+        let label = Label::text(format!("{} / {count}", n + 1));
+        let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
+        page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
+    }
+    pages
+}
+
+fn set(title: Option<&str>, blocks: &[Block], line_em: f64) -> Vec<Page> {
+    let mut setter = Setter::new(line_em);
+    if let Some(title) = title {
+        setter.heading(0, title);
+    }
+    for block in blocks {
         match block {
-            Block::Heading(level, text) => {
-                sides += usize::from(*level == 1);
-                if *level == 1 && sides > 1 {
-                    setter.finish_page();
-                }
-                setter.heading(usize::from(*level), text);
-            }
+            Block::Heading(level, text) => setter.heading(usize::from(*level), text),
             Block::Paragraph(p) => setter.paragraph(p),
             Block::List { numbered, members } => setter.list(*numbered, members),
             Block::Table(t) => setter.table(t),
@@ -83,12 +89,6 @@ pub fn pages(document: &Document) -> Vec<Page> {
         }
     }
     setter.finish_page();
-    let count = setter.pages.len();
-    for (n, page) in setter.pages.iter_mut().enumerate() {
-        let label = Label::text(format!("{} / {count}", n + 1));
-        let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
-        page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
-    }
     setter.pages
 }
 
@@ -102,6 +102,8 @@ struct Chunk {
 }
 
 struct Setter {
+    /// Distance of baselines.
+    line_em: f64,
     pages: Vec<Page>,
     parts: Vec<Part>,
     /// The upper edge of what is still free.
@@ -115,8 +117,9 @@ struct Setter {
 }
 
 impl Setter {
-    fn new() -> Setter {
+    fn new(line_em: f64) -> Setter {
         Setter {
+            line_em,
             pages: Vec::new(),
             parts: Vec::new(),
             y: PAPER_MM[1] - TOP_MM,
@@ -124,6 +127,11 @@ impl Setter {
             drawings: VecDeque::new(),
             beside: None,
         }
+    }
+
+    /// An em of air: less where the lines stand closer.
+    fn air(&self) -> f64 {
+        TEXT_MM * self.line_em / LINE_EM
     }
 
     /// Width of the lines that begin here.
@@ -221,7 +229,7 @@ impl Setter {
             }
         }
         let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
-        let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * TEXT_MM;
+        let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * self.air();
         let width = self.width();
         for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size).into_iter().enumerate() {
             let title = if k == 0 { words.to_owned() } else { label.plain() };
@@ -234,12 +242,12 @@ impl Setter {
     }
 
     fn paragraph(&mut self, phrase: &Phrase) {
-        let air_mm = BLOCK_AIR_EM * TEXT_MM;
+        let air_mm = BLOCK_AIR_EM * self.air();
         if !phrase.plain().trim_end().ends_with([':', '：']) {
             return self.lines(phrase, 0.0, None, air_mm);
         }
         // What announces a table or a formula stays with it.
-        let step = LINE_EM * TEXT_MM;
+        let step = self.line_em * TEXT_MM;
         for (k, label) in wrapped(phrase, self.width(), TEXT_MM).iter().enumerate() {
             let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
             let air_mm = if k == 0 { air_mm } else { 0.0 };
@@ -250,7 +258,7 @@ impl Setter {
     fn list(&mut self, numbered: bool, members: &[Phrase]) {
         for (k, m) in members.iter().enumerate() {
             let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
-            let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * TEXT_MM;
+            let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
             self.lines(m, INDENT_MM, Some(mark), air);
         }
     }
@@ -259,7 +267,7 @@ impl Setter {
     fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM);
         let count = labels.len();
-        let step = LINE_EM * TEXT_MM;
+        let step = self.line_em * TEXT_MM;
         let mut group: Vec<Item> = Vec::new();
         let (mut rows, mut first) = (0, true);
         for (k, label) in labels.iter().enumerate() {
@@ -291,7 +299,8 @@ impl Setter {
         }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
-            let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale)).collect();
+            let rows: Vec<Row> =
+                table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale, self.line_em)).collect();
             grid::set(&rows, gap * scale)
         };
         let mut items = set(1.0);
@@ -301,7 +310,7 @@ impl Setter {
         if scale < 1.0 {
             items = set(scale);
         }
-        let step = LINE_EM * TEXT_MM * scale;
+        let step = self.line_em * TEXT_MM * scale;
         if table.kind == TableKind::Values {
             let y = -step * 1.15;
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
@@ -313,16 +322,16 @@ impl Setter {
         let cell = |c: &Phrase| c.plain();
         let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * TEXT_MM });
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
     }
 
     fn formula(&mut self, parts: &[Math]) {
-        let built = built(parts);
+        let built = built(parts, TEXT_MM);
         let mut items = built.items;
         translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
         let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * TEXT_MM });
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
     }
 
     fn figure(&mut self, figure: &Figure) {
@@ -335,7 +344,7 @@ impl Setter {
             self.pages.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm, parts });
             return;
         }
-        let air_mm = BLOCK_AIR_EM * 1.5 * TEXT_MM;
+        let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
         if wide <= BESIDE_PART * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
             translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
@@ -356,11 +365,12 @@ impl Setter {
     }
 }
 
-fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
+/// A line of text.
+pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
     Item::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
 }
 
-fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64) -> Row {
+fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64, line_em: f64) -> Row {
     let cell = |(c, phrase): (usize, &Phrase)| {
         let anchor = match kind {
             TableKind::Equation if c > 0 => Anchor::Middle,
@@ -371,177 +381,5 @@ fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64) -> Row {
     // The second row stands off the rule below the head.
     let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
     let height = if r == 0 { 0.9 } else { air };
-    Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * LINE_EM * size_mm }
-}
-
-/// A display formula: items about its baseline, with what it needs above and below.
-struct Built {
-    items: Vec<Item>,
-    above: f64,
-    below: f64,
-}
-
-fn built(parts: &[Math]) -> Built {
-    let em = TEXT_MM;
-    let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
-    let mut x = 0.0;
-    let rule = |from: f64, to: f64, y: f64| {
-        let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: Stroke::new(RULE_EM * em) };
-        Item::new("rule", shape)
-    };
-    for part in parts {
-        match part {
-            Math::Row(label) => {
-                out.items.push(line(label, Point::new(x, 0.0), em, Anchor::Start));
-                x += text::set(label).width_em * em;
-            }
-            Math::Fraction(over, under) => {
-                let [top, bottom] = [over, under].map(text::set);
-                let wide = top.width_em.max(bottom.width_em) * em + 0.2 * em;
-                x += 0.1 * em;
-                let middle = x + wide / 2.0;
-                let up = AXIS_EM + FRACTION_GAP_EM + top.descent_em.max(0.0);
-                let down = FRACTION_GAP_EM + bottom.ascent_em - AXIS_EM;
-                out.items.push(line(over, Point::new(middle, up * em), em, Anchor::Middle));
-                out.items.push(line(under, Point::new(middle, -down * em), em, Anchor::Middle));
-                out.items.push(rule(x, x + wide, AXIS_EM * em));
-                out.above = out.above.max((up + top.ascent_em) * em);
-                out.below = out.below.max((down + bottom.descent_em) * em);
-                x += wide + 0.1 * em;
-            }
-            Math::Root(label) => {
-                let sign = Label::math("√");
-                let (set, inner) = (text::set(&sign), text::set(label));
-                // The sign grows with what stands under it; its bar begins where it ends.
-                let top = inner.ascent_em + FRACTION_GAP_EM;
-                let size = (top + inner.descent_em.max(0.0)) / (set.ascent_em + set.descent_em) * em;
-                let foot = -inner.descent_em.max(0.0) * em + set.descent_em * size;
-                let right = bounds(&[line(&sign, Point::new(x, foot), size, Anchor::Start)]).map_or(x, |b| b.max.x);
-                out.items.push(line(&sign, Point::new(x, foot), size, Anchor::Start));
-                let end = right + inner.width_em * em + 0.1 * em;
-                out.items.push(rule(right, end, (top - RULE_EM / 2.0) * em));
-                out.items.push(line(label, Point::new(right + 0.05 * em, 0.0), em, Anchor::Start));
-                out.above = out.above.max((top + 0.1) * em);
-                x = end + 0.1 * em;
-            }
-        }
-    }
-    out
-}
-
-/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. What has no place to break sticks
-/// out.
-fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label> {
-    // A formula is one thing among the words; before its relations it may break too.
-    const THING: char = '\u{FFFC}';
-    let mut plain = String::new();
-    let mut formulas = VecDeque::new();
-    for piece in phrase.pieces() {
-        match piece {
-            Piece::Words(w) => plain.push_str(w),
-            Piece::Formula(f) => {
-                for part in pieces_of(f) {
-                    plain.push(THING);
-                    formulas.push_back(part);
-                }
-            }
-        }
-    }
-    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
-    let breaks: Vec<usize> = segmenter.segment_str(&plain).collect();
-    let label = |from: &str, formulas: &mut VecDeque<String>| {
-        let mut out = Label::text("");
-        for (k, words) in from.split(THING).enumerate() {
-            if k > 0 {
-                out = out.then(Label::math(formulas.pop_front().unwrap_or_default()));
-            }
-            if !words.is_empty() {
-                out = out.then(Label::text(words));
-            }
-        }
-        out
-    };
-    let wide = |l: &Label| text::set(l).width_em * size_mm;
-    let mut lines = Vec::new();
-    let mut here: Option<Label> = None;
-    for ends in breaks.windows(2) {
-        let segment = &plain[ends[0]..ends[1]];
-        // The space at a line's end takes no room.
-        let things = segment.matches(THING).count();
-        let mut own: VecDeque<String> = formulas.drain(..things).collect();
-        let trimmed = label(segment.trim_end(), &mut own.clone());
-        let full = label(segment, &mut own);
-        here = Some(match here {
-            None => full,
-            Some(before) if wide(&before.clone().then(trimmed)) <= width_mm => before.then(full),
-            Some(before) => {
-                lines.push(before);
-                full
-            }
-        });
-    }
-    lines.extend(here);
-    lines
-}
-
-/// A formula in parts that may stand on different lines: each relation begins one, if the formula is long.
-fn pieces_of(formula: &str) -> Vec<String> {
-    /// Shorter formulas stay whole.
-    const LONG: usize = 40;
-    if formula.len() < LONG {
-        return vec![formula.to_owned()];
-    }
-    let mut parts: Vec<String> = Vec::new();
-    let mut depth = 0;
-    for c in formula.chars() {
-        depth += i32::from(c == '{') - i32::from(c == '}');
-        match parts.last_mut() {
-            Some(last) if c != '=' || depth != 0 => last.push(c),
-            _ => parts.push(c.to_string()),
-        }
-    }
-    parts
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn texts(source: &str, width_mm: f64) -> Vec<String> {
-        wrapped(&Phrase::new(source), width_mm, 4.0).iter().map(|l| l.plain().trim_end().to_owned()).collect()
-    }
-
-    #[test]
-    fn lines_break_at_words_and_fit() {
-        let source = "Through $b$ draw the direction of $v_{CB}$, $\\perp BC$, and through the pole that of $v_C$.";
-        let lines = wrapped(&Phrase::new(source), 50.0, 4.0);
-        assert!(lines.len() > 2);
-        for l in &lines {
-            assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());
-        }
-        let joined: String = lines.iter().map(Label::plain).collect();
-        assert_eq!(joined, Phrase::new(source).label().plain());
-        assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
-    }
-
-    #[test]
-    fn chinese_breaks_anywhere_but_before_its_stops() {
-        let lines = texts("两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。", 30.0);
-        assert!(lines.len() > 4, "{lines:?}");
-        assert!(lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')), "{lines:?}");
-    }
-
-    #[test]
-    fn a_fraction_stands_on_the_axis() {
-        let b = built(&[Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))]);
-        let ys: Vec<f64> = b
-            .items
-            .iter()
-            .filter_map(|i| match i.shape {
-                Shape::Label { at, .. } => Some(at.y),
-                _ => None,
-            })
-            .collect();
-        assert!(ys[1] > 0.0 && ys[2] < 0.0 && b.above > TEXT_MM && b.below > 0.5 * TEXT_MM);
-    }
+    Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * line_em * size_mm }
 }
