@@ -64,6 +64,7 @@ pub mod effort;
 pub mod figure;
 pub mod geom;
 mod json;
+pub mod lesson;
 pub mod mechanism;
 pub mod motion;
 pub mod number;

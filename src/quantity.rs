@@ -36,6 +36,16 @@ pub fn plain(scientific: &str) -> String {
     if negative { format!("-{plain}") } else { plain }
 }
 
+/// A plain number in the label language: `1.5e9` as `1.5 \times 10^{9}`, a minus as long as a plus.
+pub fn inked(text: &str) -> String {
+    let text = match text.split_once('e') {
+        // The power closes with a brace, and the unit after it begins with a space.
+        Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
+        None => text.to_owned(),
+    };
+    text.replace('-', "−")
+}
+
 /// The direction of a vector in degrees, in (−180, 180].
 ///
 /// What lies within rounding of the axis is on it (0 or 180): the sign of a last bit is no direction.

@@ -3,8 +3,9 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
-use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, bad_angles, compare, drafting};
-use crate::analytic::{self, Solution};
+use crate::accuracy::ladder::Rung;
+use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, Regular, bad_angles, compare, drafting, regular};
+use crate::analytic::{self, Refused, Solution};
 use crate::answer::{Value, evaluate, level_of};
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
@@ -12,7 +13,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::plan::{self, Plan};
 use crate::position::{self, Configuration};
-use crate::scene::Scene;
+use crate::scene::{LinkId, Place, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -39,8 +40,10 @@ pub struct Worked {
     pub construction: Construction,
     /// The loop equations' solution.
     pub solution: Solution,
-    /// One result for each question.
+    /// One result for each question that has an answer in the pose, in the order of the questions.
     pub results: Vec<Outcome>,
+    /// The questions that have none.
+    pub unanswered: Vec<Unanswered>,
     /// Crossings under less than 10°, with what helps.
     pub bad_angles: Vec<BadAngle>,
     /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
@@ -50,13 +53,17 @@ pub struct Worked {
 impl Worked {
     /// All that is needed to draw the construction again with another pencil.
     pub fn drawn<'a>(&'a self, scene: &'a Scene) -> Drawn<'a> {
+        let mut values = vec![None; scene.find.len()];
+        for r in &self.results {
+            values[r.find] = r.drawn.as_ref().map(|_| r.value());
+        }
         Drawn {
             scene,
             mechanism: &self.mechanism,
             configuration: &self.configuration,
             plan: &self.plan,
             construction: &self.construction,
-            values: self.results.iter().map(|r| r.drawn.as_ref().map(|_| r.value())).collect(),
+            values,
         }
     }
 
@@ -65,6 +72,15 @@ impl Worked {
         self.drafting = Some(drafting(&self.drawn(scene), pencil_mm(scene)));
         self
     }
+}
+
+/// A question without an answer in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unanswered {
+    /// Index into the scene's `find` list.
+    pub find: usize,
+    /// The part of the mechanism that has no motion, on which the question rests.
+    pub refused: Refused,
 }
 
 /// The pencil error of a scene (mm).
@@ -79,7 +95,7 @@ pub struct Outcome {
     pub find: usize,
     /// Read off the paper; `None` where the group is not drawable.
     pub drawn: Option<Answer>,
-    /// From the loop equations (positions: from the configuration).
+    /// From the loop equations (positions: from the configuration); see also [`Outcome::longer`].
     pub computed: Value,
     /// How far the two are apart; `None` for positions and where nothing was drawn.
     pub agreement: Option<Agreement>,
@@ -93,6 +109,9 @@ pub struct Outcome {
     /// Where the answer comes from the next order of the loop equations, because the pose is singular: how many of its
     /// digits are true.
     pub next_order: Option<usize>,
+    /// Where `f64` cannot tell the pose from a singular one: the rung of the ladder that can, and from which the value comes
+    /// instead of the loop equations.
+    pub longer: Option<Rung>,
 }
 
 impl Outcome {
@@ -121,7 +140,8 @@ fn blur_of(pose: &Solution) -> f64 {
 /// Works a scene through.
 ///
 /// # Errors
-/// The faults of the first stage that has any.
+/// The faults of the first stage that has any. A pose in which some parts have no motion is no fault: their questions are
+/// [`Worked::unanswered`].
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     let mut demand = Demand::of(scene, &mechanism);
@@ -129,18 +149,49 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         demand = demand.with_all_positions();
     }
     let placed = position::configure(scene, &mechanism, &demand)?;
-    let configuration = placed.value;
     notes.extend(placed.notes);
-    let solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
+    let Warned { value: mut worked, notes: more } = work_placed(scene, mechanism, demand, placed.value)?;
+    notes.extend(more);
+    let drawn = worked.drawn(scene);
+    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
+    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
+    worked.bad_angles = bad_angles;
+    Ok(Warned { value: worked, notes })
+}
+
+/// The stages from positions on, for callers who followed the mechanism to a pose by themselves; crossings under bad angles
+/// are not looked for.
+///
+/// # Errors
+/// The faults of the first stage that has any.
+pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
+    let mut notes = Vec::new();
+    let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
+    let singular = singular_groups(&mechanism, &solution);
+    let by_lengths = |g: &usize| mechanism.groups[*g].links.iter().flat_map(|l| &scene.links[l.0].points).any(|p| !is_given(scene, *p));
+    let regular = if singular.iter().any(by_lengths) { regular(scene, &mechanism, &demand, &configuration) } else { None };
+    if let Some(regular) = &regular {
+        solution.taken_for_singular(|words| near_singular(words, regular));
+    }
     notes.extend(solution.notes.iter().cloned());
-    let plan = plan::plan_without(scene, &mechanism, &demand, &singular_groups(&mechanism, &solution));
+    let plan = plan::plan_without(scene, &mechanism, &demand, &singular);
     let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
     let blur = blur_of(&solution);
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
-    let mut results = Vec::new();
+    let (mut results, mut unanswered) = (Vec::new(), Vec::new());
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
-        let Some(computed) = evaluate(scene, &configuration, &solution, &find.what) else {
-            return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
+        let computed = match &regular {
+            Some(regular) => regular.values[i],
+            None => evaluate(scene, &configuration, &solution, &find.what),
+        };
+        let Some(computed) = computed else {
+            let asked = Demand::of_questions(scene, &mechanism, [find]);
+            let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
+            let Some(refused) = solution.refused.iter().find(rests_on) else {
+                return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
+            };
+            unanswered.push(Unanswered { find: i, refused: refused.clone() });
+            continue;
         };
         let level = level_of(&find.what);
         let scale = match level {
@@ -157,6 +208,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
+            (_, None) if regular.is_some() => 0.0,
             (_, Some(a)) => a.noise,
             (_, None) => noise_of(&solution, &computed),
         };
@@ -165,30 +217,55 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
             let value = evaluate(scene, &configuration, other, &find.what);
             others.extend(value.map(|v| above(noise_of(other, &v), v)));
         }
+        let longer = regular.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
         let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
         let next_order = by_next_order.then(|| (-libm::log10(blur)).floor().max(1.0) as usize);
-        results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order });
+        results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order, longer });
     }
 
-    let mut worked =
-        Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
-    let drawn = worked.drawn(scene);
-    let bad_angles = bad_angles(&drawn, pencil_mm(scene));
-    notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
-    worked.bad_angles = bad_angles;
+    let worked = Worked {
+        mechanism,
+        demand,
+        configuration,
+        plan,
+        construction,
+        solution,
+        results,
+        unanswered,
+        bad_angles: Vec::new(),
+        drafting: None,
+    };
     Ok(Warned { value: worked, notes })
+}
+
+/// Whether the scene gives a point by its coordinates.
+fn is_given(scene: &Scene, p: PointId) -> bool {
+    matches!(scene.points[p.0].place, Place::At(_))
+}
+
+/// What is said of a pose that only longer numbers tell from a singular one.
+fn near_singular(words: &str, regular: &Regular) -> Diagnostic {
+    let numbers = regular.rung.name();
+    Diagnostic::warning(
+        "near-singular",
+        format!(
+            "{words} but for a hair: as written the pose is not singular, which only numbers of more digits than double precision tell ({numbers}); the answers there are theirs, they are neither drawn nor checked by the loop equations"
+        ),
+    )
+    .help("choose a pose further off, or one that is singular as written")
 }
 
 /// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.
 fn singular_groups(m: &Mechanism, solution: &Solution) -> Vec<usize> {
-    let mut groups: Vec<usize> = Vec::new();
-    for s in &solution.singular {
-        groups.extend(s.links.iter().filter_map(|l| m.group_of_link[l.0]));
-        groups.extend(s.pins.iter().filter_map(|p| m.group_of_pin[p.0]));
-    }
+    let answered = solution.singular.iter().flat_map(|s| groups_of(m, &s.links, &s.pins));
+    let mut groups: Vec<usize> = answered.chain(solution.refused.iter().flat_map(|r| groups_of(m, &r.links, &r.pins))).collect();
     groups.sort_unstable();
     groups.dedup();
     groups
+}
+
+fn groups_of(m: &Mechanism, links: &[LinkId], pins: &[PointId]) -> Vec<usize> {
+    links.iter().filter_map(|l| m.group_of_link[l.0]).chain(pins.iter().filter_map(|p| m.group_of_pin[p.0])).collect()
 }
 
 /// The size against which a small answer of a level is judged: the longest vector of its polygon, or what the drivers

@@ -7,7 +7,7 @@ mod pdf;
 #[path = "golden/worksheet.rs"]
 mod worksheet;
 
-use hodograph::accuracy::certify;
+use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::plan::notation::Notation;
@@ -27,23 +27,22 @@ fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
 }
 
-/// Outlines as `#` and a hash: a changed letter still shows, and the file stays readable.
+/// Outlines, and the letters of a label, as `#` and a hash: a changed letter still shows, and the file stays readable.
 fn folded(svg: &str) -> String {
+    // FNV-1a: any stable hash will do.
+    let hash = |text: &str| text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
     let mut out = String::with_capacity(svg.len() / 3);
     let mut rest = svg;
-    while let Some(i) = rest.find(" d=\"") {
-        let (head, tail) = rest.split_at(i + 4);
-        let end = tail.find('"').expect("an attribute ends");
-        out.push_str(head);
-        if end > 80 {
-            // FNV-1a: any stable hash will do.
-            let hash =
-                tail.as_bytes()[..end].iter().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3));
-            out.push_str(&format!("#{hash:016x}"));
-        } else {
-            out.push_str(&tail[..end]);
-        }
-        rest = &tail[end..];
+    loop {
+        let outline = rest.find(" d=\"").map(|i| (i + 4, rest[i + 4..].find('"').expect("an attribute ends"), ""));
+        // All letters of a label follow one another.
+        let letters = rest.find("<use ").map(|i| (i, rest[i..].find("</g>").expect("a label ends"), "<use/>"));
+        let Some((start, length, mark)) = [outline, letters].into_iter().flatten().min() else { break };
+        let text = &rest[start..start + length];
+        out.push_str(&rest[..start]);
+        out.push_str(mark);
+        out.push_str(&if length > 80 || !mark.is_empty() { format!("#{:016x}", hash(text)) } else { text.to_owned() });
+        rest = &rest[start + length..];
     }
     out.push_str(rest);
     out
@@ -121,7 +120,7 @@ fn templates_look_as_accepted() {
             check_text(&folder.join(format!("plan.{suffix}.txt")), &plan::text(&scene, &worked.mechanism, &w), &mut failures);
             check_text(
                 &folder.join(format!("construction.{suffix}.txt")),
-                &construction::text(&w, &worked.construction, None),
+                &construction::text(&w, &worked.construction, &steps(&scene, &worked, None)),
                 &mut failures,
             );
             if t.name == "shaper" {

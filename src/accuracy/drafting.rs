@@ -63,7 +63,7 @@ impl Drawn<'_> {
 pub struct Drafting {
     /// The pencil error (mm): 95 % of the marks fall within it.
     pub pencil_mm: f64,
-    /// For each question; `None` where it is not drawn, or where a mark's error may undo the drawing.
+    /// For each question; `None` where it is not drawn, or nothing moves, or where a mark's error may undo the drawing.
     pub tolerances: Vec<Option<Tolerance>>,
     /// Every crossing, in drawing order.
     pub crossings: Vec<CrossingTolerance>,
@@ -133,6 +133,10 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
     let layout = Layout::of(drawn.construction);
     let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
     let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
+        // Where nothing moves there is no polygon, no scale, and nothing to read.
+        if drawn.size_mm(level_of(&drawn.scene.find[find].what)) == [0.0, 0.0] {
+            return None;
+        }
         let spread = spreads.as_ref()?[find]?;
         let value = (*value)?;
         let absolute = spread.total().radius(WITHIN);
@@ -180,11 +184,14 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
     let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
     let steps_mm = LEVELS.map(|level| {
         let [w, h] = drawn.size_mm(level);
-        // A drawing that is a single point (nothing moves) has no size of its own.
-        if w.max(h) > 0.0 { w.max(h) * STEP } else { STEP }
+        w.max(h) * STEP
     });
     for (mark, on) in first.marks.iter().enumerate() {
         let h = steps_mm[*on as usize];
+        // In a drawing that is a single point (nothing moves) no mark is made.
+        if h == 0.0 {
+            continue;
+        }
         for axis in [Vec2::new(h, 0.0), Vec2::new(0.0, h)] {
             let at = |by: Vec2| {
                 let mut pencil = Slip { marks: Vec::new(), count: 0, displaced: Some((mark, by)) };

@@ -6,6 +6,7 @@
 use crate::answer::{Value, evaluate};
 use crate::diag::Diagnostic;
 use crate::geom::Vec2;
+use crate::mechanism::Demand;
 use crate::number::decimal::{Certain, Enclosure};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::position::Configuration;
@@ -30,6 +31,18 @@ impl Rung {
     /// written with twenty decimals; beyond it lie only ties and poses that are singular as written.
     pub const LADDER: [Rung; 5] = [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
 
+    /// The last: beyond it nothing is tried.
+    pub const LAST: Rung = Rung::LADDER[Rung::LADDER.len() - 1];
+
+    /// Does the work in this rung's numbers.
+    pub fn climb<C: Climb>(self, work: &C) -> C::Found {
+        match self {
+            Rung::Double => work.with::<Ball<f64>>(),
+            Rung::DoubleDouble => work.with::<Ball<Dd>>(),
+            Rung::Long(bits) => within(bits, || work.with::<Ball<Big>>()),
+        }
+    }
+
     /// For programs and tables: `f64`, `double-double`, `192 bit`.
     pub fn name(self) -> String {
         match self {
@@ -38,6 +51,15 @@ impl Rung {
             Rung::Long(bits) => format!("{bits} bit"),
         }
     }
+}
+
+/// Work that can be done on any rung.
+pub trait Climb {
+    /// What comes of it: nothing that holds numbers of the rung, which mean nothing outside.
+    type Found;
+
+    /// The work itself.
+    fn with<N: Certain>(&self) -> Self::Found;
 }
 
 /// Which number of an answer.
@@ -80,6 +102,15 @@ pub struct Number {
 }
 
 impl Number {
+    pub(super) fn new(enclosure: Enclosure) -> Number {
+        Number { enclosure, zero: false }
+    }
+
+    /// The same, zero where that is said.
+    pub(super) fn or_zero(self, zero: bool) -> Number {
+        Number { zero, ..self }
+    }
+
     /// To at most `digits` significant digits, all of them true, as people write numbers; and how many they are. `None` where
     /// not even one is certain.
     pub fn text(&self, digits: usize) -> Option<(String, usize)> {
@@ -98,7 +129,7 @@ impl Number {
     }
 
     /// Whether all of `digits` are certain.
-    fn holds(&self, digits: usize, last: bool) -> bool {
+    pub(super) fn holds(&self, digits: usize, last: bool) -> bool {
         self.zero || self.enclosure.rounded(digits).is_some() || (last && self.enclosure.rounded(digits + 1).is_some())
     }
 
@@ -216,61 +247,72 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     for (c, known) in out.iter_mut().zip(&worked.results).filter_map(|(c, r)| Some((c, r.next_order?))) {
         c.why = Some(Why::NextOrder(known));
     }
-    let open = |c: &Certified| !matches!(c.why, None | Some(Why::NextOrder(_)));
+    let m = &worked.mechanism;
+    let mut open: Vec<usize> = (0..out.len()).filter(|i| !matches!(out[*i].why, Some(Why::NextOrder(_)))).collect();
     for rung in Rung::LADDER {
-        let last = rung == Rung::LADDER[Rung::LADDER.len() - 1];
-        let seen = match rung {
-            Rung::Double => look::<Ball<f64>>(scene, worked, digits),
-            Rung::DoubleDouble => look::<Ball<Dd>>(scene, worked, digits),
-            Rung::Long(bits) => within(bits, || look::<Ball<Big>>(scene, worked, digits)),
+        let last = rung == Rung::LAST;
+        let find = |i: &usize| &scene.find[worked.results[*i].find];
+        // Only what is still open, and only as far as it calls for: the other groups are neither placed nor solved again.
+        let look = |open: &[usize]| {
+            let demand = Demand::of_questions(scene, m, open.iter().map(find));
+            rung.climb(&Look { scene, worked, demand: &demand, open, digits })
         };
-        for (i, c) in out.iter_mut().enumerate().filter(|(_, c)| open(c)) {
+        let seen: Vec<Seen> = match look(&open) {
+            Ok(seen) => seen,
+            Err(d) if open.len() < 2 => vec![Err(Why::Refused(d))],
+            // One group that does not close must not take the answers of the others with it.
+            Err(_) => open.iter().map(|i| look(&[*i]).map_or_else(|d| Err(Why::Refused(d)), |mut one| one.remove(0))).collect(),
+        };
+        for (i, seen) in open.iter().zip(seen) {
+            let c = &mut out[*i];
             c.rung = rung;
-            match &seen {
-                Ok(answers) => match &answers[i] {
-                    Ok((parts, reading)) => {
-                        let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm_m));
-                        let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
-                        c.why = match whole {
-                            true => None,
-                            false if last => Some(Why::Tie),
-                            false => Some(Why::TooClose),
-                        };
-                        c.parts.clone_from(parts);
-                        c.reading.clone_from(reading);
-                    }
-                    Err(why) => c.why = Some(why.clone()),
-                },
-                Err(d) => c.why = Some(Why::Refused(d.clone())),
+            match seen {
+                Ok((parts, reading)) => {
+                    let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm_m));
+                    let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
+                    c.why = match whole {
+                        true => None,
+                        false if last => Some(Why::Tie),
+                        false => Some(Why::TooClose),
+                    };
+                    (c.parts, c.reading) = (parts, reading);
+                }
+                Err(why) => c.why = Some(why),
             }
         }
-        if !out.iter().any(open) {
-            break;
-        }
-        // What no longer number mends.
-        if let Err(d) = &seen
-            && d.code == "cannot-assemble"
-        {
+        // What does not close as written no longer number mends.
+        open.retain(|i| !matches!(&out[*i].why, None | Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. }))));
+        if open.is_empty() {
             break;
         }
     }
     out
 }
 
-/// All answers in one kind of number.
-fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec<Seen>, Diagnostic> {
-    let (m, demand) = (&worked.mechanism, &worked.demand);
-    let at = position::recompute::<N>(scene, m, demand, &worked.configuration).map_err(|f| {
-        f.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
-    })?;
-    let motion = motion::solve(scene, m, &at, demand);
-    Ok(worked
-        .results
-        .iter()
-        .map(|r| {
+/// Some answers in one kind of number.
+struct Look<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    demand: &'a Demand,
+    /// Which: indices of results.
+    open: &'a [usize],
+    digits: usize,
+}
+
+impl Climb for Look<'_> {
+    type Found = Result<Vec<Seen>, Diagnostic>;
+
+    fn with<N: Certain>(&self) -> Self::Found {
+        let (scene, m) = (self.scene, &self.worked.mechanism);
+        let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(|f| {
+            f.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
+        })?;
+        let motion = motion::solve(scene, m, &at, self.demand);
+        let seen = |i: &usize| {
+            let r = &self.worked.results[*i];
             let find = &scene.find[r.find];
             match evaluate(scene, &at, &motion, &find.what) {
-                Some(value) => parts(find.what, value, r.scale, digits).map(|list| (list, reading(&at, r, value))),
+                Some(value) => parts(find.what, value, r.scale, self.digits).map(|list| (list, reading(&at, r, value))),
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
@@ -279,8 +321,9 @@ fn look<N: Certain>(scene: &Scene, worked: &Worked, digits: usize) -> Result<Vec
                     None => Why::NoValue,
                 }),
             }
-        })
-        .collect())
+        };
+        Ok(self.open.iter().map(seen).collect())
+    }
 }
 
 /// The parts of an answer, or why it has none.
@@ -293,7 +336,7 @@ type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured?;
     let mu = N::from_decimal(&quantity::shortest(m.mu));
-    let number = |x: N| Some(Number { zero: false, enclosure: x.enclosure()? });
+    let number = |x: N| x.enclosure().map(Number::new);
     let (size, arm) = match (value, m.arm_m) {
         (Value::Vector(v), None) => (v.norm(), None),
         (Value::Scalar(s), Some(_)) => {

@@ -6,9 +6,11 @@ mod drafting;
 pub mod ladder;
 mod larger;
 mod simulate;
+pub mod steps;
 pub mod toggle;
 pub mod truth;
 pub mod ways;
+mod written;
 
 pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
@@ -16,3 +18,5 @@ pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, dra
 pub use ladder::{Certified, certify};
 pub use larger::Larger;
 pub use simulate::{Errors, simulate};
+pub use steps::{Steps, steps};
+pub use written::{Regular, regular};

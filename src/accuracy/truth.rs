@@ -20,9 +20,12 @@ pub const BITS: usize = 640;
 const STEP: f64 = -180.0;
 
 /// Three configurations in equal steps of time: a source of vectors by difference quotients.
-pub(super) struct Differences<N> {
+pub struct Differences<N> {
+    /// A step before the scene's instant.
     pub before: Configuration<N>,
+    /// At the instant.
     pub now: Configuration<N>,
+    /// A step after it.
     pub after: Configuration<N>,
     /// The time between two of them (s).
     pub step: N,
@@ -71,11 +74,19 @@ impl<N: Real> Source<N> for Differences<N> {
 /// # Errors
 /// Scenes whose pose is given by coordinates, or that do not close in longer numbers: see [`position::later`].
 pub fn answers(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Value<Big>>>, Faults> {
+    let source = differences(scene, worked)?;
+    Ok(worked.results.iter().map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what)).collect())
+}
+
+/// The places from which they come, to be called in such a region too.
+///
+/// # Errors
+/// As [`answers`].
+pub fn differences(scene: &Scene, worked: &Worked) -> Result<Differences<Big>, Faults> {
     let (m, demand, meant) = (&worked.mechanism, &worked.demand, &worked.configuration);
     let step = Big::from_f64(libm::exp2(STEP));
     let now = position::recompute::<Big>(scene, m, demand, meant)?;
     let at = |t: Big| position::later(scene, m, demand, meant, &now, t);
     let (before, after) = (at(-step)?, at(step)?);
-    let source = Differences { before, now, after, step };
-    Ok(worked.results.iter().map(|r| evaluate(scene, &source.now, &source, &scene.find[r.find].what)).collect())
+    Ok(Differences { before, now, after, step })
 }

@@ -19,7 +19,8 @@ mod singular;
 mod words;
 
 pub use fork::Decided;
-pub use pose::{SingularKind, Singularity};
+pub use pose::{Refused, SingularKind, Singularity};
+pub use singular::Why;
 
 use crate::answer::Source;
 use crate::diag::{Diagnostic, Faults};
@@ -47,6 +48,8 @@ pub struct Solution {
     pub condition: f64,
     /// The parts that are singular in this pose and were answered by the next order of the equations, in solving order.
     pub singular: Vec<Singularity>,
+    /// The parts that have no motion in this pose (dead centres and the like), in solving order.
+    pub refused: Vec<Refused>,
     /// What the reader should know of the pose.
     pub notes: Vec<Diagnostic>,
     /// Number of unknowns solved for, at velocity and at acceleration level.
@@ -67,14 +70,15 @@ struct LinkMotion {
 /// Solves the loop equations of everything the demand reaches: accelerations only of what is wanted so far.
 ///
 /// Where the Jacobian is singular the equations are carried to the next order ([`Singularity`]): a change point is answered
-/// on the way that is meant, a driver at its limit by the way back.
-///
-/// # Errors
+/// on the way that is meant, a driver at its limit by the way back. A part that has no motion, and what rests on it, is left
+/// without one and told in [`Solution::refused`], with a note of one of these codes:
 /// - `dead-centre`: the drivers cannot move the links through the pose, velocities are unbounded;
 /// - `locked`: the pose can be assembled but not left as asked;
 /// - `undetermined`: links can move while the drivers stand; `singular`: more than one freedom is open;
-/// - `acceleration-undetermined`: velocities are finite, accelerations are not;
-/// - `overflow`: numbers out of range.
+/// - `acceleration-undetermined`: velocities are finite, accelerations are not.
+///
+/// # Errors
+/// `overflow`: numbers out of range.
 pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) -> Result<Solution, Faults> {
     let mut solution = Solution {
         links: vec![None; scene.links.len()],
@@ -85,6 +89,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         ground: scene.ground,
         condition: 1.0,
         singular: Vec::new(),
+        refused: Vec::new(),
         notes: Vec::new(),
         size: [0; 2],
     };
@@ -103,7 +108,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
             let rounding = layout.rounding(at);
             let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
             if blocks.singular() {
-                return pose.singular(&system.rows, &blocks, solution).map_err(Faults::from);
+                return Ok(pose.singular(&system.rows, &blocks, solution));
             }
             solution.notes.extend(pose.near_singular(&system.rows, &blocks, rounding, system.condition));
         }
@@ -239,6 +244,13 @@ impl Solution {
         let of_points = (0..self.points.len()).filter_map(|p| self.vector(level, PointId(p), None)).map(Vec2::norm);
         let of_links = moving().map(|m| if acceleration { m.second.map_or(0.0, |s| s.0.norm()) } else { m.v.norm() });
         of_points.chain(of_links).fold(0.0, f64::max)
+    }
+
+    /// Takes back that parts are singular, where longer numbers told that they are not, and says instead what `note` makes of
+    /// the links in words.
+    pub fn taken_for_singular(&mut self, note: impl Fn(&str) -> Diagnostic) {
+        let words = self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
+        self.notes = words.map(|w| note(&w)).collect();
     }
 
     fn homes(&self, scene: &Scene, second: bool) -> Vec<Option<LinkId>> {

@@ -34,6 +34,23 @@ pub struct Singularity {
     pub other: Option<Box<Solution>>,
 }
 
+/// A part of a mechanism that has no motion in the pose, or none that is determined; what rests on it has none either.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refused {
+    /// Why.
+    pub why: Why,
+    /// The links without a motion (but for those that rest on them).
+    pub links: Vec<LinkId>,
+    /// Pins of that part that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that lie in line, or leave the freedom open together with guides.
+    pub named: Vec<LinkId>,
+    /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: String,
+    /// The whole of it for the reader, with its place in the scene and what to do.
+    pub diagnostic: Diagnostic,
+}
+
 /// The kinds of singular pose that have an answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SingularKind {
@@ -96,32 +113,30 @@ impl Pose<'_> {
         Some(d.help("choose a pose further off; where it is given by lengths, coordinates of the joints keep more digits"))
     }
 
-    /// The motion through a singular pose.
-    pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Result<Solution, Diagnostic> {
+    /// The motion through a singular pose, as far as there is one.
+    pub fn singular(&self, system: &[Row], blocks: &Blocks, mut empty: Solution) -> Solution {
         empty.condition = f64::INFINITY;
-        let parts = &blocks.list;
-        let refused = |r: Refusal| words::refusal(self.scene, self.at, self.layout, system, &parts[r.block], &r);
         // Drivers that start from rest: in t² instead of t their accelerations are what their rates are elsewhere. Only where
         // that is a dead point (a driver at its own limit) velocities come into being at once.
         let starts = system.iter().all(|r| r.relation.drive()[0] == 0.0) && system.iter().any(|r| r.relation.drive()[1] != 0.0);
         if starts {
             let slow: Vec<Row> = system.iter().map(Row::started).collect();
-            match self.ways(&slow, blocks, &empty, true) {
-                Err(Refusal { why: Why::DeadPoint, .. }) => {}
-                other => return other.map(|s| self.with_notes(s)).map_err(refused),
+            let slow = self.ways(&slow, blocks, &empty, true);
+            if slow.refused.iter().all(|r| r.why != Why::DeadPoint) {
+                return self.with_notes(slow);
             }
         }
-        self.ways(system, blocks, &empty, false).map(|s| self.with_notes(s)).map_err(refused)
+        self.with_notes(self.ways(system, blocks, &empty, false))
     }
 
     /// The motion that is meant, with the other one beside each change point.
-    fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Result<Solution, Refusal> {
+    fn ways(&self, rows: &[Row], blocks: &Blocks, empty: &Solution, from_rest: bool) -> Solution {
         let terms = if self.demand.level >= Level::Acceleration && !from_rest { 2 } else { 1 };
         let choose = |fork: &Fork| {
             let of = words::links_of(self.layout, &blocks.list[fork.block]);
             let both = fork.ways.each_ref().map(|w| {
                 let mut way = self.unpacked(empty, w, None);
-                self.layout.keep(|u| fork.motion.order(u) > 0, &mut way);
+                self.layout.keep(|u| fork.motion.order(u), &mut way);
                 way.settle(self.scene, self.layout);
                 way
             });
@@ -132,7 +147,7 @@ impl Pose<'_> {
             let (way, by) = choose(fork);
             decided.push((fork.block, by));
             way
-        })?;
+        });
         let mut solution = self.solution(empty, &taken, from_rest);
         for passed in &taken.passed {
             let by = decided.iter().find(|d| d.0 == passed.block).map(|d| d.1);
@@ -142,11 +157,33 @@ impl Pose<'_> {
                     let way = choose(fork).0;
                     if fork.block == passed.block { 1 - way } else { way }
                 });
-                Some(Box::new(self.solution(empty, &turned.ok()?, from_rest)))
+                turned.refused.is_empty().then(|| Box::new(self.solution(empty, &turned, from_rest)))
             });
             solution.singular.push(self.singularity(rows, blocks, passed, by, other));
         }
-        Ok(solution)
+        solution.refused = taken.refused.iter().map(|r| self.refused(rows, blocks, r)).collect();
+        solution
+    }
+
+    fn refused(&self, rows: &[Row], blocks: &Blocks, refusal: &Refusal) -> Refused {
+        let part = &blocks.list[refusal.block];
+        let held = words::held(self.scene, self.at, self.layout, rows, part);
+        let diagnostic = words::refusal(self.scene, self.layout, part, refusal, &held);
+        Refused {
+            why: refusal.why,
+            links: words::links_of(self.layout, part),
+            pins: self.bare_pins(part),
+            named: held.links,
+            words: held.text,
+            diagnostic,
+        }
+    }
+
+    /// Pins of a block that sit on no link.
+    fn bare_pins(&self, part: &Part) -> Vec<PointId> {
+        let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
+        pins.dedup();
+        pins
     }
 
     fn singularity(
@@ -159,8 +196,7 @@ impl Pose<'_> {
     ) -> Singularity {
         let part = &blocks.list[passed.block];
         let held = words::held(self.scene, self.at, self.layout, rows, part);
-        let mut pins: Vec<PointId> = part.block.unknowns.iter().filter_map(|u| self.layout.bare_of(*u)).collect();
-        pins.dedup();
+        let pins = self.bare_pins(part);
         let kind = match (passed.rest, passed.turning) {
             (true, _) => SingularKind::Rest,
             (false, true) => SingularKind::Limit,
@@ -187,11 +223,16 @@ impl Pose<'_> {
         let term = |k: usize| DVector::from_iterator(n, (0..n).map(|u| carried.motion.term(u, k)));
         let (rates, accelerations) = if from_rest { (DVector::zeros(n), term(1) * 2.0) } else { (term(1), term(2) * 2.0) };
         let wanted = self.demand.level >= Level::Acceleration;
-        self.unpacked(empty, &rates, wanted.then_some(&accelerations))
+        let mut out = self.unpacked(empty, &rates, wanted.then_some(&accelerations));
+        let order = |u: usize| carried.motion.order(u) + usize::from(from_rest);
+        self.layout.keep(|u| if carried.motion.order(u) == 0 { 0 } else { order(u) }, &mut out);
+        out.settle(self.scene, self.layout);
+        out
     }
 
     fn with_notes(&self, mut s: Solution) -> Solution {
         s.notes.extend(s.singular.iter().map(note));
+        s.notes.extend(s.refused.iter().map(|r| r.diagnostic.clone()));
         s
     }
 }

@@ -300,16 +300,20 @@ impl Layout {
         }
     }
 
-    /// Takes out of a solution the links and pins whose unknowns are not solved.
-    pub fn keep(&self, solved: impl Fn(usize) -> bool, out: &mut Solution) {
+    /// Takes out of a solution what is not solved: `order` tells of an unknown whether nothing (0), its rate (1) or its
+    /// acceleration too (2) is known.
+    pub fn keep(&self, order: impl Fn(usize) -> usize, out: &mut Solution) {
+        let least = |first: usize, many: usize| (first..first + many).map(&order).min().unwrap_or(0);
         for (i, l) in self.links.iter().enumerate() {
-            if !(0..3).all(|k| solved(3 * i + k)) {
-                out.links[l.0] = None;
+            match (least(3 * i, 3), &mut out.links[l.0]) {
+                (0, motion) => *motion = None,
+                (1, Some(motion)) => motion.second = None,
+                _ => {}
             }
         }
         let first = 3 * self.links.len();
-        for bare in &mut out.bare {
-            bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| (0..2).all(|k| solved(first + 2 * i + k))));
+        for (level, bare) in out.bare.iter_mut().enumerate() {
+            bare.retain(|b| self.bare.iter().position(|p| *p == b.0).is_some_and(|i| least(first + 2 * i, 2) > level));
         }
     }
 

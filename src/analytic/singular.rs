@@ -38,7 +38,7 @@ pub(super) struct Part {
 
 /// Why a pose has no finite motion, or not one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Why {
+pub enum Why {
     /// The drivers' motion contradicts the pose: velocities grow beyond bounds.
     DeadPoint,
     /// The pose can be assembled, but not left in the given sense.
@@ -51,7 +51,7 @@ pub(super) enum Why {
     NoAcceleration,
 }
 
-/// A block at which the solution ends.
+/// A block that has no motion, and so has nothing that rests on it.
 #[derive(Clone, Debug)]
 pub(super) struct Refusal {
     pub block: usize,
@@ -85,6 +85,7 @@ pub(super) struct Passed {
 pub(super) struct Carried {
     pub motion: Motion,
     pub passed: Vec<Passed>,
+    pub refused: Vec<Refusal>,
 }
 
 impl Blocks {
@@ -122,26 +123,33 @@ impl Blocks {
 
     /// Carries the motion through all blocks, `terms` terms far (1: velocities, 2: accelerations too). The equations may
     /// drive otherwise than those that were factored. Where two ways lead on, `pick` says which is meant.
-    pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Result<Carried, Refusal> {
+    ///
+    /// A block that has no motion is refused and left without terms, and so is all that rests on it; the others go on.
+    pub fn carry(&self, rows: &[Row], terms: usize, mut pick: impl FnMut(&Fork) -> usize) -> Carried {
         let singular = self.list.iter().filter(|p| p.deficiency > 0).count();
-        let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new() };
+        let mut out = Carried { motion: Motion::new(self.n), passed: Vec::new(), refused: Vec::new() };
         for (i, part) in self.list.iter().enumerate() {
             let known = known_before(rows, part, &out.motion).unwrap_or(terms + singular);
-            let refused = |why| Refusal { block: i, why };
-            if part.deficiency == 0 {
-                for n in 1..=known {
-                    let c = part.factor.solve(&-residuals(rows, part, &out.motion, n), false).ok_or(refused(Why::Several))?;
-                    set(part, &mut out.motion, n, &c);
-                }
+            if known == 0 {
                 continue;
             }
-            let passed = self.pass(rows, i, known, &mut out.motion, &mut pick).map_err(refused)?;
-            out.passed.push(passed);
-            if out.motion.order(part.block.unknowns[0]) < terms {
-                return Err(refused(Why::NoAcceleration));
+            let done = if part.deficiency == 0 {
+                follow(rows, part, known, &mut out.motion)
+            } else {
+                self.pass(rows, i, known, &mut out.motion, &mut pick).and_then(|passed| {
+                    out.passed.push(passed);
+                    if out.motion.order(part.block.unknowns[0]) < terms { Err(Why::NoAcceleration) } else { Ok(()) }
+                })
+            };
+            if let Err(why) = done {
+                // Velocities stand where only accelerations do not follow from them.
+                if why != Why::NoAcceleration {
+                    part.block.unknowns.iter().for_each(|u| out.motion.forget(*u));
+                }
+                out.refused.push(Refusal { block: i, why });
             }
         }
-        Ok(out)
+        out
     }
 
     fn pass(
@@ -236,6 +244,15 @@ impl Blocks {
         let aside = if d == 0.0 { 0.0 } else { (g * b / d).abs() };
         Ok(Passed { block: index, rest: false, turning: still, off: part.factor.ratio.max(aside) })
     }
+}
+
+/// Carries the motion through a block that determines it.
+fn follow(rows: &[Row], part: &Part, known: usize, motion: &mut Motion) -> Result<(), Why> {
+    for n in 1..=known {
+        let c = part.factor.solve(&-residuals(rows, part, motion, n), false).ok_or(Why::Several)?;
+        set(part, motion, n, &c);
+    }
+    Ok(())
 }
 
 fn set(part: &Part, motion: &mut Motion, n: usize, c: &DVector<f64>) {

@@ -167,34 +167,33 @@ fn moving_drivers(scene: &Scene) -> String {
     if all.is_empty() { "the driver".into() } else { listed(&all) }
 }
 
-/// What is said of a pose at which the solution ends.
-pub(super) fn refusal(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[Row], part: &Part, refused: &Refusal) -> Diagnostic {
-    let held = held(scene, at, layout, rows, part);
+/// What is said of a part that has no motion.
+pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Refusal, held: &Held) -> Diagnostic {
     let drivers = moving_drivers(scene);
     let free = free_links(scene, layout, part);
     let text = &held.text;
     let d = match refused.why {
-        Why::DeadPoint => Diagnostic::error(
+        Why::DeadPoint => Diagnostic::warning(
             "dead-centre",
             format!("dead centre: {text}, and {drivers} cannot move them through this pose: the velocities of {free} are unbounded"),
         )
         .help("drive another link, or choose a pose nearby; a machine is carried through by its flywheel"),
-        Why::Locked => Diagnostic::error(
+        Why::Locked => Diagnostic::warning(
             "locked",
             format!("{text}: the links can be assembled in this pose, but {drivers} cannot move on from it as asked"),
         )
         .help("choose another pose or other lengths; at the limit of its range a driver can only turn back"),
-        Why::Loose => Diagnostic::error(
+        Why::Loose => Diagnostic::warning(
             "undetermined",
             format!("{text}: {free} can move while the drivers stand, and nothing determines that motion"),
         )
         .help("choose another pose or other lengths: coincident joints leave a link free to turn"),
-        Why::Several => Diagnostic::error(
+        Why::Several => Diagnostic::warning(
             "singular",
             format!("{text}: more than one freedom is open in this pose, and which motion follows is not decided"),
         )
         .help("choose another pose, or drive another link"),
-        Why::NoAcceleration => Diagnostic::error(
+        Why::NoAcceleration => Diagnostic::warning(
             "acceleration-undetermined",
             format!("{text}: the velocities are finite in this pose, but no finite accelerations of {free} follow from them"),
         )

@@ -11,7 +11,7 @@ use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
     version,
     about,
     max_term_width = 110,
-    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/"
+    after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written; 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
 )]
 pub struct Args {
     #[command(subcommand)]
@@ -22,6 +22,8 @@ pub struct Args {
 pub enum Command {
     /// Draw the sheet: mechanism, equation tables, velocity and acceleration polygons, results (SVG, PNG, PDF)
     Draw(Draw),
+    /// Write a lesson: one HTML page with the construction step by step and a crank to drag
+    Lesson(Lesson),
     /// Answer the scene's questions: values, units, senses, drawing against analysis; at a change point both motions
     Solve(Solve),
     /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
@@ -89,6 +91,24 @@ pub struct Draw {
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Lesson {
+    #[command(flatten)]
+    pub common: Common,
+    /// The page to write (default: named after the scene)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// A fragment for reveal.js instead: an inline SVG whose parts appear step by step
+    #[arg(long, conflicts_with_all = ["positions", "driver"])]
+    pub reveal: bool,
+    /// Positions through a full turn or the whole travel, 8 to 360; more are added where the motion bends
+    #[arg(long, default_value_t = crate::lesson::POSITIONS as u64, value_parser = clap::value_parser!(u64).range(8..=360))]
+    pub positions: u64,
+    /// Which of the scene's drivers is moved, counted from 1
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
+    pub driver: u64,
 }
 
 #[derive(ClapArgs, Debug)]

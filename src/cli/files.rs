@@ -59,6 +59,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     Ok(())
 }
 
+/// The name of a scene file without folder and ending, for the files made from it.
+pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
+    Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
+}
+
 /// Writes one figure to a file ending in .svg or .png (at 200 dpi).
 pub fn figure(figure: &crate::figure::item::Figure, path: &str) -> Result<(), Failure> {
     let input = |d: crate::diag::Faults| Failure::Input(d, path.to_string(), String::new());

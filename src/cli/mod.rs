@@ -1,14 +1,14 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
-//! ours.
+//! ours; 4 done, but for answers that do not exist in the pose (dead centres).
 
 mod args;
 mod draw;
 mod files;
 mod worksheet;
 
-use crate::accuracy::{certify, ways};
+use crate::accuracy::{certify, steps, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
 use crate::figure::sheet;
@@ -27,6 +27,7 @@ pub fn main() -> ExitCode {
     let args = Args::parse();
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
+        Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
         Command::Worksheet(a) => worksheet::run(a),
@@ -110,9 +111,34 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
     (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
 }
 
-/// 3 where drawing and analysis disagree, else 0.
+/// 3 where drawing and analysis disagree, 4 where an answer does not exist in the pose, else 0.
 fn verdict(worked: &Worked) -> ExitCode {
-    if worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) { ExitCode::SUCCESS } else { ExitCode::from(3) }
+    if !worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) {
+        return ExitCode::from(3);
+    }
+    if worked.unanswered.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(4) }
+}
+
+fn lesson(a: args::Lesson) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let made = if a.reveal {
+        let Warned { value: worked, notes } = work(&input.scene, Scope::Figure).map_err(failed)?;
+        input.notes.extend(notes);
+        let options = sheet::Options { notation, ..sheet::Options::of_language(lang) };
+        crate::lesson::reveal(&input.scene, &worked, &options)
+    } else {
+        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1 };
+        crate::lesson::lesson(&input.scene, &options)
+    };
+    let Warned { value, notes } = made.map_err(|faults| Failure::Input(faults, input.name.clone(), input.source.clone()))?;
+    input.notes.extend(notes);
+    let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
+    files::write(std::path::Path::new(&path), value.as_bytes())?;
+    files::print(&format!("{path}\n"))?;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
 }
 
 fn solve(a: args::Solve) -> Run {
@@ -136,7 +162,7 @@ fn solve(a: args::Solve) -> Run {
     }
     if a.steps {
         let pencil_mm = worked.drafting.as_ref().map(|d| d.pencil_mm);
-        files::print(&format!("\n{}", construction::text(&w, &worked.construction, pencil_mm)))?;
+        files::print(&format!("\n{}", construction::text(&w, &worked.construction, &steps(&input.scene, &worked, pencil_mm))))?;
     }
     input.say_notes();
     Ok(verdict(&worked))

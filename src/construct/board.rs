@@ -6,8 +6,10 @@ use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateRea
 use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::number::Real;
 use crate::plan::{Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
 use crate::position::{Configuration, Path};
+use crate::scene::exact::Inputs;
 use crate::scene::{DriverKind, Scene};
 
 /// Draws a plan.
@@ -43,19 +45,23 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
     board.finish()
 }
 
-pub(super) struct Board<'a, P> {
+pub(super) struct Board<'a, N, P> {
     pub(super) scene: &'a Scene,
     pub(super) m: &'a Mechanism,
-    pub(super) at: &'a Configuration,
+    pub(super) at: &'a Configuration<N>,
     pub(super) plan: &'a Plan,
     pub(super) pencil: &'a mut P,
-    pub(super) done: Construction,
+    pub(super) done: Construction<N>,
+    /// The scene's given numbers.
+    inputs: Inputs<'a, N>,
+    /// μ_l.
+    pub(super) mu_l: N,
     /// What a blunt pencil made of joints and guides; nothing for the exact one.
-    pub(super) hand: super::hand::Hand,
+    pub(super) hand: super::hand::Hand<N>,
 }
 
 /// A line on paper: a point of it, and its direction.
-type Line = (Point, Vec2);
+type Line<N> = (Point<N>, Vec2<N>);
 
 /// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
 const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -65,117 +71,8 @@ const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 /// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
 const PARALLEL_UNITS: f64 = 8.0;
 
-impl<'a, P: Pencil> Board<'a, P> {
-    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, plan: &'a Plan, mu_l: f64, pencil: &'a mut P) -> Self {
-        let origin = scene.links[scene.ground.0]
-            .points
-            .iter()
-            .chain(scene.links.iter().flat_map(|l| &l.points))
-            .find_map(|p| at.points[p.0])
-            .unwrap_or(Point::ORIGIN);
-        Board {
-            scene,
-            m,
-            at,
-            plan,
-            pencil,
-            done: Construction {
-                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
-                velocity: None,
-                acceleration: None,
-                rates: Vec::new(),
-                chosen: vec![0; m.groups.len()],
-                magnification: [1.0; 2],
-            },
-            hand: super::hand::Hand::default(),
-        }
-    }
-
-    /// Sets out the diagram: joints, guides, and the special points that the chosen alternatives use.
-    pub(super) fn set_out(&mut self) {
-        self.draw_joints();
-        let plan = self.plan;
-        for (i, v) in plan.vertices.iter().enumerate() {
-            self.done.diagram.spots[i] = match v.spot {
-                Spot::Point(p) => self.joint(p),
-                Spot::Special { group, legs } => self.special_point(VertexId(i), group, legs),
-            };
-        }
-    }
-
-    fn special_point(&mut self, v: VertexId, group: usize, legs: (usize, usize)) -> Option<Point> {
-        let m = self.m;
-        let Core::Link { legs: all, .. } = &m.groups[group].core else { return None };
-        let ((p, u), (q, w)) = self.constraint_lines(group, legs)?;
-        let (u, w) = (self.laid(&all[legs.0], u), self.laid(&all[legs.1], w));
-        let c = cross_lines(p, u, q, w);
-        if !c.at.is_finite() {
-            return None;
-        }
-        if self.done.chosen[group] == SPECIAL_LEGS.iter().position(|l| *l == legs)? {
-            self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
-        }
-        Some(self.pencil.mark(Level::Position, c.at))
-    }
-
-    pub(super) fn keep(&mut self, polygon: Polygon) {
-        match polygon.level {
-            Level::Velocity => self.done.velocity = Some(polygon),
-            _ => self.done.acceleration = Some(polygon),
-        }
-    }
-
-    /// What was drawn, if its numbers can be told.
-    pub(super) fn finish(self) -> Result<Construction, Faults> {
-        let done = self.done;
-        let finite = |p: &Polygon| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
-        if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_finite()) {
-            return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
-        }
-        Ok(done)
-    }
-
-    /// A place of the mechanism in mm of paper.
-    pub(super) fn paper(&self, p: Point) -> Point {
-        ((p - self.done.diagram.origin) * (1.0 / self.done.diagram.mu_l)).to_point()
-    }
-
-    fn spot(&self, v: VertexId) -> Point {
-        self.done.diagram.spots[v.0].expect("a planned vertex has a place on the diagram")
-    }
-
-    /// From `to` to `of` on the diagram, in metres.
-    pub(super) fn arm(&self, of: VertexId, to: VertexId) -> Vec2 {
-        (self.spot(of) - self.spot(to)) * self.done.diagram.mu_l
-    }
-
-    /// The line (on paper) on which a leg gives a locus for every point of the core.
-    fn constraint_line(&self, leg: &Leg) -> Option<Line> {
-        let point = |p: crate::scene::PointId| self.joint(p);
-        match *leg {
-            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
-                let (n, f) = (point(near)?, point(far)?);
-                Some((n, n - f))
-            }
-            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => {
-                let p = point(pin)?;
-                Some((
-                    p,
-                    match self.at.guide(guide) {
-                        Path::Line { direction, .. } => self.turned(guide, direction.perp()),
-                        Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
-                    },
-                ))
-            }
-            _ => None,
-        }
-    }
-
-    fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line, Line)> {
-        let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
-        Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
-    }
-
+/// What is chosen before anything is drawn: in `f64`, whatever the numbers of the drawing.
+impl<P: Pencil> Board<'_, f64, P> {
     /// The pair of constraint lines that cross most squarely and closest to the link.
     fn best_alternative(&self, group: usize) -> Result<usize, Faults> {
         let Core::Link { legs, link } = &self.m.groups[group].core else { return Ok(0) };
@@ -218,9 +115,123 @@ impl<'a, P: Pencil> Board<'a, P> {
         let s = s / 100.0;
         if s.is_normal() { s } else { 1.0 }
     }
+}
 
-    pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon, Faults> {
-        let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::ORIGIN)).collect();
+impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
+    pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration<N>, plan: &'a Plan, mu_l: f64, pencil: &'a mut P) -> Self {
+        let origin = scene.links[scene.ground.0]
+            .points
+            .iter()
+            .chain(scene.links.iter().flat_map(|l| &l.points))
+            .find_map(|p| at.points[p.0])
+            .unwrap_or(Point::origin());
+        Board {
+            scene,
+            m,
+            at,
+            plan,
+            pencil,
+            inputs: Inputs::of(scene),
+            mu_l: scale::number(mu_l),
+            done: Construction {
+                diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
+                velocity: None,
+                acceleration: None,
+                rates: Vec::new(),
+                chosen: vec![0; m.groups.len()],
+                magnification: [1.0; 2],
+            },
+            hand: super::hand::Hand::default(),
+        }
+    }
+
+    /// Sets out the diagram: joints, guides, and the special points that the chosen alternatives use.
+    pub(super) fn set_out(&mut self) {
+        self.draw_joints();
+        let plan = self.plan;
+        for (i, v) in plan.vertices.iter().enumerate() {
+            self.done.diagram.spots[i] = match v.spot {
+                Spot::Point(p) => self.joint(p),
+                Spot::Special { group, legs } => self.special_point(VertexId(i), group, legs),
+            };
+        }
+    }
+
+    fn special_point(&mut self, v: VertexId, group: usize, legs: (usize, usize)) -> Option<Point<N>> {
+        let m = self.m;
+        let Core::Link { legs: all, .. } = &m.groups[group].core else { return None };
+        let ((p, u), (q, w)) = self.constraint_lines(group, legs)?;
+        let (u, w) = (self.laid(&all[legs.0], u), self.laid(&all[legs.1], w));
+        let c = cross_lines(p, u, q, w);
+        if !c.at.is_finite() {
+            return None;
+        }
+        if self.done.chosen[group] == SPECIAL_LEGS.iter().position(|l| *l == legs)? {
+            self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
+        }
+        Some(self.pencil.mark(Level::Position, c.at))
+    }
+
+    pub(super) fn keep(&mut self, polygon: Polygon<N>) {
+        match polygon.level {
+            Level::Velocity => self.done.velocity = Some(polygon),
+            _ => self.done.acceleration = Some(polygon),
+        }
+    }
+
+    /// What was drawn, if its numbers can be told.
+    pub(super) fn finish(self) -> Result<Construction<N>, Faults> {
+        let done = self.done;
+        let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
+        if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_decided()) {
+            return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
+        }
+        Ok(done)
+    }
+
+    /// A place of the mechanism in mm of paper.
+    pub(super) fn paper(&self, p: Point<N>) -> Point<N> {
+        ((p - self.done.diagram.origin) * (N::from_f64(1.0) / self.mu_l)).to_point()
+    }
+
+    fn spot(&self, v: VertexId) -> Point<N> {
+        self.done.diagram.spots[v.0].expect("a planned vertex has a place on the diagram")
+    }
+
+    /// From `to` to `of` on the diagram, in metres.
+    pub(super) fn arm(&self, of: VertexId, to: VertexId) -> Vec2<N> {
+        (self.spot(of) - self.spot(to)) * self.mu_l
+    }
+
+    /// The line (on paper) on which a leg gives a locus for every point of the core.
+    fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
+        let point = |p: crate::scene::PointId| self.joint(p);
+        match *leg {
+            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
+                let (n, f) = (point(near)?, point(far)?);
+                Some((n, n - f))
+            }
+            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => {
+                let p = point(pin)?;
+                Some((
+                    p,
+                    match self.at.guide(guide) {
+                        Path::Line { direction, .. } => self.turned(guide, direction.perp()),
+                        Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
+                    },
+                ))
+            }
+            _ => None,
+        }
+    }
+
+    fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {
+        let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
+        Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
+    }
+
+    pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon<N>, Faults> {
+        let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::origin())).collect();
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
         for steps in plan.steps(level) {
@@ -246,7 +257,7 @@ impl<'a, P: Pencil> Board<'a, P> {
         Ok(polygon)
     }
 
-    fn step(&mut self, p: &mut Polygon, step: &Step) -> Result<(), Faults> {
+    fn step(&mut self, p: &mut Polygon<N>, step: &Step) -> Result<(), Faults> {
         match step {
             Step::Equation { target, chains, .. } => self.equation(p, *target, chains),
             // Where nothing moves there is no triangle to copy.
@@ -278,7 +289,7 @@ impl<'a, P: Pencil> Board<'a, P> {
         level == Level::Velocity && self.plan.rest.is_all()
     }
 
-    fn image(&self, p: &Polygon, v: VertexId) -> Point {
+    fn image(&self, p: &Polygon<N>, v: VertexId) -> Point<N> {
         p.images[v.0].expect("the plan finds a vertex before it uses it")
     }
 
@@ -286,8 +297,9 @@ impl<'a, P: Pencil> Board<'a, P> {
         if self.plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
     }
 
-    fn equation(&mut self, p: &mut Polygon, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
-        let mut ends: Vec<(Mark, Point, Option<Line>)> = Vec::new();
+    fn equation(&mut self, p: &mut Polygon<N>, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
+        let mu: N = scale::number(p.mu);
+        let mut ends: Vec<(Mark, Point<N>, Option<Line<N>>)> = Vec::new();
         let before = p.edges.len();
         for chain in chains {
             let mut at = (self.mark(chain.start), self.image(p, chain.start));
@@ -298,7 +310,7 @@ impl<'a, P: Pencil> Board<'a, P> {
                     p.actions.push(Action::Nothing { term: *term, at: at.1 });
                     continue;
                 }
-                let end = at.1 + self.known_vector(p, term)? * (1.0 / p.mu);
+                let end = at.1 + self.known_vector(p, term)? * (N::from_f64(1.0) / mu);
                 let end = self.pencil.mark(p.level, end);
                 // The last known vector of a chain without unknowns ends in the target itself.
                 let last = chain.unknown.is_empty() && Some(i) == last_drawn && chains.len() == 1;
@@ -326,11 +338,13 @@ impl<'a, P: Pencil> Board<'a, P> {
             [(_, _, Some((a, u))), (_, _, Some((b, w)))] => {
                 let c = cross_lines(a, u, b, w);
                 let rounding = 1.0 + self.rounding(&chains[0]) + self.rounding(&chains[1]);
-                if c.sine.abs() <= PARALLEL_UNITS * f64::EPSILON * rounding || !c.at.is_finite() {
+                let s = c.sine.approx().abs();
+                // Numbers that know their error are undecided where the lines may be parallel.
+                let parallel = !N::knows_its_error() && s <= PARALLEL_UNITS * f64::EPSILON * rounding;
+                if parallel || !c.at.is_finite() {
                     return Err(self.dead_centre(p.level, target, chains).into());
                 }
                 // Velocities go with 1/sine; accelerations with the square of velocities through one more crossing.
-                let s = c.sine.abs();
                 self.done.magnification[0] = self.done.magnification[0].max(rounding / s);
                 self.done.magnification[1] = self.done.magnification[1].max(rounding * rounding / (s * s * s));
                 let found = self.pencil.mark(p.level, c.at);
@@ -364,22 +378,22 @@ impl<'a, P: Pencil> Board<'a, P> {
     fn rounding(&self, chain: &Chain) -> f64 {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
-            By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).norm(),
+            By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
             By::Guide { .. } => 1.0,
         }
     }
 
-    fn guide_tangent(&self, term: &Term) -> Vec2 {
+    fn guide_tangent(&self, term: &Term) -> Vec2<N> {
         let By::Guide { guide, .. } = term.by else { unreachable!("only sliding terms have a tangent") };
         let pin = match self.plan.vertex(term.of).spot {
             Spot::Point(p) => self.at.point(p),
-            Spot::Special { .. } => Point::ORIGIN,
+            Spot::Special { .. } => Point::origin(),
         };
         self.turned(guide, self.at.guide(guide).tangent_at(pin))
     }
 
     /// Direction (unit) of an unknown term.
-    fn direction(&self, term: &Term) -> Result<Vec2, Faults> {
+    fn direction(&self, term: &Term) -> Result<Vec2<N>, Faults> {
         let u = match term.by {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
@@ -410,51 +424,55 @@ impl<'a, P: Pencil> Board<'a, P> {
     }
 
     /// ω or α of a body from what was read so far.
-    fn rate(&self, level: Level, body: Body) -> f64 {
+    fn rate(&self, level: Level, body: Body) -> N {
         if let Body::Link(l) = body
             && self.m.never_turns[l.0]
         {
-            return 0.0;
+            return N::from_f64(0.0);
         }
         self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
     }
 
     /// Finds the turning of a body; needed ones that come earlier in the list are there already.
-    fn turning(&mut self, p: &mut Polygon, body: Body, rate: Rate) {
+    fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) {
         let level = p.level;
         if self.done.rate(level, body).is_some() {
             return;
         }
+        let zero = N::from_f64(0.0);
         let reading = match rate {
-            _ if self.stands(level) => RateReading { level, body, value: 0.0, measured: None, line: None },
-            Rate::Zero => RateReading { level, body, value: 0.0, measured: None, line: None },
+            _ if self.stands(level) => RateReading { level, body, value: zero, measured: None, line: None },
+            Rate::Zero => RateReading { level, body, value: zero, measured: None, line: None },
             Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None, line: None },
             Rate::Given { driver, against } => {
-                let d = &self.scene.drivers[driver];
-                let own = match level {
-                    Level::Acceleration => d.acceleration.as_ref().map_or(0.0, |a| a.value),
-                    _ => d.rate.value,
-                };
+                let own = self.given(level, driver);
                 // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
-                let sign = match d.kind {
-                    DriverKind::Turn { link, .. } if Body::Link(link) == body => 1.0,
-                    _ => -1.0,
+                let own = match self.scene.drivers[driver].kind {
+                    DriverKind::Turn { link, .. } if Body::Link(link) == body => own,
+                    _ => -own,
                 };
-                RateReading { level, body, value: self.rate(level, Body::Link(against)) + sign * own, measured: None, line: None }
+                RateReading { level, body, value: self.rate(level, Body::Link(against)) + own, measured: None, line: None }
             }
             Rate::Measured { of, to } if p.images[of.0].is_none() || p.images[to.0].is_none() => return,
             Rate::Measured { of, to } => {
+                let mu: N = scale::number(p.mu);
                 let r = self.arm_of(body, of, to);
                 let l = r.norm();
                 let drawn = self.pencil.read(level, self.image(p, of) - self.image(p, to));
                 // Carried back to the link: the part square to the arm turns it.
-                let mut square = (r * (1.0 / l)).cross(drawn);
+                let mut square = (r * (N::from_f64(1.0) / l)).cross(drawn);
                 if let (Level::Acceleration, Body::Cylinder(d)) = (level, body) {
                     // A cylinder's square part is aᵗ and Coriolis together; on paper aᵗ is measured from k′.
                     let omega = self.rate(Level::Velocity, body);
-                    square -= 2.0 * omega * self.scene.drivers[d].rate.value / p.mu;
+                    square = square - N::from_f64(2.0) * omega * self.given(Level::Velocity, d) / mu;
                 }
-                RateReading { level, body, value: square * p.mu / l, measured: Some((square.abs(), l)), line: Some((of, to)) }
+                RateReading {
+                    level,
+                    body,
+                    value: square * mu / l,
+                    measured: Some((if square.approx() < 0.0 { -square } else { square }, l)),
+                    line: Some((of, to)),
+                }
             }
         };
         self.done.rates.push(reading);
@@ -462,7 +480,8 @@ impl<'a, P: Pencil> Board<'a, P> {
     }
 
     /// A known term as a vector in SI.
-    fn known_vector(&mut self, p: &Polygon, term: &Term) -> Result<Vec2, Faults> {
+    fn known_vector(&mut self, p: &Polygon<N>, term: &Term) -> Result<Vec2<N>, Faults> {
+        let two = N::from_f64(2.0);
         let arm = || self.arm(term.of, term.to);
         let turning = |body| self.arm_of(body, term.of, term.to);
         Ok(match (term.kind, term.by) {
@@ -478,39 +497,41 @@ impl<'a, P: Pencil> Board<'a, P> {
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
                 let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
-                e.perp() * (2.0 * self.rate(Level::Velocity, Body::Cylinder(d)) * self.scene.drivers[d].rate.value)
+                e.perp() * (two * self.rate(Level::Velocity, Body::Cylinder(d)) * self.given(Level::Velocity, d))
             }
             (TermKind::Slide, By::Guide { driver: Some(d), .. }) => {
-                self.guide_tangent(term) * (self.given(p.level, d) * if self.reversed(term) { -1.0 } else { 1.0 })
+                let given = self.given(p.level, d);
+                self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
             }
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
                 let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
-                self.slide_velocity(term).perp() * (2.0 * omega)
+                self.slide_velocity(term).perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
                 let v = self.slide_velocity(term);
                 let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
-                let inward = self.turned(guide, (centre - self.at.point(pin)) * (1.0 / radius));
-                inward * (v.norm2() / radius * if self.reversed(term) { -1.0 } else { 1.0 })
+                let inward = self.turned(guide, (centre - self.at.point(pin)) * (N::from_f64(1.0) / radius));
+                let size = v.norm2() / radius;
+                inward * if self.reversed(term) { -size } else { size }
             }
             _ => unreachable!("this kind of term is never known"),
         })
     }
 
-    fn given(&self, level: Level, driver: usize) -> f64 {
+    fn given(&self, level: Level, driver: usize) -> N {
         let d = &self.scene.drivers[driver];
         match level {
-            Level::Acceleration => d.acceleration.as_ref().map_or(0.0, |a| a.value),
-            _ => d.rate.value,
+            Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
+            _ => self.inputs.number(&d.rate),
         }
     }
 
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
-    fn slide_velocity(&mut self, term: &Term) -> Vec2 {
+    fn slide_velocity(&mut self, term: &Term) -> Vec2<N> {
         let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
         let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
-        self.pencil.read(Level::Velocity, drawn) * mu
+        self.pencil.read(Level::Velocity, drawn) * scale::number(mu)
     }
 
     fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {

@@ -10,6 +10,7 @@ use super::{Construction, Polygon};
 use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Leg, Level, Mechanism};
+use crate::number::Real;
 use crate::plan::{Body, By, Plan, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
 use crate::scene::{DriverKind, GuideId, PointId, Scene};
@@ -48,18 +49,19 @@ impl Layout {
 /// Draws a plan with a pencil, to given scales.
 ///
 /// With it comes the configuration as the diagram shows it: joints where the pencil put them. With the exact pencil the construction
-/// is that of [`construct`](super::construct()).
+/// is that of [`construct`](super::construct()): in numbers that know their error, with a bound of what rounding does to
+/// every mark.
 ///
 /// # Errors
 /// As [`construct`](super::construct()): a pencil may make two lines parallel.
-pub fn by_hand<P: Pencil>(
+pub fn by_hand<N: Real, P: Pencil<N>>(
     scene: &Scene,
     m: &Mechanism,
-    at: &Configuration,
+    at: &Configuration<N>,
     plan: &Plan,
     layout: &Layout,
     pencil: &mut P,
-) -> Result<(Construction, Configuration), Faults> {
+) -> Result<(Construction<N>, Configuration<N>), Faults> {
     let mut board = Board::new(scene, m, at, plan, layout.mu_l, pencil);
     board.done.chosen.clone_from(&layout.chosen);
     board.set_out();
@@ -74,15 +76,21 @@ pub fn by_hand<P: Pencil>(
 }
 
 /// What a blunt pencil made of the mechanism.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Hand {
+#[derive(Clone, Debug)]
+pub(super) struct Hand<N> {
     /// Each joint where it lies (mm).
-    joints: Vec<Option<Point>>,
+    joints: Vec<Option<Point<N>>>,
     /// For each guide the turn from its true direction, as (cos, sin).
-    turns: Vec<Vec2>,
+    turns: Vec<Vec2<N>>,
 }
 
-impl<P: Pencil> Board<'_, P> {
+impl<N> Default for Hand<N> {
+    fn default() -> Self {
+        Hand { joints: Vec::new(), turns: Vec::new() }
+    }
+}
+
+impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// Draws every joint, and every guide through its runner.
     pub(super) fn draw_joints(&mut self) {
         if P::EXACT {
@@ -94,29 +102,29 @@ impl<P: Pencil> Board<'_, P> {
         }
         for g in 0..self.at.guides.len() {
             let apart = self.guide_length(GuideId(g));
-            let turn = self.pencil.ruler(Level::Position, Vec2::new(1.0, 0.0), apart);
+            let turn = self.pencil.ruler(Level::Position, Vec2::unit_x(), apart);
             self.hand.turns.push(turn);
         }
     }
 
     /// A joint on the diagram.
-    pub(super) fn joint(&self, p: PointId) -> Option<Point> {
+    pub(super) fn joint(&self, p: PointId) -> Option<Point<N>> {
         if P::EXACT { self.at.points[p.0].map(|q| self.paper(q)) } else { self.hand.joints[p.0] }
     }
 
     /// A direction that goes with a guide, as the guide was drawn.
-    pub(super) fn turned(&self, guide: GuideId, direction: Vec2) -> Vec2 {
+    pub(super) fn turned(&self, guide: GuideId, direction: Vec2<N>) -> Vec2<N> {
         if P::EXACT { direction } else { direction.rotate_by(self.hand.turns[guide.0]) }
     }
 
     /// The direction of a constraint line as a ruler takes it.
-    pub(super) fn laid(&mut self, leg: &Leg, along: Vec2) -> Vec2 {
+    pub(super) fn laid(&mut self, leg: &Leg, along: Vec2<N>) -> Vec2<N> {
         if P::EXACT {
             return along;
         }
         let apart = match *leg {
             Leg::OnGuide { guide, .. } | Leg::InSlot { guide, .. } => self.guide_length(guide),
-            _ => along.norm(),
+            _ => along.approx().norm(),
         };
         along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
     }
@@ -126,7 +134,7 @@ impl<P: Pencil> Board<'_, P> {
     pub(super) fn drawn_length(&self, term: &Term) -> f64 {
         match term.by {
             _ if P::EXACT => 0.0,
-            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).norm() / self.done.diagram.mu_l,
+            By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu_l,
             By::Guide { guide, .. } => self.guide_length(guide),
         }
     }
@@ -138,21 +146,22 @@ impl<P: Pencil> Board<'_, P> {
         let g = &self.scene.guides[guide.0];
         let Some(path) = self.at.guides[guide.0] else { return diagram };
         if let Path::Arc { radius, .. } = path {
-            return radius / self.done.diagram.mu_l;
+            return radius.approx() / self.done.diagram.mu_l;
         }
         let runner = match (g.pin, g.slider) {
             (Some(p), _) => self.at.points[p.0],
             (None, Some(s)) => self.at.poses[s.0].map(|pose| pose.origin),
             (None, None) => None,
         };
-        let joints = self.scene.links[g.on.0].points.iter().filter_map(|p| self.at.points[p.0]);
-        let farthest = runner.map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max)) / self.done.diagram.mu_l;
+        let joints = self.scene.links[g.on.0].points.iter().filter_map(|p| self.at.points[p.0]).map(Point::approx);
+        let farthest =
+            runner.map(Point::approx).map_or(0.0, |r| joints.map(|j| j.distance(r)).fold(0.0, f64::max)) / self.done.diagram.mu_l;
         if farthest > 0.0 { farthest } else { diagram }
     }
 
     /// The arm on which a body turns, in metres: its direction from the diagram, its length from the body where both ends
     /// are joints of it.
-    pub(super) fn arm_of(&self, body: Body, of: VertexId, to: VertexId) -> Vec2 {
+    pub(super) fn arm_of(&self, body: Body, of: VertexId, to: VertexId) -> Vec2<N> {
         let drawn = self.arm(of, to);
         if P::EXACT {
             return drawn;
@@ -163,7 +172,7 @@ impl<P: Pencil> Board<'_, P> {
         }
     }
 
-    fn known_length(&self, body: Body, of: VertexId, to: VertexId) -> Option<f64> {
+    fn known_length(&self, body: Body, of: VertexId, to: VertexId) -> Option<N> {
         let point = |v: VertexId| match self.plan.vertex(v).spot {
             Spot::Point(p) => Some(p),
             Spot::Special { .. } => None,
@@ -180,14 +189,14 @@ impl<P: Pencil> Board<'_, P> {
     }
 
     /// The configuration as the diagram shows it.
-    pub(super) fn shown(&self) -> Configuration {
+    pub(super) fn shown(&self) -> Configuration<N> {
         let mut shown = self.at.clone();
         if P::EXACT {
             return shown;
         }
         let d = &self.done.diagram;
         for (place, joint) in shown.points.iter_mut().zip(&self.hand.joints) {
-            *place = joint.map(|q| d.origin + q.to_vec2() * d.mu_l);
+            *place = joint.map(|q| d.origin + q.to_vec2() * self.mu_l);
         }
         // A link without two joints shows its angle by its guide.
         for (guide, turn) in self.scene.guides.iter().zip(&self.hand.turns) {

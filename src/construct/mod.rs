@@ -17,19 +17,20 @@ pub use readings::{Answer, Measured, read, read_by_hand};
 
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::number::Real;
 use crate::plan::{Body, Term, VertexId};
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Diagram {
+pub struct Diagram<N = f64> {
     /// μ_l, m per mm.
     pub mu_l: f64,
     /// The place (m) that lies in the diagram's origin.
-    pub origin: Point,
+    pub origin: Point<N>,
     /// Vertices' places in mm of paper.
-    pub spots: Vec<Option<Point>>,
+    pub spots: Vec<Option<Point<N>>>,
     /// Lines crossed on it: the special points of triads that the construction uses.
-    pub crossed: Vec<Crossed>,
+    pub crossed: Vec<Crossed<N>>,
 }
 
 /// The end of a laid-off vector that is no vertex's image.
@@ -45,29 +46,29 @@ pub enum Mark {
 
 /// A vector drawn on the board.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Edge {
+pub struct Edge<N = f64> {
     /// Its terms: one, or two that lie in one line and are drawn as one.
     pub terms: Vec<Term>,
     /// Where it starts.
-    pub from: (Mark, Point),
+    pub from: (Mark, Point<N>),
     /// Where it ends.
-    pub to: (Mark, Point),
+    pub to: (Mark, Point<N>),
     /// Whether its magnitude was known when it was drawn.
     pub known: bool,
 }
 
 /// Two lines crossed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossed {
+pub struct Crossed<N = f64> {
     /// The vertex found.
     pub target: VertexId,
     /// Sine of the angle between the lines.
-    pub sine: f64,
+    pub sine: N,
 }
 
 /// What was done, in order.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Action {
+pub enum Action<N = f64> {
     /// A known vector laid off: index of the edge.
     LayOff(usize),
     /// A term that vanishes because a driver is at rest: nothing is laid off.
@@ -75,16 +76,16 @@ pub enum Action {
         /// The term.
         term: Term,
         /// Where it would begin and end.
-        at: Point,
+        at: Point<N>,
     },
     /// A line of known direction drawn from the end of the known part of a chain.
     Line {
         /// The unknown terms along it.
         terms: Vec<Term>,
         /// Point on paper.
-        through: Point,
+        through: Point<N>,
         /// Unit direction.
-        direction: Vec2,
+        direction: Vec2<N>,
     },
     /// Two lines crossed, which gave two edges (indices).
     Cross {
@@ -93,7 +94,7 @@ pub enum Action {
         /// The edges it closed.
         edges: Vec<usize>,
         /// Sine of the crossing.
-        sine: f64,
+        sine: N,
     },
     /// A vertex's image is where its chain starts: nothing is added to the known vector.
     Reach(VertexId),
@@ -117,17 +118,17 @@ pub enum Action {
 
 /// A polygon.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polygon {
+pub struct Polygon<N = f64> {
     /// Velocity or acceleration.
     pub level: Level,
     /// μ, SI per mm.
     pub mu: f64,
     /// Images of the vertices, mm from the pole; fixed vertices lie in the pole.
-    pub images: Vec<Option<Point>>,
+    pub images: Vec<Option<Point<N>>>,
     /// Vectors drawn.
-    pub edges: Vec<Edge>,
+    pub edges: Vec<Edge<N>>,
     /// What was done.
-    pub actions: Vec<Action>,
+    pub actions: Vec<Action<N>>,
 }
 
 impl Polygon {
@@ -150,39 +151,39 @@ impl Polygon {
 
 /// A turning rate read off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RateReading {
+pub struct RateReading<N = f64> {
     /// Level: velocity for ω, acceleration for α.
     pub level: Level,
     /// The body.
     pub body: Body,
     /// rad/s or rad/s².
-    pub value: f64,
+    pub value: N,
     /// Length measured (mm of polygon), the link's length (m) by which its value was divided; `None` where it was given.
-    pub measured: Option<(f64, f64)>,
+    pub measured: Option<(N, N)>,
     /// The line on which it was measured: of the first vertex, seen from the second.
     pub line: Option<(VertexId, VertexId)>,
 }
 
 /// Everything on the board.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Construction {
+pub struct Construction<N = f64> {
     /// The mechanism to scale.
-    pub diagram: Diagram,
+    pub diagram: Diagram<N>,
     /// The velocity polygon, if velocities are asked for.
-    pub velocity: Option<Polygon>,
+    pub velocity: Option<Polygon<N>>,
     /// The acceleration polygon.
-    pub acceleration: Option<Polygon>,
+    pub acceleration: Option<Polygon<N>>,
     /// Turning rates.
-    pub rates: Vec<RateReading>,
+    pub rates: Vec<RateReading<N>>,
     /// For each group, the alternative of its steps that was drawn.
     pub chosen: Vec<usize>,
     /// How many times rounding is magnified at the worst crossing, in velocities and in accelerations.
     pub magnification: [f64; 2],
 }
 
-impl Construction {
+impl<N: Real> Construction<N> {
     /// The polygon of a level.
-    pub fn polygon(&self, level: Level) -> Option<&Polygon> {
+    pub fn polygon(&self, level: Level) -> Option<&Polygon<N>> {
         match level {
             Level::Position => None,
             Level::Velocity => self.velocity.as_ref(),
@@ -191,7 +192,7 @@ impl Construction {
     }
 
     /// The crossings of a level's polygon (of the diagram for [`Level::Position`]), in the order in which they were drawn.
-    pub fn crossings(&self, level: Level) -> Vec<Crossed> {
+    pub fn crossings(&self, level: Level) -> Vec<Crossed<N>> {
         match self.polygon(level) {
             None if level == Level::Position => self.diagram.crossed.clone(),
             None => Vec::new(),
@@ -206,14 +207,19 @@ impl Construction {
         }
     }
 
+    /// Whether a level's polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
+    pub fn is_empty(&self, level: Level) -> bool {
+        self.polygon(level).is_some_and(|p| p.edges.is_empty())
+    }
+
     /// A vertex's vector in SI, through μ.
-    pub fn vector(&self, level: Level, v: VertexId) -> Option<Vec2> {
+    pub fn vector(&self, level: Level, v: VertexId) -> Option<Vec2<N>> {
         let p = self.polygon(level)?;
-        Some(p.images[v.0]?.to_vec2() * p.mu)
+        Some(p.images[v.0]?.to_vec2() * scale::number(p.mu))
     }
 
     /// A turning rate.
-    pub fn rate(&self, level: Level, body: Body) -> Option<f64> {
+    pub fn rate(&self, level: Level, body: Body) -> Option<N> {
         self.rates.iter().find(|r| r.level == level && r.body == body).map(|r| r.value)
     }
 }

@@ -6,6 +6,7 @@
 
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::number::Real;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -24,23 +25,23 @@ pub fn radius_in_deviations() -> f64 {
 ///
 /// `on` tells the drawing: [`Level::Position`] for the mechanism diagram, else the polygon of that level. All lengths are
 /// millimetres of paper.
-pub trait Pencil {
+pub trait Pencil<N: Real = f64> {
     /// Whether every mark falls where it is meant: then nothing else is ever asked.
     const EXACT: bool;
 
     /// A mark that is meant to fall at `at`.
-    fn mark(&mut self, on: Level, at: Point) -> Point;
+    fn mark(&mut self, on: Level, at: Point<N>) -> Point<N>;
 
     /// A vector measured: its end is read as well as a mark is made.
-    fn read(&mut self, on: Level, v: Vec2) -> Vec2 {
+    fn read(&mut self, on: Level, v: Vec2<N>) -> Vec2<N> {
         self.mark(on, v.to_point()).to_vec2()
     }
 
     /// The unit direction that a ruler takes which is laid along two marks `apart_mm` apart in the direction of the unit
     /// vector `u`: it misses each of them by itself.
-    fn ruler(&mut self, on: Level, u: Vec2, apart_mm: f64) -> Vec2 {
-        let from = self.mark(on, Point::ORIGIN);
-        let to = self.mark(on, (u * apart_mm).to_point());
+    fn ruler(&mut self, on: Level, u: Vec2<N>, apart_mm: f64) -> Vec2<N> {
+        let from = self.mark(on, Point::origin());
+        let to = self.mark(on, (u * N::from_f64(apart_mm)).to_point());
         (to - from).unit().unwrap_or(u)
     }
 }
@@ -49,18 +50,18 @@ pub trait Pencil {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Exact;
 
-impl Pencil for Exact {
+impl<N: Real> Pencil<N> for Exact {
     const EXACT: bool = true;
 
-    fn mark(&mut self, _: Level, at: Point) -> Point {
+    fn mark(&mut self, _: Level, at: Point<N>) -> Point<N> {
         at
     }
 
-    fn read(&mut self, _: Level, v: Vec2) -> Vec2 {
+    fn read(&mut self, _: Level, v: Vec2<N>) -> Vec2<N> {
         v
     }
 
-    fn ruler(&mut self, _: Level, u: Vec2, _: f64) -> Vec2 {
+    fn ruler(&mut self, _: Level, u: Vec2<N>, _: f64) -> Vec2<N> {
         u
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
+use crate::quantity::shortest;
 use crate::scene::Paper;
 
 /// Room for each drawing, in mm.
@@ -93,6 +95,11 @@ pub fn finer(mu: f64, factor: f64) -> f64 {
     let series = [exponent + 1, exponent, exponent - 1].into_iter().flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
     // The hair's breadth of `choose`, the other way.
     series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need)
+}
+
+/// A scale in other numbers: the decimal that it is printed as, and no neighbour of it.
+pub fn number<N: Real>(mu: f64) -> N {
+    N::from_bounded(mu, 0.0).filter(|_| !N::knows_its_error()).unwrap_or_else(|| N::from_decimal(&shortest(mu)))
 }
 
 /// step × 10^e as the nearest double to the decimal number (0.002, not 2 × 0.001000…02).

@@ -3,14 +3,14 @@
 //! Decided here: that every item has a name of its own, and when labels are placed (once, when all lines are there).
 //! Not decided here: what is drawn, and where the part stands on the sheet.
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 
 use crate::geom::{Point, Vec2};
 
 use super::extent::{Rect, bounds, translate};
 use super::item::{Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{LabelRequest, Obstacles, Placement, place};
+use super::place::{LabelRequest, Obstacles, Placement, place_after};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -50,6 +50,9 @@ impl Part {
         }
     }
 }
+
+/// For each label, by name, which of its places it has ([`Placement::index`]).
+pub type Habits = BTreeMap<String, usize>;
 
 /// A part in the making.
 #[derive(Debug)]
@@ -131,10 +134,19 @@ impl Drawing {
     }
 
     /// Places the labels.
-    pub fn finish(mut self) -> Part {
+    pub fn finish(self) -> Part {
+        self.finish_after(&mut Habits::new())
+    }
+
+    /// Places the labels of a drawing of a series: each where it stood before, if it can; `habits` then says where it stands
+    /// now.
+    pub fn finish_after(mut self, habits: &mut Habits) -> Part {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
-        let placements = place(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM));
+        let first = habits.is_empty();
+        let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
+        let placements = place_after(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
+        habits.extend(self.wanted.iter().map(|w| w.id.clone()).zip(placements.iter().map(|p| p.index)));
         for (p, w) in placements.iter().zip(&self.wanted) {
             for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
                 item.link = w.link;

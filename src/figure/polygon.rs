@@ -64,6 +64,11 @@ const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon; its pole lies in the origin.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
+    drawing(style, w, p).finish()
+}
+
+/// The same before its labels are placed.
+pub fn drawing(style: &Style, w: &Writer, p: &Polygon) -> Drawing {
     let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
     draft.letter(Point::ORIGIN, w.pole(p.level), 0);
     draft.follow();
@@ -228,7 +233,7 @@ impl Draft<'_> {
         far.map_or(a.from, |b| b.to)
     }
 
-    fn draw(self, style: &Style) -> Part {
+    fn draw(self, style: &Style) -> Drawing {
         let kind = match self.p.level {
             Level::Acceleration => "acceleration",
             _ => "velocity",
@@ -279,7 +284,7 @@ impl Draft<'_> {
             }
             d.label_at(&l.letters[0], &class, &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
         }
-        d.finish()
+        d
     }
 }
 

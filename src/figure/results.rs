@@ -6,8 +6,8 @@ use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::point_label;
-use crate::quantity::{direction_degrees, significant};
-use crate::report::answers::worst;
+use crate::quantity::{direction_degrees, inked, significant};
+use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
 use crate::report::drafting;
 use crate::report::phrase::Phrase;
 use crate::scene::{Asked, Axis, Find, Scene};
@@ -61,7 +61,33 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
     };
     let mut rows = Vec::new();
     let mut lines = Vec::new();
-    for (r, c) in worked.results.iter().zip(certified) {
+    for line in by_question(worked, certified) {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::None(u) => {
+                let find = &scene.find[u.find];
+                let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
+                let cell = |text: Label, anchor, what: &str| {
+                    Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
+                };
+                let value = Label::text(verdict(u.refused.why, words.lang()));
+                rows.push(Row {
+                    cells: vec![
+                        cell(Label::math(symbol.as_str()), Anchor::Start, "symbol"),
+                        None,
+                        None,
+                        cell(Label::math(":"), Anchor::Middle, "is"),
+                        cell(value, Anchor::Start, "value"),
+                    ],
+                    height_mm: ROW_MM,
+                });
+                let why = reason(scene, u, words.lang());
+                if !lines.iter().any(|(_, _, told): &(_, _, Phrase)| *told == Phrase::new(&why)) {
+                    lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&why)));
+                }
+                continue;
+            }
+        };
         let find = &scene.find[r.find];
         // A singular pose is told once for all, below.
         if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
@@ -115,7 +141,13 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
 /// All results in one sentence, for readers who do not see the figure.
 pub fn sentence(answers: &Answers) -> String {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
-    let each = worked.results.iter().zip(certified).map(|(r, c)| {
+    let each = by_question(worked, certified).into_iter().map(|line| {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::None(u) => {
+                return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u.refused.why, words.lang()));
+            }
+        };
         let find = &scene.find[r.find];
         let value = r.value();
         let plain = format!("{} = {} ", symbol(find, notation), amount(find, value, c, digits));
@@ -160,12 +192,14 @@ fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
-pub(crate) fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
+pub fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
     if level == Level::Position {
         return None;
     }
-    let Some(drawn) = &r.drawn else { return Some(Label::text(words.computed)) };
+    let Some(drawn) = &r.drawn else {
+        return Some(Label::text(if r.longer.is_some() { words.longer } else { words.computed }));
+    };
     let measured = drawn.measured?;
     let mm = measured.length_mm;
     let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
@@ -197,7 +231,8 @@ fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> 
     }
 }
 
-pub(crate) fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+/// An answer's number with its unit, in the label language.
+pub fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
     match (find.what, value) {
         (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
         (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
@@ -219,7 +254,8 @@ fn unit(find: &Find) -> &'static str {
     }
 }
 
-pub(crate) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
+/// An answer's direction or sense of turning, in words.
+pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
         (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
             Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))
@@ -234,16 +270,6 @@ pub(crate) fn sense(find: &Find, value: Value, c: &Certified, words: &Words, dig
 /// A number in the label language: `12.35`, `1.5 \times 10^{9}`.
 pub fn number(value: f64, digits: usize) -> String {
     inked(&significant(value, digits))
-}
-
-/// A plain number in the label language.
-fn inked(text: &str) -> String {
-    let text = match text.split_once('e') {
-        // The power closes with a brace, and the unit after it begins with a space.
-        Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{exponent}}}"),
-        None => text.to_owned(),
-    };
-    text.replace('-', "−")
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ use super::style::Style;
 use super::tables::Tables;
 use super::words::{Words, words};
 use super::{mechanism, polygon, results};
-use crate::accuracy::{Certified, certify};
+use crate::accuracy::{Certified, certify, steps};
 
 /// How a sheet is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -119,8 +119,14 @@ impl Maker<'_> {
     /// The equations of each level with their heading; nothing where there are none.
     pub fn equations(&self) -> Vec<(Part, Vec<Part>)> {
         let (writer, worked) = (self.writer(), self.worked);
-        let tables =
-            Tables { style: &self.options.style, writer: &writer, mechanism: &worked.mechanism, construction: &worked.construction };
+        let steps = steps(self.scene, worked, None);
+        let tables = Tables {
+            style: &self.options.style,
+            writer: &writer,
+            mechanism: &worked.mechanism,
+            construction: &worked.construction,
+            steps: &steps,
+        };
         [Level::Velocity, Level::Acceleration].map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
@@ -213,7 +219,7 @@ impl Maker<'_> {
 }
 
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
-pub(crate) fn scale(mu: f64) -> String {
+pub fn scale(mu: f64) -> String {
     match shortest(mu).split_once('e') {
         Some((mantissa, exponent)) => format!("{mantissa} \\times 10^{{{}}}", exponent.replace('-', "−")),
         None => shortest(mu),

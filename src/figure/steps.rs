@@ -1,6 +1,7 @@
 //! The construction as a series of pictures: the mechanism, the polygon as it has grown so far with what the step draws in full
 //! ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
 
+use crate::accuracy;
 use crate::construct::{Action, Polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
@@ -26,9 +27,10 @@ const EARLIER: Colour = Colour::grey(135);
 pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
     // Nothing of the results is shown: they need no digits.
     let maker = Maker { scene, worked, options, certified: Vec::new() };
+    let told = accuracy::steps(scene, worked, None);
     let levels: Vec<Steps> = [Level::Velocity, Level::Acceleration]
         .into_iter()
-        .filter_map(|level| Some(Steps::of(&maker, worked.construction.polygon(level)?)))
+        .filter_map(|level| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told)))
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", Single::Mechanism);
     let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
@@ -77,9 +79,9 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(maker: &Maker, p: &Polygon) -> Steps {
+    fn of(maker: &Maker, p: &Polygon, told: &accuracy::Steps) -> Steps {
         let polygon = maker.captioned(maker.polygon(p), "", Single::Polygon(p.level));
-        let sentences = sentences(&maker.writer(), &maker.worked.construction, p, None);
+        let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let written: Vec<Part> = maker
             .equations()
             .into_iter()

@@ -1,10 +1,12 @@
 //! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
 //! everything else.
 
+use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
+use crate::quantity::inked;
 use crate::report::phrase::Phrase;
 use crate::scene::{PointId, Scene};
 
@@ -38,6 +40,8 @@ pub struct Tables<'a> {
     pub mechanism: &'a Mechanism,
     /// The alternatives that were drawn.
     pub construction: &'a Construction,
+    /// The certified numbers of its steps.
+    pub steps: &'a Steps,
 }
 
 impl Tables<'_> {
@@ -95,7 +99,10 @@ impl Tables<'_> {
                 let head = if whole == part { whole } else { format!("{whole} = {part}") };
                 // What a driver gives is a number, not a formula.
                 let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
-                    (known, Some(v)) if known == w.notation.known => format!("{} {}", number(v.norm(), DIGITS), unit(level)),
+                    (known, Some(v)) if known == w.notation.known => {
+                        let certain = self.steps.vector(level, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
+                        format!("{} {}", certain.unwrap_or_else(|| format!("\\approx {}", number(v.norm(), 1))), unit(level))
+                    }
                     (formula, _) => formula,
                 };
                 let formula = format!("{head} = {magnitude}");

@@ -58,6 +58,8 @@ pub struct Words {
     pub bad_turn: &'static str,
     /// Instead of a measurement: a result that is not drawn.
     pub computed: &'static str,
+    /// The same where only longer numbers tell the pose from a singular one.
+    pub longer: &'static str,
     /// A change point; `{}` are its links.
     pub change_point: &'static str,
     /// A driver that turns back; `{}` are the links in line.
@@ -99,6 +101,7 @@ const EN: Words = Words {
     bad_pose: "Better: the pose with the driver at {}°; the lines cross under {1}°.",
     bad_turn: "Better: the pose with the driver turned by {}°; the lines cross under {1}°.",
     computed: "from the loop equations",
+    longer: "from longer numbers",
     change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
     driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
@@ -134,6 +137,7 @@ const ZH: Words = Words {
     bad_pose: "改进：原动件位置角取 {}° 时，交角为 {1}°。",
     bad_turn: "改进：原动件转过 {}° 时，交角为 {1}°。",
     computed: "由解析法求得",
+    longer: "由高精度计算求得",
     change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",
     driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",

@@ -1,7 +1,7 @@
 //! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
 
 use super::{Mechanism, Node};
-use crate::scene::{Asked, LinkId, OnLink, PointId, Scene};
+use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
 
 /// How deep a thing is asked for. Each level needs the ones before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -38,8 +38,13 @@ pub struct Demand {
 impl Demand {
     /// The demand of the scene's `find` list.
     pub fn of(scene: &Scene, m: &Mechanism) -> Demand {
+        Demand::of_questions(scene, m, &scene.find)
+    }
+
+    /// The demand of some questions.
+    pub fn of_questions<'a>(scene: &Scene, m: &Mechanism, questions: impl IntoIterator<Item = &'a Find>) -> Demand {
         let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
-        for f in &scene.find {
+        for f in questions {
             for (need, level) in needs_of(&f.what) {
                 d.add(scene, m, need, level);
             }

@@ -101,6 +101,13 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
+    /// Adds the turning of a link, in the length by which its step is counted.
+    fn add_turn(&self, row: &mut [N], l: LinkId, k: N) {
+        if let Some(i) = self.links.iter().position(|q| *q == l) {
+            row[3 * i + 2] = row[3 * i + 2] + k;
+        }
+    }
+
     /// The equations at a state; `None` where one of them is of a kind that is not written.
     fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
         let a = self.assembly;
@@ -173,7 +180,35 @@ impl<N: Real> Coupled<'_, N> {
                     row[3 * i + 2] = target.dot(axis);
                     list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
                 }
-                Constraint::Lock(_) | Constraint::Glide(_) => return None,
+                Constraint::Lock(g) => {
+                    let guide = &a.scene.guides[g.0];
+                    let slider = guide.slider?;
+                    let own = self.pose(at, slider)?.axis;
+                    let mut row = self.zeros();
+                    // At the instant its frame lies as the plane's; later it stands against the other link as it stood then.
+                    let target = match a.instant {
+                        None => Vec2::unit_x(),
+                        Some(then) => {
+                            let stood = then.poses[slider.0]?.axis.divide_by(then.poses[guide.on.0]?.axis);
+                            let target = stood.rotate_by(self.pose(at, guide.on)?.axis);
+                            self.add_turn(&mut row, guide.on, -target.dot(own));
+                            target
+                        }
+                    };
+                    self.add_turn(&mut row, slider, target.dot(own));
+                    list.push(Equation { off: target.cross(own) * N::from_f64(self.scale), row });
+                }
+                Constraint::Glide(g) => {
+                    let guide = &a.scene.guides[g.0];
+                    let slider = guide.slider?;
+                    let Path::Line { through, direction } = a.guides[g.0]?.to_world(&self.pose(at, guide.on)?) else { return None };
+                    // How far its origin lies beside the guide is nobody's concern: at the instant it lies on it, and stays there.
+                    let origin = self.pose(at, slider)?.origin;
+                    let mut row = self.zeros();
+                    self.add_link(at, &mut row, slider, origin, direction.perp());
+                    self.add_link(at, &mut row, guide.on, origin, -direction.perp());
+                    list.push(Equation { off: direction.cross(origin - through), row });
+                }
             }
         }
         (list.len() == self.zeros().len()).then_some(list)

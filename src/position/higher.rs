@@ -1,4 +1,6 @@
 //! Groups without a closed form: Newton's method on their own equations, from the sketch.
+//!
+//! A slider's direction is no rough one: its frame lies as the plane's at the instant, as in the closed forms.
 
 use super::assemble::Assembly;
 use super::branch::Trial;
@@ -6,9 +8,9 @@ use super::shape::given_at;
 use super::{Configuration, Pose, Shapes, newton};
 use crate::diag::Diagnostic;
 use crate::geom::Point;
-use crate::mechanism::Group;
+use crate::mechanism::{Constraint, Group, Node};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, PointId};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// A group for which only Newton's method from a sketch remains.
@@ -32,7 +34,17 @@ impl<N: Real> Assembly<'_, N> {
         for &p in &group.pins {
             start.points[p.0] = Some(rough(p).ok_or_else(|| lacking(&format!("{} is not sketched", self.scene.point_name(p))))?);
         }
+        let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.locked(self.m.constraints[c])).collect();
         for &l in &group.links {
+            if let Some((_, on)) = sliders.iter().find(|(s, _)| *s == l) {
+                // Its frame lies as the plane's, unless its own points tell it a direction that nothing puts in relation to the guide.
+                let axis = self.axis_of(l, *on, None)?.approx();
+                let seen =
+                    self.shapes[l.0].points.iter().find_map(|(p, local)| Some(rough(*p)? - local.to_vec2().approx().rotate_by(axis)));
+                let anywhere = || group.pins.iter().find_map(|p| rough(*p)).unwrap_or(Point::ORIGIN);
+                start.poses[l.0] = Some(Pose { origin: seen.unwrap_or_else(anywhere), axis });
+                continue;
+            }
             let known: Vec<(Point, Point)> =
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
             let [a, .., b] = known[..] else {
@@ -44,7 +56,14 @@ impl<N: Real> Assembly<'_, N> {
             }
         }
         let drivers = self.driver_values(&start);
-        let system = newton::System::new(self.scene, self.m, &start.shapes, &start, &[index]);
+        if let Some(c) = group.constraints.iter().find(|c| self.lays(self.m.constraints[**c]).is_some_and(|g| self.guides[g.0].is_none())) {
+            let on = self.m.ends(self.scene, self.m.constraints[*c]).1;
+            return Err(lacking(&format!(
+                "a guide on {} is given at the instant only, which does not fix it in that link",
+                self.node_name(on)
+            )));
+        }
+        let system = newton::System::new(self.scene, self.m, &start.shapes, &start, &[index]).at_instant();
         let (poses, points) = system.solve(&start, &drivers).ok_or_else(|| {
             Diagnostic::error("no-convergence", format!("links {} were not brought together from the sketch", names.join(", ")))
                 .at(self.scene.links[group.links[0].0].span)
@@ -53,6 +72,29 @@ impl<N: Real> Assembly<'_, N> {
         let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at.lift()))).collect();
         let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose.lift()))).collect();
         Ok(self.trial(pins, poses))
+    }
+
+    /// A slider and the link against which it keeps its direction.
+    fn locked(&self, c: Constraint) -> Option<(LinkId, LinkId)> {
+        match (c, self.m.ends(self.scene, c)) {
+            (Constraint::Lock(_), (Node::Link(slider), Node::Link(on))) => Some((slider, on)),
+            _ => None,
+        }
+    }
+
+    /// The guide that a constraint needs to be laid in its link.
+    fn lays(&self, c: Constraint) -> Option<GuideId> {
+        match c {
+            Constraint::Slot(_, g) | Constraint::Glide(g) | Constraint::Slide(_, g) => Some(g),
+            _ => None,
+        }
+    }
+
+    fn node_name(&self, n: Node) -> String {
+        match n {
+            Node::Link(l) => format!("link {}", self.scene.link_name(l)),
+            Node::Pin(p) => self.scene.point_name(p).into(),
+        }
     }
 
     fn driver_values(&self, start: &Configuration) -> newton::DriverValues {

@@ -277,7 +277,7 @@ impl<N: Real> Assembly<'_, N> {
         let why = match why {
             Unproven::NoRoot => "Newton's method does not settle",
             Unproven::NotUnique => "another assembly may lie closer than the numbers can tell",
-            Unproven::NotWritten => "sliding links inside a group of class IV or higher are not proved",
+            Unproven::NotWritten => "its pose is not told by lengths and drivers alone",
         };
         Diagnostic::error("not-proved", format!("the assembly of link {} is not proved: {why}", names.join(", ")))
             .at(self.scene.links[links[0].0].span)

@@ -34,6 +34,8 @@ pub struct System<'a> {
     locks: Vec<(GuideId, Vec2)>,
     /// Offset of each gliding link from its guide.
     glides: Vec<(GuideId, f64)>,
+    /// Whether the pose is that of the scene's instant: see [`System::at_instant`].
+    at_instant: bool,
     scale: f64,
 }
 
@@ -59,6 +61,7 @@ impl<'a> System<'a> {
             points: start.points.clone(),
             locks: Vec::new(),
             glides: Vec::new(),
+            at_instant: false,
             scale: start.extent().max(f64::MIN_POSITIVE),
         };
         for c in system.constraints.clone() {
@@ -74,6 +77,12 @@ impl<'a> System<'a> {
             }
         }
         system
+    }
+
+    /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides,
+    /// however roughly `start` shows them.
+    pub fn at_instant(self) -> System<'a> {
+        System { at_instant: true, ..self }
     }
 
     fn pose(&self, l: LinkId) -> Option<Pose> {
@@ -137,13 +146,17 @@ impl<'a> System<'a> {
                 }
                 Constraint::Lock(g) => {
                     let guide = &self.scene.guides[g.0];
+                    if self.at_instant {
+                        r.push(pose(guide.slider.expect("a lock has a slider")).axis.angle());
+                        continue;
+                    }
                     let rest = self.locks.iter().find(|(h, _)| *h == g).map_or(Vec2::new(1.0, 0.0), |l| l.1);
                     let turn = pose(guide.slider.expect("a lock has a slider")).axis.divide_by(pose(guide.on).axis.rotate_by(rest));
                     r.push(turn.angle());
                 }
                 Constraint::Glide(g) => {
                     let guide = &self.scene.guides[g.0];
-                    let rest = self.glides.iter().find(|(h, _)| *h == g).map_or(0.0, |l| l.1);
+                    let rest = self.glides.iter().find(|(h, _)| *h == g && !self.at_instant).map_or(0.0, |l| l.1);
                     r.push((self.glide_offset(g, &pose(guide.slider.expect("a glide has a slider")), &pose(guide.on)) - rest) * s);
                 }
                 Constraint::Turn(d) => {

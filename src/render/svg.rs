@@ -1,23 +1,27 @@
 //! A figure as SVG: millimetres, letters as outlines. The one place where y is turned over.
 //!
-//! No `<text>`, no `<marker>`, no `<use>`, no `<style>`: what is left is drawn alike by every program, and several
-//! figures can be put into one page without clashes. Attributes come out sorted by name (the `svg` crate does that),
-//! elements in the order of the items: the same figure gives the same bytes.
+//! No `<text>`, no `<marker>`, no `<style>`: what is left is drawn alike by every program. A letter's outline stands once, in
+//! `<defs>`, and wherever it is written it is used (by `xlink:href`, which older programs know as well). Its name tells its
+//! font, number and size, so that several figures can be put into one page: the same name is the same outline. Attributes
+//! come out sorted by name (the `svg` crate does that), elements in the order of the items: the same figure gives the same
+//! bytes.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use ::svg::Document;
-use ::svg::node::element::{Circle, Description, Group, Line, Path, Rectangle, Title};
-use ::svg::node::{Node, Text};
+use ::svg::node::element::{Circle, Definitions, Description, Element, Group, Line, Path, Rectangle, Title};
+use ::svg::node::{Blob, Node, Text};
 
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::Segment;
+use crate::figure::font::{Face, Segment};
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
-use crate::figure::text;
+use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
 
+use super::escaped;
 use super::number::mm;
 
 /// Writes a figure.
@@ -40,7 +44,20 @@ use super::number::mm;
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
-    let mut writer = Writer { height_mm: figure.height_mm, faults: Faults::default() };
+    document(figure, Writing::Used)
+}
+
+/// The same with labels as text, which drawing programs can change; what it looks like depends on the fonts of the machine
+/// that shows it.
+///
+/// # Errors
+/// As [`write`].
+pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
+    document(figure, Writing::Text)
+}
+
+fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
+    let mut writer = Writer { height_mm: figure.height_mm, writing, letters: BTreeMap::new(), faults: Faults::default() };
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(Diagnostic::error("not-finite", format!("the paper is {} mm by {} mm", figure.width_mm, figure.height_mm)).into());
     }
@@ -58,14 +75,17 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
             Rectangle::new().set("width", w.as_str()).set("height", h.as_str()).set("class", "paper").set("fill", hex(figure.paper));
         document = document.add(paper);
     }
+    let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
     for item in &figure.items {
-        // A point that is not finite would make the whole path disappear in every viewer, without a word.
-        if !item.is_finite() {
-            let name = if item.id.is_empty() { &item.class } else { &item.id };
-            writer.faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
-            continue;
+        if let Some(node) = writer.finite(item) {
+            items.push(node);
         }
-        document = document.add(writer.item(item));
+    }
+    if !writer.letters.is_empty() {
+        document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
+    }
+    for item in items {
+        document.append(item);
     }
     if writer.faults.has_errors() {
         return Err(writer.faults);
@@ -75,9 +95,42 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     Ok(Warned { value, notes: writer.faults.list })
 }
 
+/// Items as elements, one string each, as they stand in a document of this height: for pages that put documents together
+/// by themselves. A label is one path, whatever its letters.
+///
+/// # Errors
+/// As [`write`].
+pub fn elements(items: &[Item], height_mm: f64) -> Result<Vec<String>, Faults> {
+    let mut writer = Writer { height_mm, writing: Writing::Drawn, letters: BTreeMap::new(), faults: Faults::default() };
+    let list = items.iter().map(|item| writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
+    if writer.faults.has_errors() { Err(writer.faults) } else { Ok(list) }
+}
+
+/// How the letters of a label get into a document.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Writing {
+    /// Each by its name; their outlines stand in `<defs>`.
+    Used,
+    /// A label's outlines in one path.
+    Drawn,
+    /// As text, in whatever fonts the reader has.
+    Text,
+}
+
 struct Writer {
     height_mm: f64,
+    writing: Writing,
+    /// The letters used, each with the name that its uses call it by.
+    letters: BTreeMap<Letter, String>,
     faults: Faults,
+}
+
+/// A glyph of a font at a part of the label's size (in 1/1000).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Letter {
+    face: Face,
+    glyph: u32,
+    size: i32,
 }
 
 impl Writer {
@@ -88,6 +141,16 @@ impl Writer {
 
     fn xy(&self, p: Point) -> String {
         format!("{} {}", mm(p.x), self.y(p.y))
+    }
+
+    /// The item's element; a point that is not finite would make the whole path disappear in every viewer, without a word.
+    fn finite(&mut self, item: &Item) -> Option<Box<dyn Node>> {
+        if item.is_finite() {
+            return Some(self.item(item));
+        }
+        let name = if item.id.is_empty() { &item.class } else { &item.id };
+        self.faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
+        None
     }
 
     fn item(&mut self, item: &Item) -> Box<dyn Node> {
@@ -119,6 +182,9 @@ impl Writer {
                 let mut circle = Circle::new().set("cx", mm(centre.x)).set("cy", self.y(centre.y)).set("r", mm(*radius_mm));
                 named(&mut circle, item);
                 painted(&mut circle, stroke.as_ref(), *fill);
+                if fill.is_none() {
+                    circle.assign("fill", "none");
+                }
                 circle.into()
             }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
@@ -142,17 +208,54 @@ impl Writer {
             Shape::Label { at, label, size_mm, anchor, colour } => {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
-                let mut path = Path::new()
-                    .set("d", outline_data(&set.outline))
-                    .set("transform", format!("translate({} {}) scale({})", mm(left), self.y(at.y), scale(*size_mm)))
-                    .set("aria-label", label.plain())
-                    .set("data-text", label.source());
-                named(&mut path, item);
-                painted(&mut path, None, Some(*colour));
+                let place = format!("translate({} {})", mm(left), self.y(at.y));
+                let em = format!("{place}scale({})", scale(*size_mm));
+                let (name, content) = match self.writing {
+                    Writing::Used => ("g", self.used(&set)),
+                    Writing::Drawn => ("path", drawn(&set)),
+                    Writing::Text => ("g", editable(&set, *size_mm)),
+                };
+                let mut node = Element::new(name);
+                node.assign("transform", if self.writing == Writing::Text { place } else { em });
+                match self.writing {
+                    Writing::Drawn => node.assign("d", content),
+                    Writing::Used | Writing::Text => node.append(Blob::new(content)),
+                }
+                node.assign("aria-label", label.plain());
+                node.assign("data-text", label.source());
+                named(&mut node, item);
+                if *colour != Colour::BLACK {
+                    node.assign("fill", hex(*colour));
+                }
                 self.faults.list.extend(set.faults.iter().cloned());
-                path.into()
+                node.into()
             }
         }
+    }
+
+    /// The letters of a label, each used from the definitions.
+    fn used(&mut self, set: &Typeset) -> String {
+        let mut out = String::new();
+        for (letter, [x, y]) in letters(set) {
+            let name = self.letters.entry(letter).or_insert_with(|| letter.name());
+            let _ = write!(out, "<use xlink:href=\"#{name}\"");
+            for (axis, at) in [("x", x), ("y", -y)] {
+                if at != 0 {
+                    let _ = write!(out, " {axis}=\"{at}\"");
+                }
+            }
+            out.push_str("/>");
+        }
+        out
+    }
+
+    /// The outlines of all letters used.
+    fn definitions(&self) -> Definitions {
+        let mut out = String::new();
+        for (letter, name) in &self.letters {
+            let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(letter.contours([0, 0]).into_iter()));
+        }
+        Definitions::new().add(Blob::new(out))
     }
 
     fn line(&self, from: Point, to: Point, stroke: &Stroke, item: &Item) -> Line {
@@ -206,6 +309,79 @@ impl Writer {
     }
 }
 
+/// The visible letters of a label and where they stand, in 1/1000 em, y up.
+fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
+    let mut out = Vec::new();
+    for run in &set.runs {
+        let mut pen = run.x_em;
+        for glyph in &run.glyphs {
+            let at = [pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em].map(milli);
+            pen += glyph.advance_em * run.size_em;
+            if run.face.outline(glyph.id).ink.any() {
+                out.push((Letter { face: run.face, glyph: glyph.id, size: milli(run.size_em) }, at));
+            }
+        }
+    }
+    out
+}
+
+/// A label as path data.
+fn drawn(set: &Typeset) -> String {
+    outline_data(letters(set).into_iter().flat_map(|(letter, at)| letter.contours(at)))
+}
+
+/// A label as text that a drawing program can change; sizes and places in mm.
+fn editable(set: &Typeset, size_mm: f64) -> String {
+    let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(Face::Roman));
+    for run in &set.runs {
+        let (x, y, size) = (mm(run.x_em * size_mm), mm(-run.y_em * size_mm), mm(run.size_em * size_mm));
+        let _ = write!(out, "<tspan x=\"{x}\" y=\"{y}\" font-size=\"{size}\"");
+        match run.face {
+            Face::Roman => {}
+            Face::Italic => out.push_str(" font-style=\"italic\""),
+            Face::Math | Face::Song => {
+                let _ = write!(out, " font-family=\"{}\"", family(run.face));
+            }
+        }
+        let _ = write!(out, ">{}</tspan>", escaped(&run.text));
+    }
+    out.push_str("</text>");
+    out
+}
+
+/// Fonts that look like the embedded ones, the same first.
+fn family(face: Face) -> &'static str {
+    match face {
+        Face::Roman | Face::Italic => "Tinos,'Times New Roman','Liberation Serif',serif",
+        Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
+        Face::Song => "'Noto Serif CJK SC','Source Han Serif SC',SimSun,serif",
+    }
+}
+
+impl Letter {
+    /// Its outline at a place, in 1/1000 em of the label.
+    fn contours(self, [dx, dy]: [i32; 2]) -> Vec<Segment<i32>> {
+        let size = f64::from(self.size) / 1000.0;
+        let outline = self.face.outline(self.glyph);
+        outline.segments.iter().map(|s| s.map(|[x, y]| [dx + milli(x * size), dy + milli(y * size)])).collect()
+    }
+
+    fn name(self) -> String {
+        let face = match self.face {
+            Face::Roman => 'r',
+            Face::Italic => 'i',
+            Face::Math => 'm',
+            Face::Song => 's',
+        };
+        let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
+        format!("g{face}{}{size}", self.glyph)
+    }
+}
+
+fn milli(em: f64) -> i32 {
+    (em * 1000.0).round() as i32
+}
+
 fn named(node: &mut impl Node, item: &Item) {
     if !item.id.is_empty() {
         node.assign("id", item.id.as_str());
@@ -230,8 +406,6 @@ fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) 
     }
     if let Some(c) = fill {
         node.assign("fill", hex(c));
-    } else if stroke.is_some() {
-        node.assign("fill", "none");
     }
 }
 
@@ -245,8 +419,8 @@ fn scale(size_mm: f64) -> String {
 }
 
 /// Path data of an outline in integers, relative commands, y turned over.
-fn outline_data(outline: &[Segment<i32>]) -> String {
-    let mut d = String::with_capacity(12 * outline.len());
+fn outline_data(outline: impl Iterator<Item = Segment<i32>>) -> String {
+    let mut d = String::new();
     let mut digits = itoa::Buffer::new();
     let (mut here, mut start) = ([0, 0], [0, 0]);
     for segment in outline {
@@ -267,7 +441,7 @@ fn outline_data(outline: &[Segment<i32>]) -> String {
             }
             here = points[points.len() - 1];
         };
-        match *segment {
+        match segment {
             Segment::Move(a) => {
                 write('m', &[a]);
                 start = a;
@@ -340,13 +514,18 @@ mod tests {
     }
 
     #[test]
-    fn label_is_one_path_of_integers() {
+    fn letters_are_drawn_once_and_used() {
         let svg = write(&figure(vec![label("v_{B3B2}^r")])).unwrap().value;
-        assert_eq!(svg.matches("<path").count(), 1);
-        assert!(svg.contains(r#"transform="translate(10 40) scale(0.004)""#), "{svg}");
+        // v; B, 3, 2 and r in the smaller size. The second B is used again.
+        assert_eq!((svg.matches("<path").count(), svg.matches("<use").count()), (5, 6), "{svg}");
+        assert!(svg.contains(r#"transform="translate(10 40)scale(0.004)""#), "{svg}");
         assert!(svg.contains(r#"data-text="v_{B3B2}^r""#) && svg.contains(r#"aria-label="v_B3B2^r""#), "{svg}");
+        for used in svg.split("xlink:href=\"#").skip(1).map(|s| s.split('"').next().unwrap()) {
+            assert!(svg.contains(&format!("id=\"{used}\"")), "{used} is nowhere defined");
+        }
         let d = svg.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
         assert!(!d.contains('.') && d.starts_with('m'), "{d}");
+        assert!(!write(&figure(vec![label("")])).unwrap().value.contains("defs"));
     }
 
     #[test]

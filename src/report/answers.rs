@@ -3,12 +3,12 @@
 use super::drafting;
 use super::phrase::{sense, tr};
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
-use crate::analytic::{Decided, SingularKind, Singularity};
-use crate::answer::Value;
+use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
+use crate::answer::{Value, level_of};
 use crate::diag::{Diagnostic, Severity};
 use crate::quantity::{direction_degrees, shortest, significant};
 use crate::scene::{Asked, Find, Lang, Scene};
-use crate::worked::{Outcome, Worked};
+use crate::worked::{Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
@@ -30,15 +30,24 @@ pub const DIGITS: usize = 6;
 /// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
 pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
     let mut rows: Vec<[String; 5]> = Vec::new();
-    for (r, c) in worked.results.iter().zip(certified) {
+    for line in lines(worked, certified) {
+        let (r, c) = match line {
+            Line::Answer(r, c) => (r, c),
+            Line::None(u) => {
+                let value = format!("{} ({})", verdict(u.refused.why, lang), reason(scene, u, lang));
+                rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
+                continue;
+            }
+        };
         let find = &scene.find[r.find];
         let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
         let value = value_words(find, r.value(), c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
-        rows.push([find.text.clone(), value, tolerance, measured_words(find, r, c, digits, lang), remarks.join("  ")]);
+        rows.push([find.text.clone(), value, tolerance, measured_words(worked, find, r, c, digits, lang), remarks.join("  ")]);
     }
-    let width = |i: usize| rows.iter().map(|r| r[i].width()).max().unwrap_or(0);
+    // A line without an answer is as long as it is.
+    let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[3..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2), width(3)];
     let mut out = String::new();
     let title = scene.title.get(lang);
@@ -47,7 +56,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         out.push('\n');
     }
     for r in &rows {
-        let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i] - r[i].width()));
+        let pad = |i: usize| format!("{}{}", r[i], " ".repeat(widths[i].saturating_sub(r[i].width())));
         let tolerance = if widths[2] > 0 { format!("  {}", pad(2)) } else { String::new() };
         out.push_str(format!("  {} = {}{tolerance}  {}  {}", pad(0), pad(1), pad(3), r[4]).trim_end());
         out.push('\n');
@@ -60,6 +69,45 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         ));
     }
     out
+}
+
+/// One question: answered, or not.
+pub enum Line<'a> {
+    /// With its certificate.
+    Answer(&'a Outcome, &'a Certified),
+    /// Without an answer in the pose.
+    None(&'a Unanswered),
+}
+
+/// All questions in their order.
+pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>> {
+    let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, Line::Answer(r, c)));
+    let mut all: Vec<_> = answered.chain(worked.unanswered.iter().map(|u| (u.find, Line::None(u)))).collect();
+    all.sort_by_key(|(find, _)| *find);
+    all.into_iter().map(|(_, line)| line).collect()
+}
+
+/// What stands in the place of an answer that there is not.
+pub fn verdict(why: Refusal, lang: Lang) -> &'static str {
+    match why {
+        Refusal::DeadPoint => tr(lang, "unbounded", "无界"),
+        Refusal::Locked => tr(lang, "no motion", "不能运动"),
+        Refusal::Loose | Refusal::Several | Refusal::NoAcceleration => tr(lang, "not determined", "不确定"),
+    }
+}
+
+/// Why a question has no answer, with the links.
+pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
+    let Refused { why, named, words, .. } = &u.refused;
+    let names: Vec<_> = named.iter().map(|l| scene.link_name(*l)).collect();
+    match (lang, why) {
+        (Lang::En, Refusal::DeadPoint) => format!("dead centre: {words}"),
+        (Lang::En, _) => words.clone(),
+        (Lang::Zh, Refusal::DeadPoint) => format!("构件{}处于死点位置", names.join("、")),
+        (Lang::Zh, Refusal::Locked) => format!("构件{}在该位置被锁住", names.join("、")),
+        (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件{}在该位置有多余的自由度", names.join("、")),
+        (Lang::Zh, Refusal::NoAcceleration) => format!("构件{}在该位置的加速度不确定", names.join("、")),
+    }
 }
 
 /// The largest relative difference between drawing and analysis; `None` where nothing was compared.
@@ -122,15 +170,18 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     }
 }
 
-fn measured_words(find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
+fn measured_words(worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
     let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, c, digits, lang)).collect();
     match &r.drawn {
         None if !others.is_empty() => match lang {
             Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
             Lang::Zh => format!("（解析；另一运动：{}）", others.join("，")),
         },
+        None if r.longer.is_some() => tr(lang, "(longer numbers)", "（高精度数）").into(),
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match a.measured {
+            // Where nothing moves there is no polygon and no scale.
+            Some(_) if worked.construction.is_empty(level_of(&find.what)) => String::new(),
             Some(m) => {
                 let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
                 let arm = certain(c.reading.as_ref().and_then(|r| r.arm_m.as_ref()));
@@ -159,20 +210,23 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
         Value::Scalar(s) => json!({"value": s}),
     };
-    let answers: Vec<Json> = worked
-        .results
-        .iter()
-        .zip(certified)
-        .map(|(r, c)| {
+    let answers: Vec<Json> = lines(worked, certified)
+        .into_iter()
+        .map(|line| {
+            let (r, c) = match line {
+                Line::Answer(r, c) => (r, c),
+                Line::None(u) => return unanswered(scene, u),
+            };
             let find = &scene.find[r.find];
-            let radians = matches!(find.what, Asked::LinkAngle(_));
             let mut answer = json!({
                 "find": find.text,
-                "unit": if radians { "rad" } else { unit(&find.what) },
+                "unit": unit_of_json(find),
+                "unbounded": false,
                 "certified": certificate(c, digits),
                 "value": value(r.value()),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
-                "analysis": value(r.computed),
+                "analysis": r.longer.is_none().then(|| value(r.computed)),
+                "longer_numbers": r.longer.map(|rung| rung.name()),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
                 "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
@@ -203,6 +257,25 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         all["drafting"] = drafting::json(scene, worked, d);
     }
     all
+}
+
+fn unit_of_json(find: &Find) -> &'static str {
+    if matches!(find.what, Asked::LinkAngle(_)) { "rad" } else { unit(&find.what) }
+}
+
+/// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
+fn unanswered(scene: &Scene, u: &Unanswered) -> Json {
+    json!({
+        "find": scene.find[u.find].text,
+        "unit": unit_of_json(&scene.find[u.find]),
+        "unbounded": u.refused.why == Refusal::DeadPoint,
+        "value": null,
+        "why": {
+            "code": u.refused.diagnostic.code,
+            "words": reason(scene, u, Lang::En),
+            "links": u.refused.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        },
+    })
 }
 
 /// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and

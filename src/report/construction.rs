@@ -1,34 +1,40 @@
 //! The construction, step by step, as sentences with the lengths measured on paper.
 
 use super::phrase::{Phrase, formula, sense, tr};
-use crate::construct::{Action, Construction, Edge, Mark, Polygon};
+use crate::accuracy::Steps;
+use crate::accuracy::ladder::Number;
+use crate::accuracy::steps::What;
+use crate::construct::{Action, Construction, Mark, Polygon};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Term, VertexId};
-use crate::quantity::{shortest, significant};
+use crate::quantity::{inked, shortest, significant};
 use crate::scene::Lang;
 
-/// The sentences of one polygon, one for each action, the pole first; with a pencil error (mm), how far it moves each crossing.
-pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, pencil_mm: Option<f64>) -> Vec<Phrase> {
+/// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of
+/// [`steps`](crate::accuracy::steps()); where those know of a pencil error, how far it moves each crossing.
+pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
     let level = polygon.level;
     let unit = level_unit(level);
     let pole = w.pole(level);
-    let mu = format!("\\mu_{} = {} ({unit})/mm", if level == Level::Acceleration { "a" } else { "v" }, shortest(polygon.mu));
+    let mu = format!("\\mu_{} = {} ({unit})/mm", if level == Level::Acceleration { "a" } else { "v" }, inked(&shortest(polygon.mu)));
     let mut out = vec![Phrase::new(&match w.lang {
+        Lang::En if paper.is_empty(level) => format!("Take the pole ${pole}$; nothing is drawn, so that there is no scale."),
+        Lang::Zh if paper.is_empty(level) => format!("取极点 ${pole}$；无矢量可作，不需比例尺。"),
         Lang::En => format!("Take the pole ${pole}$; scale ${mu}$."),
         Lang::Zh => format!("取极点 ${pole}$，比例尺 ${mu}$。"),
     })];
-    out.extend(polygon.actions.iter().map(|a| Phrase::new(&sentence(w, paper, polygon, a, pencil_mm))));
+    out.extend((0..polygon.actions.len()).map(|i| Phrase::new(&sentence(w, paper, polygon, i, steps))));
     out
 }
 
-/// The whole construction as numbered text.
-pub fn text(w: &Writer, paper: &Construction, pencil_mm: Option<f64>) -> String {
+/// The whole construction as numbered text; why, where a number has fewer digits than its kind.
+pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
     let mut out = String::new();
     out.push_str(&format!(
         "{}: {}\n",
         tr(w.lang, "mechanism diagram", "机构运动简图"),
-        formula(&format!("\\mu_l = {} m/mm", shortest(paper.diagram.mu_l)))
+        formula(&format!("\\mu_l = {} m/mm", inked(&shortest(paper.diagram.mu_l))))
     ));
     for level in [Level::Velocity, Level::Acceleration] {
         let Some(p) = paper.polygon(level) else { continue };
@@ -38,9 +44,16 @@ pub fn text(w: &Writer, paper: &Construction, pencil_mm: Option<f64>) -> String 
             _ => tr(w.lang, "velocity polygon", "速度多边形"),
         });
         out.push('\n');
-        for (i, s) in sentences(w, paper, p, pencil_mm).iter().enumerate() {
+        for (i, s) in sentences(w, paper, p, steps).iter().enumerate() {
             out.push_str(&format!("{:>3}. {}\n", i + 1, s.plain()));
         }
+    }
+    if let Some(why) = &steps.why {
+        out.push_str(&format!(
+            "\n{}{}\n",
+            tr(w.lang, "numbers with fewer digits have no more that are certain: ", "位数较少的数值无更多可靠位数："),
+            why.words(w.lang)
+        ));
     }
     out
 }
@@ -49,8 +62,14 @@ fn level_unit(level: Level) -> &'static str {
     if level == Level::Acceleration { "m/s^2" } else { "m/s" }
 }
 
-fn millimetres(v: f64) -> String {
-    format!("{} mm", if v < 1e-9 { "0".to_string() } else { significant(v, 4) })
+/// A step's number as far as it is certain, else about what the drawing in `f64` says.
+fn told(steps: &Steps, level: Level, action: usize, what: What, rough: f64) -> String {
+    steps.text(level, action, what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)))
+}
+
+/// A plain number between words: with a power of ten it is a formula.
+fn amid_words(text: &str) -> String {
+    if text.contains('e') { format!("${}$", inked(text)) } else { text.into() }
 }
 
 fn mark(w: &Writer, level: Level, m: &Mark) -> String {
@@ -65,13 +84,13 @@ fn symbols(w: &Writer, level: Level, terms: &[Term]) -> String {
     terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + ")
 }
 
-fn length(e: &Edge) -> String {
-    millimetres(e.from.1.distance(e.to.1))
-}
-
-fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm: Option<f64>) -> String {
+fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps: &Steps) -> String {
     let level = p.level;
-    match a {
+    let tell = |what, rough| amid_words(&told(steps, level, action, what, rough));
+    let millimetres = |k, rough: f64| format!("{} mm", tell(What::Length(k), rough));
+    let edge = |k, i: usize| millimetres(k, p.edges[i].from.1.distance(p.edges[i].to.1));
+    let from_pole = |v: VertexId| millimetres(0, p.images[v.0].map_or(0.0, |q| q.to_vec2().norm()));
+    match &p.actions[action] {
         Action::LayOff(i) => {
             let e = &p.edges[*i];
             let t = &e.terms[0];
@@ -79,8 +98,8 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm
             let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(level, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
             match w.lang {
-                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$; it ends in ${to}$.", length(e)),
-                Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", length(e)),
+                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$; it ends in ${to}$.", edge(0, *i)),
+                Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
             }
         }
         Action::Nothing { term, .. } => {
@@ -104,38 +123,37 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm
             }
         }
         Action::Cross { target, edges, sine } => {
-            let angle = significant(libm::asin(sine.abs().min(1.0)).to_degrees(), 3);
+            let angle = tell(What::Angle, libm::asin(sine.abs().min(1.0)).to_degrees());
+            let moved = steps.pencil_mm.map_or_else(String::new, |e| moved(w.lang, e, &tell(What::Moved, e / sine.abs())));
             let image = w.image(level, *target);
             let lengths: Vec<String> =
-                edges.iter().map(|i| format!("${}$ = {}", symbols(w, level, &p.edges[*i].terms), length(&p.edges[*i]))).collect();
+                edges.iter().enumerate().map(|(k, i)| format!("${}$ = {}", symbols(w, level, &p.edges[*i].terms), edge(k, *i))).collect();
             match w.lang {
                 Lang::En => {
-                    format!("The two lines cross in ${image}$ under {angle}°{}: {}.", moved(w.lang, *sine, pencil_mm), lengths.join(", "))
+                    format!("The two lines cross in ${image}$ under {angle}°{moved}: {}.", lengths.join(", "))
                 }
-                Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{}：{}。", moved(w.lang, *sine, pencil_mm), lengths.join("，")),
+                Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，")),
             }
         }
         Action::Reach(v) => {
             let (image, vector) = (w.image(level, *v), w.vector(level, *v));
-            let l = p.images[v.0].map_or(0.0, |q| q.to_vec2().norm());
             match w.lang {
-                Lang::En => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", millimetres(l)),
-                Lang::Zh => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", millimetres(l)),
+                Lang::En => format!("Nothing is added: ${image}$ lies where it starts, ${vector}$ = {}.", from_pole(*v)),
+                Lang::Zh => format!("无附加分量，${image}$ 即在起点，${vector}$ = {}。", from_pole(*v)),
             }
         }
         Action::Copy { target, from } => {
             let (image, a, b) = (w.image(level, *target), w.image(level, from.0), w.image(level, from.1));
             let (spot_a, spot_b, spot_x) = (w.spot(from.0), w.spot(from.1), w.spot(*target));
-            let l = p.images[target.0].map_or(0.0, |q| q.to_vec2().norm());
             let vector = w.vector(level, *target);
             match w.lang {
                 Lang::En => format!(
                     "On ${a}{b}$ make the triangle ${a}{b}{image}$ similar to ${spot_a}{spot_b}{spot_x}$, letters in the same order: ${vector}$ = {}.",
-                    millimetres(l)
+                    from_pole(*target)
                 ),
                 Lang::Zh => format!(
                     "在 ${a}{b}$ 上作 ${a}{b}{image}$ 与 ${spot_a}{spot_b}{spot_x}$ 相似且字母顺序一致：${vector}$ = {}。",
-                    millimetres(l)
+                    from_pole(*target)
                 ),
             }
         }
@@ -150,29 +168,30 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, a: &Action, pencil_mm
             let r = &paper.rates[*i];
             let symbol = w.turning(level, r.body);
             let unit = if level == Level::Acceleration { "rad/s^2" } else { "rad/s" };
-            let value = format!("{} {unit}", significant(r.value.abs(), 4));
-            match (r.measured, w.lang) {
-                (Some((mm, l)), _) => format!(
+            let value = told(steps, level, action, What::Rate, r.value.abs());
+            let value = format!("{} {unit}", inked(value.trim_start_matches('-')));
+            let sense = sense(w.lang, steps.number(level, action, What::Rate).map_or(r.value, Number::sign));
+            match r.measured {
+                Some((mm, l)) => format!(
                     "${symbol}$ = {} · {} / {} m = ${value}${}{}",
-                    millimetres(mm),
-                    shortest(p.mu),
-                    significant(l, 4),
+                    millimetres(0, mm),
+                    amid_words(&shortest(p.mu)),
+                    tell(What::Arm, l),
                     tr(w.lang, ", ", "，"),
-                    sense(w.lang, r.value)
+                    sense
                 ),
-                (None, _) => format!("${symbol}$ = ${value}${}{}", tr(w.lang, ", ", "，"), sense(w.lang, r.value)),
+                None => format!("${symbol}$ = ${value}${}{sense}", tr(w.lang, ", ", "，")),
             }
         }
     }
 }
 
 /// What a pencil error (mm) makes of a crossing.
-fn moved(lang: Lang, sine: f64, pencil_mm: Option<f64>) -> String {
-    let Some(e) = pencil_mm else { return String::new() };
-    let (e, by) = (shortest(e), format!("{} mm", significant(e / sine.abs(), 2)));
+fn moved(lang: Lang, pencil_mm: f64, by: &str) -> String {
+    let e = shortest(pencil_mm);
     match lang {
-        Lang::En => format!(", where a pencil error of {e} mm moves it by {by}"),
-        Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by}）"),
+        Lang::En => format!(", where a pencil error of {e} mm moves it by {by} mm"),
+        Lang::Zh => format!("（{e} mm 的作图误差使交点偏移 {by} mm）"),
     }
 }
 

@@ -20,7 +20,7 @@ mod results;
 mod solution;
 pub mod typst;
 
-use crate::accuracy::{Certified, certify};
+use crate::accuracy::{Certified, Steps, certify, steps};
 use crate::figure::item::Figure;
 use crate::figure::label::Label;
 use crate::figure::sheet;
@@ -158,7 +158,8 @@ pub struct Beside {
 pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document {
     let lang = options.sheet.lang;
     let certified = certify(scene, worked, options.sheet.digits);
-    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified };
+    let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
     let mut blocks = Vec::new();
     if options.sides != Sides::Solution {
         maker.problem(&mut blocks);
@@ -177,6 +178,8 @@ struct Maker<'a> {
     worked: &'a Worked,
     options: &'a sheet::Options,
     certified: &'a [Certified],
+    /// The certified numbers of the construction's steps.
+    told: &'a Steps,
 }
 
 impl Maker<'_> {

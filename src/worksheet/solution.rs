@@ -119,8 +119,7 @@ impl Maker<'_> {
         };
         blocks.push(self.heading(3, en, zh));
         blocks.extend(self.figure(name, Single::Polygon(level)));
-        let pencil_mm = self.worked.drafting.as_ref().map(|d| d.pencil_mm);
-        let members = sentences(&self.writer(), &self.worked.construction, polygon, pencil_mm);
+        let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
         blocks.push(Block::List { numbered: true, members });
     }
 

@@ -3,19 +3,22 @@
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
+use crate::told::told;
 use hodograph::accuracy::ladder::{certify, parts};
-use hodograph::accuracy::{toggle, truth};
+use hodograph::accuracy::{steps, toggle, truth};
 use hodograph::answer::Value;
 use hodograph::geom::Vec2;
-use hodograph::number::{Ball, Big, within};
-use hodograph::scene::{Scene, read, templates};
-use hodograph::worked::{Scope, work};
+use hodograph::number::{Ball, Big, Real, within};
+use hodograph::scene::{Asked, LinkId, Scene, read, templates};
+use hodograph::worked::{Scope, Worked, work};
 
 /// What was compared.
 #[derive(Default)]
 struct Tally {
     scenes: usize,
     printed: usize,
+    /// Of them, numbers that the steps of the construction tell.
+    told: usize,
     /// Numbers printed with fewer digits than asked for.
     short: usize,
     wrong: Vec<String>,
@@ -34,6 +37,7 @@ impl Tally {
         within(truth::BITS, || {
             let Ok(truth) = truth::answers(scene, &worked) else { return };
             self.scenes += 1;
+            self.steps(name, scene, &worked);
             for (i, (r, t)) in worked.results.iter().zip(truth).enumerate() {
                 let find = &scene.find[r.find];
                 let Some(t) = t else {
@@ -81,11 +85,42 @@ impl Tally {
         });
     }
 
+    /// What the steps of the construction tell.
+    fn steps(&mut self, name: &str, scene: &Scene, worked: &Worked) {
+        const PENCIL_MM: f64 = 0.1;
+        let printed = steps(scene, worked, Some(PENCIL_MM));
+        let Ok(differences) = truth::differences(scene, worked) else { return };
+        for t in told(scene, worked, &differences, PENCIL_MM) {
+            let place = || format!("{name}: {:?} step {} {:?}", t.level, t.action + 2, t.what);
+            let digits = t.what.digits();
+            let Some((n, (text, certain))) = printed.number(t.level, t.action, t.what).and_then(|n| Some((n, n.text(digits)?))) else {
+                self.short += 1;
+                continue;
+            };
+            self.printed += 1;
+            self.told += 1;
+            self.short += usize::from(certain < digits);
+            if n.zero {
+                if t.value.approx().abs() > t.nothing {
+                    self.wrong.push(format!("{} is told as zero, it is {:e}", place(), t.value.approx()));
+                }
+                continue;
+            }
+            let ball = Ball::new(t.value, 1e-60 * t.value.approx().abs());
+            let expected = parts(Asked::Omega(LinkId(0)), Value::Scalar(ball), 0.0, digits).ok();
+            let truth = expected.and_then(|e| e[0].1.text(certain)).map_or_else(|| format!("{:e}", t.value.approx()), |t| t.0);
+            if truth != text {
+                self.wrong.push(format!("{} is told as {text}, it is {truth}", place()));
+            }
+        }
+    }
+
     fn done(&self, least: usize) {
         println!(
-            "{} scenes, {} printed numbers against {} bit: {} wrong; {} with fewer digits than asked; plain f64 would print {} wrong; {:?}",
+            "{} scenes, {} printed numbers ({} of them told by steps) against {} bit: {} wrong; {} with fewer digits than asked; plain f64 would print {} wrong; {:?}",
             self.scenes,
             self.printed,
+            self.told,
             truth::BITS,
             self.wrong.len(),
             self.short,

@@ -1,7 +1,12 @@
 //! A group of class IV: named, not drawn, answered from the loop equations, which differences of positions confirm.
 
+use hodograph::accuracy::ladder::Part;
+use hodograph::accuracy::{certify, truth};
 use hodograph::answer::Value;
+use hodograph::geom::Point;
+use hodograph::number::{Real, within};
 use hodograph::position::newton::{driver_values, moved};
+use hodograph::quantity::significant;
 use hodograph::scene::{self, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
@@ -23,6 +28,56 @@ fn by_lengths() -> String {
           "DE": "sqrt(10)", "EG": "sqrt(5)", "DG": 5}},
         "sketch": {{"A": [1,2], "B": [3.1,4], "C": [4,1.4], "D": [6,5.2], "E": [7,2]}}}}"#
     )
+}
+
+/// With a slider inside: link 5 keeps its direction on a ground guide and carries the slot of E, which runs in another ground
+/// guide. The sketch is rough; nothing of it must be left in the answer.
+fn with_slider() -> String {
+    r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D"], "6": ["O"]}, "ground": "6",
+      "find": ["v_D", "a_D", "omega_2", "alpha_2", "v_E", "x_D"], "units": {"length": "m"},
+      "driver": {"link": "1", "angle": "atan(2)", "omega": "2 rad/s"}, "points": {"O": [0,0]},
+      "guides": [{"slider": "5", "on": "6", "through": [0, 5], "angle": "0 deg"},
+        {"pin": "E", "on": "5", "through": "D", "angle": "90 deg", "offset": "-1 m"},
+        {"pin": "E", "on": "6", "through": [0, 2], "angle": "0 deg"}],
+      "lengths": {"OA": "sqrt(5)", "AB": "sqrt(8)", "BC": "sqrt(7.25)", "AC": "sqrt(9.25)", "BD": "sqrt(10)", "CE": "sqrt(9.25)"},
+      "sketch": {"A": [1,2], "B": [3.1,4], "C": [4,1.4], "D": [6.1,5.2], "E": [7,2]}}"#
+        .into()
+}
+
+#[test]
+fn a_slider_inside_a_higher_group_is_proved() {
+    let (scene, done) = worked(&with_slider());
+    let places = [("D", 6.0, 5.0), ("E", 7.0, 2.0), ("B", 3.0, 4.0)];
+    for (name, x, y) in places {
+        let at = done.configuration.point(PointId(scene.points.iter().position(|p| p.name == name).unwrap()));
+        assert!((at - Point::new(x, y)).norm() < 1e-13, "{name} is at {at:?}");
+    }
+    let certified = certify(&scene, &done, 12);
+    within(truth::BITS, || {
+        for ((c, r), t) in certified.iter().zip(&done.results).zip(truth::answers(&scene, &done).unwrap()) {
+            let find = &scene.find[r.find];
+            assert_eq!(c.why, None, "{}", find.text);
+            let t = match t.unwrap() {
+                Value::Scalar(s) => s.approx(),
+                Value::Vector(v) => v.norm().approx(),
+            };
+            let part = c.part(Part::Scalar).or(c.part(Part::Magnitude)).unwrap();
+            assert_eq!(part.text(12).unwrap().0, significant(t, 12), "{}", find.text);
+        }
+    });
+}
+
+/// Two points by lengths give a slider a direction of its own, and nothing says how it stands against its guide: the rough
+/// sketch must not.
+#[test]
+fn the_direction_of_a_slider_is_not_taken_from_the_sketch() {
+    let text = with_slider().replace(r#""5": ["D"]"#, r#""5": ["D", "K"]"#).replace(r#""OA":"#, r#""DK": 1, "OA":"#);
+    let text = text
+        .replace(r#""E": [7,2]}"#, r#""E": [7,2], "K": [7,5.1]}"#)
+        .replace(r#""through": "D", "angle": "90 deg""#, r#""line": "DK", "angle": "90 deg""#);
+    let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+    let faults = work(&scene, Scope::Figure).map(|_| ()).unwrap_err();
+    assert!(faults.list.iter().any(|d| d.code == "angle-not-given"), "{faults}");
 }
 
 fn worked(text: &str) -> (Scene, Worked) {

@@ -18,3 +18,4 @@ mod properties;
 mod regressions;
 mod rng;
 mod singular;
+mod told;

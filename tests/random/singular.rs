@@ -4,7 +4,7 @@ use hodograph::analytic::SingularKind;
 use hodograph::answer::Value;
 use hodograph::diag::Faults;
 use hodograph::geom::{Point, Vec2};
-use hodograph::scene::{self, Scene};
+use hodograph::scene::{self, Asked, DriverKind, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
 /// A turn, a scale and a shift of all coordinates.
@@ -51,7 +51,21 @@ pub fn drive(link: u8, omega: f64, alpha: f64) -> String {
 pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic>), Faults> {
     let scene = scene::read(text)?.value;
     let done = work(&scene, Scope::Figure)?;
-    Ok((scene, done.value, done.notes))
+    let Worked { unanswered, results, .. } = &done.value;
+    if unanswered.is_empty() {
+        return Ok((scene, done.value, done.notes));
+    }
+    // Told as such, every question in one list or the other, and what the drivers give is answered.
+    assert_eq!(unanswered.len() + results.len(), scene.find.len(), "{text}");
+    for u in unanswered {
+        assert!(done.notes.contains(&u.refused.diagnostic), "no word of {:?}\n{text}", u.refused);
+        let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what) {
+            (DriverKind::Turn { link, against, .. }, Asked::Omega(l) | Asked::Alpha(l)) => l == link && against == scene.ground,
+            _ => false,
+        };
+        assert!(!scene.drivers.iter().any(given), "{} is given\n{text}", scene.find[u.find].text);
+    }
+    Err(Faults { list: done.notes })
 }
 
 pub fn number(v: Value) -> f64 {

@@ -38,6 +38,11 @@ const OTHER_COST: f64 = 1.0;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
+    drawing(style, scene, worked, notation).finish()
+}
+
+/// The same before its labels are placed.
+pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
     let mut draft = Draft::new(style, scene, worked, notation);
     draft.ground_guides();
     draft.plates(true);
@@ -52,7 +57,7 @@ pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notat
     draft.directions();
     draft.numbers();
     draft.letters();
-    draft.d.finish()
+    draft.d
 }
 
 /// The diagram in the making.

@@ -109,6 +109,8 @@ pub struct Placement {
     pub leader: Option<(Point, Point)>,
     /// What the place costs; above [`CROWDED`] it covers something.
     pub cost: f64,
+    /// Which of the label's places it is, seen from its thing: the same in figures of a series.
+    pub index: usize,
 }
 
 /// From this cost on a label touches a foreign thing or another label: any first touch costs more, any nearness less.
@@ -134,15 +136,22 @@ impl Placement {
 /// `obstacles` is all that is drawn, the labels' own things included; `bounds` is the paper that they may use.
 /// An empty label takes no room and stands at its target.
 pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> Vec<Placement> {
+    place_after(requests, obstacles, bounds, &[])
+}
+
+/// The same in a figure that follows another one of a series: a label with a [`Placement::index`] in `before` keeps that
+/// place beside its thing unless something has come in its way.
+pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
     let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
-    search::run(&labels, obstacles, bounds)
+    search::run(&labels, obstacles, bounds, before)
         .into_iter()
         .zip(&labels)
-        .map(|((candidate, cost), wanted)| Placement {
+        .map(|((candidate, cost, index), wanted)| Placement {
             at: Point::new(candidate.rect.min.x, candidate.rect.min.y + wanted.descent_mm),
             bounds: candidate.rect,
             leader: candidate.leader,
             cost,
+            index,
         })
         .collect()
 }

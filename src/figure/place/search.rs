@@ -14,18 +14,27 @@ const ROUNDS_MAX: usize = 8;
 /// From this cost on a leader line is worth a try: dearer than any place with nothing but a foreign line near by.
 const POOR: f64 = 5.5;
 
+/// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
+/// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
+const LEAVE: f64 = 6.0;
+
 struct Choice {
     places: Vec<Candidate>,
     fixed: Vec<f64>,
     picked: usize,
+    /// The place that it had in the figure before.
+    before: Option<usize>,
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
 }
 
 impl Choice {
     fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
-        self.fixed.extend(places.iter().map(|c| cost::fixed(c, wanted, obstacles, paper)));
-        self.places.extend(places);
+        for place in places {
+            let leave = self.leave(self.places.len());
+            self.fixed.push(cost::fixed(&place, wanted, obstacles, paper) + leave);
+            self.places.push(place);
+        }
     }
 
     /// The box around all its places and leader lines.
@@ -34,30 +43,47 @@ impl Choice {
         self.places.iter().map(with_leader).reduce(Rect::union).expect("every label has places")
     }
 
+    /// What a place costs because it is another one than before.
+    fn leave(&self, k: usize) -> f64 {
+        if self.before.is_some_and(|b| b != k) { LEAVE } else { 0.0 }
+    }
+
     fn place(&self) -> &Candidate {
         &self.places[self.picked]
     }
 }
 
-pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect) -> Vec<(Candidate, f64)> {
+/// For each label its place, what that costs, and which of the places it is; `before` says which it was in the figure before.
+pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before: &[Option<usize>]) -> Vec<(Candidate, f64, usize)> {
     let mut choices: Vec<Choice> = wanted
         .iter()
-        .map(|w| {
-            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, neighbours: Vec::new() };
+        .enumerate()
+        .map(|(i, w)| {
+            let before = before.get(i).copied().flatten();
+            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, before, neighbours: Vec::new() };
             choice.offer(candidate::near(w), w, obstacles, paper);
-            choice.picked = argmin(&choice.fixed);
+            if before.is_some_and(|b| b >= choice.places.len()) {
+                choice.offer(candidate::far(w), w, obstacles, paper);
+            }
+            choice.picked = before.filter(|b| *b < choice.places.len()).unwrap_or_else(|| argmin(&choice.fixed));
             choice
         })
         .collect();
-    settle(&mut choices);
+    // In a series the figure before has settled what stands where: one descent mends what has come in the way.
+    let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
+    settle(&mut choices, rounds);
     let poor: Vec<usize> = (0..choices.len()).filter(|&i| total(&choices, i, choices[i].picked) > POOR).collect();
     if !poor.is_empty() {
         for i in poor {
+            if choices[i].places.iter().any(|c| c.leader.is_some()) {
+                continue;
+            }
             choices[i].offer(candidate::far(&wanted[i]), &wanted[i], obstacles, paper);
         }
-        settle(&mut choices);
+        settle(&mut choices, rounds);
     }
-    (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, choices[i].picked))).collect()
+    let picked = |i: usize| choices[i].picked;
+    (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, picked(i)) - choices[i].leave(picked(i)), picked(i))).collect()
 }
 
 /// The first of the smallest.
@@ -83,10 +109,10 @@ fn meet(choices: &mut [Choice]) {
     }
 }
 
-fn settle(choices: &mut [Choice]) {
+fn settle(choices: &mut [Choice], rounds: usize) {
     meet(choices);
     descend(choices);
-    for _ in 0..ROUNDS_MAX {
+    for _ in 0..rounds {
         if !move_pairs(choices) {
             return;
         }

@@ -2,6 +2,8 @@
 //!
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
+mod legible;
+
 use std::sync::LazyLock;
 
 use hodograph::figure::extent::translate;

@@ -1,0 +1,236 @@
+//! The numbers that the steps of a construction tell, certified.
+//!
+//! The drawing board itself is run again in numbers that know their error, on the scales and with the special points that the
+//! drawing in `f64` chose; what is measured on that board is true within its bound. As with the answers, what one rung leaves
+//! uncertain the next is asked for, and the loop equations take no part.
+
+use super::ladder::{Climb, Number, READING_DIGITS, Rung, Why};
+use crate::construct::pencil::Exact;
+use crate::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
+use crate::geom::Vec2;
+use crate::mechanism::Level;
+use crate::number::Real;
+use crate::number::decimal::Certain;
+use crate::plan::VertexId;
+use crate::position;
+use crate::scene::Scene;
+use crate::worked::Worked;
+use std::collections::BTreeMap;
+
+/// Which number of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum What {
+    /// A length on paper (mm), counted where a step tells several: of the edges it drew, of the vector it found, or of the
+    /// relative vector from which it took a turning rate.
+    Length(usize),
+    /// The angle of a crossing, in degrees from 0 to 90.
+    Angle,
+    /// How far a pencil error moves a crossing (mm).
+    Moved,
+    /// The arm by which a measured rate is divided (m).
+    Arm,
+    /// A turning rate (rad/s, rad/s²).
+    Rate,
+}
+
+impl What {
+    /// Digits to which it is printed: an angle one fewer than a length, an error as errors are.
+    pub fn digits(self) -> usize {
+        match self {
+            What::Length(_) | What::Arm | What::Rate => READING_DIGITS,
+            What::Angle => 3,
+            What::Moved => 2,
+        }
+    }
+}
+
+/// One number of a construction: the level of its polygon, the action (its index there) or the vertex, and which.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Key {
+    Step(Level, usize, What),
+    /// Length of the vector of a vertex in which a laid-off vector ends (SI).
+    Vector(Level, VertexId),
+}
+
+impl Key {
+    fn digits(self) -> usize {
+        match self {
+            Key::Step(_, _, what) => what.digits(),
+            Key::Vector(..) => READING_DIGITS,
+        }
+    }
+}
+
+/// What the steps of a construction tell, each number as far as it is certain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Steps {
+    /// The pencil error (mm) for which crossings were weighed; `None`: not weighed.
+    pub pencil_mm: Option<f64>,
+    numbers: BTreeMap<Key, (Number, Rung)>,
+    /// Why some numbers have fewer digits than their kind; `None`: none has.
+    pub why: Option<Why>,
+}
+
+/// Less on paper is nothing (mm): a hundred times the rounding of the drawing in `f64`, and a millionth of what a ruler shows.
+const NOTHING_MM: f64 = 1e-9;
+
+/// A given rate is zero below this part of the largest of its level.
+const NOTHING: f64 = 1e-14;
+
+impl Steps {
+    /// A number of an action of a level's polygon; `None` where not even its first digit is certain.
+    pub fn text(&self, level: Level, action: usize, what: What) -> Option<String> {
+        Some(self.number(level, action, what)?.text(what.digits())?.0)
+    }
+
+    /// The number itself.
+    pub fn number(&self, level: Level, action: usize, what: What) -> Option<&Number> {
+        self.numbers.get(&Key::Step(level, action, what)).map(|n| &n.0)
+    }
+
+    /// The length of the vector of a vertex in which a laid-off vector ends, in SI.
+    pub fn vector(&self, level: Level, v: VertexId) -> Option<&Number> {
+        self.numbers.get(&Key::Vector(level, v)).map(|n| &n.0)
+    }
+
+    /// All of them, each with the digits to which it is printed and the rung that gave it, in the order of the drawing.
+    pub fn all(&self) -> impl Iterator<Item = (&Number, usize, Rung)> {
+        self.numbers.iter().map(|(key, (n, rung))| (n, key.digits(), *rung))
+    }
+}
+
+/// Certifies what the steps of a worked scene's construction tell; with a pencil error (mm), how far it moves each crossing.
+pub fn steps(scene: &Scene, worked: &Worked, pencil_mm: Option<f64>) -> Steps {
+    let mut done = Steps { pencil_mm, numbers: BTreeMap::new(), why: None };
+    if worked.construction.velocity.is_none() && worked.construction.acceleration.is_none() {
+        return done;
+    }
+    for rung in Rung::LADDER {
+        let last = rung == Rung::LAST;
+        let seen = rung.climb(&Redrawn { scene, worked, pencil_mm });
+        done.why = None;
+        let Some(seen) = seen else {
+            done.why = Some(Why::TooClose);
+            continue;
+        };
+        for (key, number) in seen {
+            let kept = done.numbers.get(&key).is_some_and(|(n, _)| n.holds(key.digits(), false));
+            if kept {
+                continue;
+            }
+            if !number.as_ref().is_some_and(|n| n.holds(key.digits(), last)) {
+                done.why = Some(if last { Why::Tie } else { Why::TooClose });
+            }
+            if let Some(number) = number {
+                done.numbers.insert(key, (number, rung));
+            }
+        }
+        if done.why.is_none() {
+            break;
+        }
+    }
+    done
+}
+
+/// The construction drawn again in other numbers.
+struct Redrawn<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    pencil_mm: Option<f64>,
+}
+
+impl Climb for Redrawn<'_> {
+    type Found = Option<Vec<(Key, Option<Number>)>>;
+
+    fn with<N: Certain>(&self) -> Self::Found {
+        let Worked { mechanism: m, demand, configuration, plan, construction, .. } = self.worked;
+        let at = position::recompute::<N>(self.scene, m, demand, configuration).ok()?;
+        let layout = Layout::of(construction);
+        let (paper, _) = by_hand(self.scene, m, &at, plan, &layout, &mut Exact).ok()?;
+        Some(numbers(&paper, self.pencil_mm))
+    }
+}
+
+/// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
+fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
+    let mut out = Vec::new();
+    for level in [Level::Velocity, Level::Acceleration] {
+        let Some(p) = paper.polygon(level) else { continue };
+        let rates = paper.rates.iter().filter(|r| r.level == level);
+        let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);
+        for (i, action) in p.actions.iter().enumerate() {
+            let mut tell = |what, number: Option<Number>| out.push((Key::Step(level, i, what), number));
+            match action {
+                Action::LayOff(e) => {
+                    tell(What::Length(0), length(span(&p.edges[*e])));
+                    // A given vector stands in the equations as a number.
+                    if let Mark::Image(v) = p.edges[*e].to.0 {
+                        let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
+                        let size = from_pole(p, v).and_then(|drawn| some((drawn * scale::number(p.mu)).norm()));
+                        out.push((Key::Vector(level, v), size.map(|n| n.or_zero(nothing))));
+                    }
+                }
+                Action::Cross { edges, sine, .. } => {
+                    for (k, e) in edges.iter().enumerate() {
+                        tell(What::Length(k), length(span(&p.edges[*e])));
+                    }
+                    tell(What::Angle, some(angle_deg(*sine)));
+                    if let Some(e) = pencil_mm {
+                        tell(What::Moved, some(scale::number::<N>(e) / absolute(*sine)));
+                    }
+                }
+                Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),
+                Action::Rate(r) => {
+                    let r = &paper.rates[*r];
+                    let small = |n: &Number| n.enclosure().contains_zero() && n.enclosure().largest() <= NOTHING * largest;
+                    let zero = match r.measured {
+                        Some((mm, arm)) => {
+                            let mm = length_of(mm);
+                            let zero = mm.as_ref().is_some_and(|n| n.zero);
+                            tell(What::Length(0), mm);
+                            tell(What::Arm, some(arm));
+                            zero
+                        }
+                        None => some(r.value).as_ref().is_some_and(small),
+                    };
+                    tell(What::Rate, some(r.value).map(|n| n.or_zero(zero)));
+                }
+                Action::Nothing { .. } | Action::Line { .. } | Action::Same { .. } => {}
+            }
+        }
+    }
+    out
+}
+
+fn span<N: Real>(e: &Edge<N>) -> Vec2<N> {
+    e.to.1 - e.from.1
+}
+
+fn from_pole<N: Real>(p: &Polygon<N>, v: VertexId) -> Option<Vec2<N>> {
+    p.images[v.0].map(|q| q.to_vec2())
+}
+
+fn some<N: Certain>(x: N) -> Option<Number> {
+    x.enclosure().map(Number::new)
+}
+
+/// A length on paper (mm), zero where it is surely nothing.
+fn length<N: Certain>(v: Vec2<N>) -> Option<Number> {
+    length_of(v.norm())
+}
+
+fn length_of<N: Certain>(mm: N) -> Option<Number> {
+    let n = some(mm)?;
+    let nothing = n.enclosure().largest() <= NOTHING_MM;
+    Some(n.or_zero(nothing))
+}
+
+fn absolute<N: Real>(x: N) -> N {
+    if x.approx() < 0.0 { -x } else { x }
+}
+
+/// The angle from 0 to 90 degrees that has a sine, but for its sign.
+fn angle_deg<N: Real>(sine: N) -> N {
+    let cosine = (N::from_f64(1.0) - sine * sine).sqrt_or_zero();
+    absolute(sine).atan2(cosine) * N::from_f64(180.0) / N::pi()
+}

@@ -1,0 +1,122 @@
+//! Sentences over all frames in few characters: what is said alike once, with the numbers that change apart.
+
+use std::collections::HashMap;
+
+use serde_json::{Value, json};
+
+use crate::report::phrase::Phrase;
+
+use super::mathml;
+
+/// Stands for a changing number in what the page is told (a private character).
+const HOLE: char = '\u{E000}';
+
+/// One sentence over the frames, in label language with formulas between dollar signs; `None` where nothing is said. For the
+/// page: forms with holes, which form each frame has, and the numbers in its holes.
+pub fn told(frames: &[Option<String>]) -> Value {
+    let mut forms: Vec<(Vec<String>, Vec<Vec<&str>>)> = Vec::new();
+    let mut index: HashMap<Vec<&str>, usize> = HashMap::new();
+    let mut which: Vec<Option<(usize, usize)>> = Vec::new();
+    for text in frames {
+        let Some(text) = text else {
+            which.push(None);
+            continue;
+        };
+        let (words, numbers) = taken_apart(text);
+        let form = *index.entry(words.clone()).or_insert_with(|| {
+            forms.push((words.iter().map(|w| (*w).to_owned()).collect(), Vec::new()));
+            forms.len() - 1
+        });
+        forms[form].1.push(numbers);
+        which.push(Some((form, forms[form].1.len() - 1)));
+    }
+    // Numbers that never change belong to the form.
+    let open: Vec<Vec<bool>> =
+        forms.iter().map(|(_, uses)| (0..uses[0].len()).map(|n| uses.iter().any(|u| u[n] != uses[0][n])).collect()).collect();
+    let markup: Vec<String> = forms.iter().zip(&open).map(|((words, uses), open)| form(words, &uses[0], open)).collect();
+    let mut sequence: Vec<i64> = Vec::new();
+    let mut numbers: Vec<String> = Vec::new();
+    for w in &which {
+        match w {
+            None => sequence.push(-1),
+            Some((f, use_of)) => {
+                sequence.push(*f as i64);
+                let mine = forms[*f].1[*use_of].iter().zip(&open[*f]).filter(|(_, open)| **open);
+                numbers.extend(mine.map(|(n, _)| (*n).to_owned()));
+            }
+        }
+    }
+    // One form in all frames is said by its absence.
+    let sequence = if sequence.iter().all(|s| *s == 0) { json!(0) } else { json!(runs(&sequence)) };
+    json!([markup, sequence, numbers.join(" ")])
+}
+
+/// Equal neighbours as (value, count) in one list.
+fn runs(list: &[i64]) -> Vec<i64> {
+    let mut out: Vec<i64> = Vec::new();
+    for &v in list {
+        match out.len() {
+            n if n > 1 && out[n - 2] == v => out[n - 1] += 1,
+            _ => out.extend([v, 1]),
+        }
+    }
+    out
+}
+
+/// The form as HTML, with holes for the changing numbers.
+fn form(words: &[String], numbers: &[&str], open: &[bool]) -> String {
+    // A number that no sentence has keeps the hole's place through the formulas' grammar.
+    let keeper = |n: usize| format!("{}", 90_000_001 + n);
+    let mut text = words[0].clone();
+    for (n, word) in words[1..].iter().enumerate() {
+        text.push_str(&if open[n] { keeper(n) } else { numbers[n].to_owned() });
+        text.push_str(word);
+    }
+    let mut html = mathml::sentence(&Phrase::new(&text));
+    for n in (0..open.len()).filter(|n| open[*n]) {
+        html = html.replace(&keeper(n), &HOLE.to_string());
+    }
+    html
+}
+
+/// What stands between the numbers, and the numbers.
+fn taken_apart(text: &str) -> (Vec<&str>, Vec<&str>) {
+    let bytes = text.as_bytes();
+    let (mut words, mut numbers) = (Vec::new(), Vec::new());
+    let (mut from, mut i) = (0, 0);
+    while i < bytes.len() {
+        if !bytes[i].is_ascii_digit() {
+            i += 1;
+            continue;
+        }
+        let start = i;
+        while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'.' && bytes.get(i + 1).is_some_and(u8::is_ascii_digit)) {
+            i += 1;
+        }
+        words.push(&text[from..start]);
+        numbers.push(&text[start..i]);
+        from = i;
+    }
+    words.push(&text[from..]);
+    (words, numbers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_changes_is_a_hole() {
+        let said = |mm: &str| Some(format!("From $b_2$ lay off {mm} mm, $v = {mm} m/s$."));
+        let told = told(&[said("36.2"), said("7"), None, said("7.25")]);
+        assert_eq!(told[0][0].as_str().unwrap().matches(HOLE).count(), 2, "{told}");
+        assert!(told[0][0].as_str().unwrap().contains("<mn>2</mn>"));
+        assert_eq!((&told[1], &told[2]), (&json!([0, 2, -1, 1, 0, 1]), &json!("36.2 36.2 7 7 7.25 7.25")));
+    }
+
+    #[test]
+    fn other_words_are_another_form() {
+        let told = told(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())]);
+        assert_eq!(told, json!([[format!("{HOLE} up"), "4 down"], [0, 1, 1, 1, 0, 1], "3 5"]));
+    }
+}

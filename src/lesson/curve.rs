@@ -1,0 +1,43 @@
+//! What lies between two frames: the curve that the page draws through them, here to judge how true it is.
+
+/// The value at `t` between knots `k` and `k + 1` (time and value each): a cubic whose slopes at the knots are those of the
+/// parabola through each knot and its two neighbours, at an end those of the last three.
+pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
+    let ((t0, p0), (t1, p1)) = (knots[k], knots[k + 1]);
+    let h = t1 - t0;
+    let rise = |i: usize| (knots[i + 1].1 - knots[i].1) / (knots[i + 1].0 - knots[i].0);
+    let step = |i: usize| knots[i + 1].0 - knots[i].0;
+    let before = k.checked_sub(1);
+    let after = (k + 2 < knots.len()).then_some(k + 1);
+    let here = rise(k);
+    // The slope of a parabola: the rises on both sides, each weighed by the other's length.
+    let weigh = |a: usize, b: usize| (step(b) * rise(a) + step(a) * rise(b)) / (step(a) + step(b));
+    let m0 = match (before, after) {
+        (Some(b), _) => weigh(b, k),
+        (None, Some(a)) => 2.0 * here - weigh(k, a),
+        (None, None) => here,
+    };
+    let m1 = match (before, after) {
+        (_, Some(a)) => weigh(k, a),
+        (Some(b), None) => 2.0 * here - weigh(b, k),
+        (None, None) => here,
+    };
+    let s = (t - t0) / h;
+    let (s2, s3) = (s * s, s * s * s);
+    p0 * (2.0 * s3 - 3.0 * s2 + 1.0) + m0 * h * (s3 - 2.0 * s2 + s) + p1 * (3.0 * s2 - 2.0 * s3) + m1 * h * (s3 - s2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::between;
+
+    /// A parabola is met exactly, with uneven steps and at the ends.
+    #[test]
+    fn parabolas_are_exact() {
+        let f = |t: f64| 3.0 * t * t - t + 2.0;
+        let knots: Vec<(f64, f64)> = [0.0, 1.0, 1.5, 3.0].iter().map(|t| (*t, f(*t))).collect();
+        for (k, t) in [(0, 0.3), (1, 1.2), (2, 2.9)] {
+            assert!((between(&knots, k, t) - f(t)).abs() < 1e-12, "{k} {t}");
+        }
+    }
+}

@@ -1,0 +1,281 @@
+//! Every pose worked through to one common scale, with more poses where the motion bends.
+//!
+//! Decided here: the scales (all poses fit, but those next to a limit, where vectors grow beyond all bounds), and how many
+//! poses the page needs to show those between them true to a hundredth of a millimetre.
+
+use crate::construct::scale::{self, Boxes};
+use crate::diag::Faults;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Level, Mechanism};
+use crate::position::Configuration;
+use crate::scene::Scene;
+use crate::worked::{Worked, work_placed};
+
+use super::curve;
+use super::sweep::{Follower, Pose, Sweep, scene_at};
+
+/// A pose with all that is known of it.
+pub struct Frame {
+    /// How far the driver has gone from the scene's position: radians or metres.
+    pub travel: f64,
+    /// The scene with its driver there.
+    pub scene: Scene,
+    /// The pose worked through.
+    pub worked: Worked,
+    /// Whether the polygon of velocities, and that of accelerations, is on the paper.
+    pub shown: [bool; 2],
+}
+
+/// All frames of a lesson.
+pub struct Frames {
+    /// In the order of travel.
+    pub list: Vec<Frame>,
+    /// The one in the scene's own pose.
+    pub base: usize,
+    /// Whether the mechanism turns fully.
+    pub full: bool,
+    /// Whether some polygon next to a limit is too large for the paper.
+    pub cut: bool,
+}
+
+/// The two levels that have polygons.
+pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
+
+/// A polygon next to a limit leaves the paper when it is so many times as large as three quarters of all.
+const OFF_PAPER: f64 = 4.0;
+/// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
+const BETWEEN_MM: f64 = 0.006;
+/// More frames than this part of those asked for are not added.
+const ADDED: f64 = 0.5;
+/// How much larger than on a sheet a polygon may be: it has to be read in the poses too in which it is small.
+const LARGER: f64 = 1.5;
+/// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
+const ROUNDS: usize = 4;
+/// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it.
+const ASIDE: f64 = 0.05;
+
+/// A pose under way: with the scales of its own pose.
+struct Trial {
+    travel: f64,
+    worked: Worked,
+}
+
+/// What a lesson is made from.
+pub struct Maker<'a> {
+    /// The scene in its own pose.
+    pub scene: &'a Scene,
+    /// Its topology.
+    pub mechanism: &'a Mechanism,
+    /// What it asks for, and all positions.
+    pub demand: &'a Demand,
+    /// The driver that moves.
+    pub driver: usize,
+    /// How the mechanism is followed.
+    pub follower: &'a Follower<'a>,
+}
+
+impl Maker<'_> {
+    /// Works all poses of a sweep, and more between them.
+    ///
+    /// # Errors
+    /// Those of the scene's own pose.
+    pub fn frames(&self, sweep: &Sweep) -> Result<Frames, Faults> {
+        let mut trials: Vec<Trial> = Vec::with_capacity(2 * sweep.poses.len());
+        for (k, pose) in sweep.poses.iter().enumerate() {
+            match self.trial(pose) {
+                Some(trial) => trials.push(trial),
+                None if pose.travel == 0.0 => drop(self.work(self.scene, &pose.configuration)?),
+                None => trials.extend(self.beside(sweep, k)),
+            }
+        }
+        if sweep.full
+            && let Some(first) = trials.first()
+        {
+            // The turn is closed, so that what lies between the last frame and the first is judged as well.
+            let turn = Trial { travel: std::f64::consts::TAU, worked: first.worked.clone() };
+            trials.push(turn);
+        }
+        self.refine(&mut trials, sweep);
+        if sweep.full {
+            trials.pop();
+        }
+        self.draw(trials, sweep)
+    }
+
+    fn work(&self, scene: &Scene, configuration: &Configuration) -> Result<Worked, Faults> {
+        Ok(work_placed(scene, self.mechanism.clone(), self.demand.clone(), configuration.clone())?.value)
+    }
+
+    /// A pose that is not singular.
+    fn trial(&self, pose: &Pose) -> Option<Trial> {
+        let scene = scene_at(self.scene, self.driver, pose.travel);
+        let worked = self.work(&scene, &pose.configuration).ok()?;
+        worked.solution.singular.is_empty().then_some(Trial { travel: pose.travel, worked })
+    }
+
+    /// The poses beside a singular one.
+    fn beside(&self, sweep: &Sweep, k: usize) -> Vec<Trial> {
+        let here = &sweep.poses[k];
+        let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
+        let aside = neighbours.into_iter().flatten().filter_map(|n| {
+            let travel = here.travel + (n.travel - here.travel) * ASIDE;
+            self.trial(&Pose { travel, configuration: self.follower.at(&here.configuration, travel)? })
+        });
+        aside.collect()
+    }
+
+    /// Adds frames where the page could not tell what lies between.
+    fn refine(&self, trials: &mut Vec<Trial>, sweep: &Sweep) {
+        let most = trials.len() + (sweep.poses.len() as f64 * ADDED) as usize;
+        let mut settled = vec![false; trials.len().saturating_sub(1)];
+        for _ in 0..ROUNDS {
+            let scales = self.scales(trials, sweep.full);
+            let mut wanted: Vec<(usize, f64, Trial)> = Vec::new();
+            for k in (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]) {
+                let travel = 0.5 * (trials[k].travel + trials[k + 1].travel);
+                let guess = &trials[k].worked.configuration;
+                let Some(configuration) = self.follower.at(guess, travel) else { continue };
+                let Some(middle) = self.trial(&Pose { travel, configuration }) else { continue };
+                let error = self.error(trials, k, &middle, &scales);
+                if error > BETWEEN_MM {
+                    wanted.push((k, error, middle));
+                }
+            }
+            // The worst first, where there is room for some only.
+            wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
+            wanted.truncate(most.saturating_sub(trials.len()));
+            if wanted.is_empty() {
+                return;
+            }
+            wanted.sort_by_key(|w| w.0);
+            let mut again = Vec::new();
+            let mut wanted = wanted.into_iter().peekable();
+            for (k, trial) in std::mem::take(trials).into_iter().enumerate() {
+                trials.push(trial);
+                let halved = wanted.next_if(|w| w.0 == k).map(|w| trials.push(w.2)).is_some();
+                again.extend(if halved { vec![false, false] } else { vec![true] });
+            }
+            again.truncate(trials.len().saturating_sub(1));
+            settled = again;
+        }
+    }
+
+    /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
+    fn error(&self, trials: &[Trial], k: usize, middle: &Trial, scales: &Scales) -> f64 {
+        let keys: Vec<(f64, Vec<Option<Point>>)> =
+            (k.saturating_sub(1)..(k + 3).min(trials.len())).map(|i| (trials[i].travel, scales.marks(&trials[i].worked))).collect();
+        let at = k - k.saturating_sub(1);
+        let found = scales.marks(&middle.worked);
+        let mut worst: f64 = 0.0;
+        for (i, truth) in found.iter().enumerate() {
+            let Some(truth) = truth else { continue };
+            let known: Option<Vec<(f64, Point)>> = keys.iter().map(|(t, marks)| Some((*t, marks[i]?))).collect();
+            let Some(known) = known else { continue };
+            let axis =
+                |of: fn(&Point) -> f64| curve::between(&known.iter().map(|(t, p)| (*t, of(p))).collect::<Vec<_>>(), at, middle.travel);
+            worst = worst.max(truth.distance(Point::new(axis(|p| p.x), axis(|p| p.y))));
+        }
+        worst
+    }
+
+    /// The room for each drawing.
+    fn boxes(&self, trials: &[Trial]) -> Boxes {
+        let usual = trials.first().map_or(Boxes::default(), |t| Boxes::of(&self.scene.paper, &t.worked.plan));
+        Boxes { polygon: usual.polygon.map(|side| side * LARGER), ..usual }
+    }
+
+    /// The scales at which all poses fit, but those next to a limit.
+    fn scales(&self, trials: &[Trial], full: bool) -> Scales {
+        let paper = &self.scene.paper;
+        let boxes = self.boxes(trials);
+        let places = trials.iter().flat_map(|t| t.worked.configuration.points.iter().flatten().copied());
+        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
+        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2] };
+        for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
+            let size = |t: &Trial| {
+                let [w, h] = t.worked.construction.polygon(level)?.extent();
+                Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
+            };
+            let mut sizes: Vec<f64> = trials.iter().filter_map(size).collect();
+            sizes.sort_by(f64::total_cmp);
+            let Some(largest) = sizes.last().copied() else { continue };
+            let usual = sizes[sizes.len() * 3 / 4];
+            let most = if full { largest } else { largest.min(OFF_PAPER * usual) };
+            let fitting = trials.iter().filter(|t| size(t).is_some_and(|s| s <= most));
+            let ends = fitting.filter_map(|t| t.worked.construction.polygon(level)).flat_map(|p| {
+                let mu = p.mu;
+                p.edges
+                    .iter()
+                    .flat_map(|e| [e.from.1, e.to.1])
+                    .chain(p.images.iter().flatten().copied())
+                    .map(move |q| (q.to_vec2() * mu).to_point())
+            });
+            scales.mu[i] = Some(fixed.unwrap_or_else(|| scale::choose(extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
+            scales.most[i] = most;
+        }
+        scales
+    }
+
+    /// Draws all poses to the common scales.
+    fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
+        let scales = self.scales(&trials, sweep.full);
+        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
+        let boxes = self.boxes(&trials);
+        for trial in trials {
+            let mut scene = scene_at(self.scene, self.driver, trial.travel);
+            scene.paper.mu_l = Some(scales.mu_l);
+            scene.paper.mu_v = scales.mu[0];
+            scene.paper.mu_a = scales.mu[1];
+            let shown = [0, 1].map(|i| {
+                trial.worked.construction.polygon(LEVELS[i]).is_some_and(|p| {
+                    let [w, h] = p.extent();
+                    (w / boxes.polygon[0]).max(h / boxes.polygon[1]) <= scales.most[i]
+                })
+            });
+            let worked = match self.work(&scene, &trial.worked.configuration) {
+                Ok(worked) => worked,
+                Err(faults) if trial.travel == 0.0 => return Err(faults),
+                Err(_) => continue,
+            };
+            frames.cut |= LEVELS.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
+            if trial.travel == 0.0 {
+                frames.base = frames.list.len();
+            }
+            frames.list.push(Frame { travel: trial.travel, scene, worked, shown });
+        }
+        Ok(frames)
+    }
+}
+
+/// One scale for each drawing.
+struct Scales {
+    mu_l: f64,
+    mu: [Option<f64>; 2],
+    /// The largest polygons (in boxes, SI) that the paper holds.
+    most: [f64; 2],
+}
+
+impl Scales {
+    /// Joints and images on paper, in a fixed order.
+    fn marks(&self, worked: &Worked) -> Vec<Option<Point>> {
+        let mut marks: Vec<Option<Point>> =
+            worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / self.mu_l)).to_point())).collect();
+        for (level, mu) in LEVELS.into_iter().zip(self.mu) {
+            if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
+                marks.extend(p.images.iter().map(|q| q.map(|q| (q.to_vec2() * (p.mu / mu)).to_point())));
+                marks.extend(p.edges.iter().map(|e| Some((e.to.1.to_vec2() * (p.mu / mu)).to_point())));
+            }
+        }
+        marks
+    }
+}
+
+/// Width and height of what holds all places.
+fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
+    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for p in places {
+        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
+    }
+    if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
+}

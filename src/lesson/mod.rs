@@ -1,0 +1,89 @@
+//! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
+//!
+//! Decided here: what the page holds. [`sweep`] follows the mechanism through its driver's travel, [`frames`] works each pose to
+//! one common scale, [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
+//! characters, [`bank`] does the same for sentences ([`mathml`] sets their formulas), [`page`] puts it together, and
+//! [`reveal`] writes one pose as a fragment for slides.
+//! Not decided here: how anything is drawn or solved.
+
+mod bank;
+mod curve;
+mod frames;
+mod limit;
+mod mathml;
+mod pack;
+mod page;
+mod reveal;
+mod scenery;
+mod steps;
+pub mod sweep;
+mod track;
+mod words;
+
+pub use reveal::reveal;
+
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::plan::notation::Notation;
+use crate::scene::{Lang, Scene};
+use crate::worked::{Scope, work};
+
+use frames::Maker;
+use sweep::Follower;
+
+/// How a lesson is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// The language in which the page opens; it holds both.
+    pub lang: Lang,
+    /// Marks; they stay the same in both languages.
+    pub notation: Notation,
+    /// Poses through a full turn, or through the travel of a slider; more are added where the motion bends.
+    pub positions: usize,
+    /// Which of the scene's drivers is moved; the others stand at their places, with their rates.
+    pub driver: usize,
+}
+
+impl Options {
+    /// The usual lesson in a language.
+    pub fn of_language(lang: Lang) -> Options {
+        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, driver: 0 }
+    }
+}
+
+/// Poses through a turn unless others are asked for: every 5°.
+pub const POSITIONS: usize = 72;
+
+/// The page, and what the reader should know of it.
+///
+/// # Errors
+/// Those of the scene in its own pose.
+///
+/// ```
+/// use hodograph::{lesson, scene};
+/// let text = scene::templates::get("slider-crank").unwrap();
+/// let scene = scene::read(text)?.value;
+/// let page = lesson::lesson(&scene, &lesson::Options::of_language(scene::Lang::En))?.value;
+/// assert!(page.starts_with("<!DOCTYPE html>") && page.len() < 300_000);
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
+    let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
+    if options.driver >= scene.drivers.len() {
+        return Err(Diagnostic::error(
+            "driver",
+            format!("there is no driver {}: the scene has {}", options.driver + 1, scene.drivers.len()),
+        )
+        .into());
+    }
+    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
+    let sweep = follower.sweep(options.positions.clamp(8, 360));
+    let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
+    let frames = maker.frames(&sweep)?;
+    if scene.drivers.len() > 1 {
+        notes.push(Diagnostic::note(
+            "lesson-driver",
+            "the scene has several drivers: the lesson moves one of them, the others hold their positions",
+        ));
+    }
+    Ok(Warned { value: page::page(scene, options, &sweep, &frames)?, notes })
+}

@@ -1,0 +1,184 @@
+//! The page: template, style and script of this folder with the lesson's markup and data in them.
+//!
+//! Decided here: what stands where. Nothing is fetched: all is in the one file.
+
+use serde_json::{Value, json};
+
+use crate::accuracy::toggle::driver_position;
+use crate::diag::Faults;
+use crate::figure::sheet;
+use crate::figure::words as figure_words;
+use crate::geom::Point;
+use crate::mechanism::Level;
+use crate::scene::{DriverKind, Lang, Scene};
+
+use super::frames::{Frame, Frames};
+use super::mathml::{escaped, formula};
+use super::scenery::{Scenery, Shows, scenery, stray};
+use super::steps::{LANGS, answers, steps};
+use super::sweep::Sweep;
+use super::track::{Outlines, Told, runs};
+use super::words::{table, word};
+use super::{Options, limit, pack};
+
+const PAGE: &str = include_str!("page.html");
+const STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
+
+/// Writes the page.
+///
+/// # Errors
+/// Those of the SVG writer.
+pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Result<String, Faults> {
+    let drawings = scenery(frames, &options.notation)?;
+    let mut outlines = Outlines::default();
+    let told: Vec<Told> = drawings.iter().map(|d| d.track.told(&mut outlines)).collect();
+    let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
+    let mechanism = figures.next().unwrap_or_default();
+    let polygons: String = figures.collect();
+    let title = |lang: Lang| match scene.title.get(lang) {
+        "" => figure_words::words(lang).diagram.to_owned(),
+        title => title.to_owned(),
+    };
+    let data = json!({
+        "digits": pack::alphabet(),
+        "lang": tag(options.lang),
+        "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
+        "title": LANGS.map(title),
+        "statement": LANGS.map(|lang| statement(scene, lang)),
+        "driver": driver(scene, options.driver),
+        "travel": frames.list.iter().map(|f| f.travel).collect::<Vec<_>>(),
+        "base": frames.base,
+        "full": frames.full,
+        "limits": limits(scene, sweep, frames),
+        "cut": frames.cut,
+        "handle": handle(frames, options.driver, &drawings[0]),
+        "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
+        "outlines": outlines.list,
+        "steps": steps(frames, &options.notation),
+        "answers": answers(frames, options.driver, &options.notation),
+    });
+    // Inside a script element only `</` could end it.
+    let data = data.to_string().replace("</", "<\\/");
+    Ok(PAGE
+        .replace("{{lang}}", tag(options.lang))
+        .replace("{{title}}", &escaped(&title(options.lang)))
+        .replace("{{style}}", STYLE)
+        .replace("{{mechanism}}", &mechanism)
+        .replace("{{polygons}}", &polygons)
+        .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
+        .replace("{{data}}", &data)
+        .replace("{{script}}", SCRIPT))
+}
+
+fn tag(lang: Lang) -> &'static str {
+    figure_words::words(lang).tag
+}
+
+/// What the page is told of a drawing.
+fn drawing(d: &Scenery, told: &Told) -> Value {
+    json!({"key": d.shows.key(), "moving": told.moving, "labels": told.labels, "shown": runs(d.shown.iter().copied())})
+}
+
+/// A drawing with its caption; its scale is said below.
+fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
+    let [w, h] = d.size_mm.map(crate::render::number::mm);
+    let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
+    let paper = &frames.list[frames.base].worked.construction;
+    let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
+    let (caption, scale): (fn(Lang) -> &'static str, String) = match d.shows {
+        Shows::Mechanism => (|l| figure_words::words(l).diagram, format!("\\mu_l = {} m/mm", sheet::scale(paper.diagram.mu_l))),
+        Shows::Polygon(level @ Level::Acceleration) => {
+            (|l| figure_words::words(l).acceleration_polygon, format!("\\mu_a = {} (m/s^2)/mm", sheet::scale(mu(level))))
+        }
+        Shows::Polygon(level) => (|l| figure_words::words(l).velocity_polygon, format!("\\mu_v = {} (m/s)/mm", sheet::scale(mu(level)))),
+    };
+    let key = d.shows.key();
+    let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
+    format!(
+        "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
+         <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> {}</figcaption>\n</figure>\n",
+        told.markup,
+        escaped(caption(lang)),
+        formula(&scale),
+    )
+}
+
+fn statement(scene: &Scene, lang: Lang) -> String {
+    let given = scene.statement.as_ref().map_or("", |s| s.get(lang));
+    if given.is_empty() { word("diagram", lang).to_owned() } else { given.to_owned() }
+}
+
+/// What is moved: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
+/// one says), and its unit.
+fn driver(scene: &Scene, k: usize) -> Value {
+    let driver = &scene.drivers[k];
+    let (turns, symbol) = match &driver.kind {
+        DriverKind::Turn { link, against, .. } if *against == scene.ground => (true, format!("\\varphi_{{{}}}", scene.link_name(*link))),
+        DriverKind::Turn { link, against, .. } => (true, format!("\\varphi_{{{}/{}}}", scene.link_name(*link), scene.link_name(*against))),
+        DriverKind::Slide { guide, .. } => {
+            let g = &scene.guides[guide.0];
+            let name = g.pin.map(|p| scene.point_name(p)).or(g.slider.map(|s| scene.link_name(s))).unwrap_or_default();
+            (false, format!("s_{{{name}}}"))
+        }
+        DriverKind::Cylinder { a, b, .. } => (false, format!("l_{{{}{}}}", scene.point_name(*a), scene.point_name(*b))),
+    };
+    let factor = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
+    let start = match &driver.kind {
+        DriverKind::Turn { angle: Some(a), .. } => Some(a.value.degrees()),
+        _ => driver_position(scene, k).map(|s| s * factor),
+    };
+    let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
+    let back = driver.rate.value < 0.0;
+    json!({"turns": turns, "symbol": formula(&symbol), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
+}
+
+/// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.
+fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
+    let mechanism = &frames.list[frames.base].worked.mechanism;
+    let ends = [sweep.poses.first(), sweep.poses.last()];
+    let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
+        let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };
+        let key = if sweep.far(pose) { "limit_far" } else { "limit" };
+        json!(LANGS.map(|lang| limit::words(scene, mechanism, &pose.configuration, lang).unwrap_or_else(|| word(key, lang).to_owned())))
+    });
+    said.collect()
+}
+
+/// The point by which the driver is dragged, over the frames: two packed columns of thousandths of a millimetre on the
+/// mechanism's paper, y down.
+fn handle(frames: &Frames, driver: usize, paper: &Scenery) -> Value {
+    let places: Vec<Point> =
+        frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
+    let mut packed = String::new();
+    let whole = |v: f64| (v * 1000.0).round() as i64;
+    pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
+    pack::column(&places.iter().map(|p| whole(paper.size_mm[1] - p.y)).collect::<Vec<_>>(), &mut packed);
+    json!(packed)
+}
+
+/// The driver's grip on the diagram (mm from its origin): the farthest point of a turning link, the slider, the rod's joint.
+fn grip(frame: &Frame, driver: usize) -> Option<Point> {
+    let (scene, at) = (&frame.scene, &frame.worked.configuration);
+    let diagram = &frame.worked.construction.diagram;
+    let place = match &scene.drivers[driver].kind {
+        DriverKind::Turn { link, against, line, .. } => {
+            let shared = |p: &&crate::scene::PointId| scene.links[against.0].points.contains(p);
+            let points = &scene.links[link.0].points;
+            let centre = points.iter().find(shared).and_then(|p| at.points[p.0]);
+            let of_line = line.and_then(|(a, b)| Some((at.points[a.0]?, at.points[b.0]?)));
+            match (of_line, centre) {
+                (Some((a, b)), Some(c)) => Some(if a.distance(c) > b.distance(c) { a } else { b }),
+                (Some((_, b)), None) => Some(b),
+                (None, Some(c)) => points.iter().filter_map(|p| at.points[p.0]).max_by(|a, b| a.distance(c).total_cmp(&b.distance(c))),
+                (None, None) => points.iter().find_map(|p| at.points[p.0]),
+            }
+        }
+        DriverKind::Slide { guide, .. } => {
+            let g = &scene.guides[guide.0];
+            g.pin.and_then(|p| at.points[p.0]).or_else(|| at.poses[g.slider?.0].map(|p| p.origin))
+        }
+        DriverKind::Cylinder { b, .. } => at.points[b.0],
+    }?;
+    Some(((place - diagram.origin) * (1.0 / diagram.mu_l)).to_point())
+}

@@ -1,0 +1,67 @@
+//! One pose as a fragment for slides: an inline SVG whose parts carry the classes by which reveal.js shows them one by one.
+
+use crate::diag::{Faults, Warned};
+use crate::figure::extent::Rect;
+use crate::figure::item::Item;
+use crate::figure::sheet::{self, Single};
+use crate::geom::Point;
+use crate::render::number::mm;
+use crate::render::svg;
+use crate::scene::Scene;
+use crate::worked::Worked;
+
+use super::frames::LEVELS;
+use super::mathml::escaped;
+
+/// Between two drawings.
+const GAP_MM: f64 = 6.0;
+
+/// The mechanism with its polygons side by side, as an SVG to paste into a slide: `<g class="fragment" data-fragment-index="n">` around
+/// what the n-th step draws, first of the velocities, then of the accelerations.
+///
+/// # Errors
+/// Those of the SVG writer.
+pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
+    let wanted = std::iter::once(Single::Mechanism).chain(LEVELS.map(Single::Polygon));
+    let mut figures: Vec<_> = wanted.filter_map(|w| Some((w, sheet::single(scene, worked, options, w)?))).collect();
+    let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
+    let mut x = 0.0;
+    let mut body = String::new();
+    let mut done = 0;
+    for (which, figure) in &mut figures {
+        // All stand on one line, their captions at the bottom.
+        crate::figure::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
+        x += figure.width_mm + GAP_MM;
+        let level = match which {
+            Single::Mechanism | Single::Equations | Single::Results => None,
+            Single::Polygon(level) => Some(*level),
+        };
+        let elements = svg::elements(&figure.items, height)?;
+        let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| step(i))).collect();
+        let most = of.iter().flatten().max().map_or(0, |n| n + 1);
+        // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
+        for (element, of) in elements.iter().zip(&of) {
+            match of {
+                Some(n) => {
+                    let index = done + n;
+                    body.push_str(&format!("<g class=\"fragment\" data-fragment-index=\"{index}\">\n{element}\n</g>\n"));
+                }
+                None => body.push_str(&format!("{element}\n")),
+            }
+        }
+        done += most;
+    }
+    let paper = Rect::new(Point::ORIGIN, Point::new((x - GAP_MM).max(0.0), height));
+    let title = scene.title.get(options.lang);
+    let (w, h) = (mm(paper.width_mm()), mm(paper.height_mm()));
+    let value = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:#fff\">\n{body}</svg>\n",
+        escaped(title)
+    );
+    Ok(Warned { value, notes: Vec::new() })
+}
+
+/// The step that draws an item of a polygon: the first, where several do.
+fn step(item: &Item) -> Option<usize> {
+    item.class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse().ok()).min()
+}

@@ -1,0 +1,126 @@
+//! The three drawings over all frames, each on one paper for all poses.
+//!
+//! Decided here: the paper (what holds all poses) and the order in which labels are placed, each where it stood in the frame
+//! before if it can.
+
+use std::sync::LazyLock;
+
+use crate::diag::Faults;
+use crate::figure::drawing::{Habits, Part};
+use crate::figure::extent::Rect;
+use crate::figure::style::Style;
+use crate::figure::{mechanism, polygon};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::scene::Lang;
+
+use super::frames::{Frame, Frames, LEVELS};
+use super::track::Track;
+
+/// Around all ink of all poses.
+const MARGIN_MM: f64 = 3.0;
+/// Weights and sizes.
+static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
+
+/// What a drawing shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shows {
+    /// The mechanism.
+    Mechanism,
+    /// A polygon.
+    Polygon(Level),
+}
+
+impl Shows {
+    /// A word for names in the page.
+    pub fn key(self) -> &'static str {
+        match self {
+            Shows::Mechanism => "mechanism",
+            Shows::Polygon(Level::Acceleration) => "acceleration",
+            Shows::Polygon(_) => "velocity",
+        }
+    }
+}
+
+/// A drawing over all frames.
+pub struct Scenery {
+    /// What it shows.
+    pub shows: Shows,
+    /// Width and height of its paper (mm).
+    pub size_mm: [f64; 2],
+    /// The diagram's origin or the pole on that paper, x to the right and y up from its lower left corner.
+    pub origin: Point,
+    /// Its elements over the frames.
+    pub track: Track,
+    /// Whether it is on the paper, in each frame.
+    pub shown: Vec<bool>,
+}
+
+/// All drawings that the scene calls for.
+///
+/// # Errors
+/// Those of the SVG writer.
+pub fn scenery(frames: &Frames, notation: &Notation) -> Result<Vec<Scenery>, Faults> {
+    let mut wanted = vec![Shows::Mechanism];
+    let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
+    wanted.extend(LEVELS.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
+    // The drawings know nothing of one another.
+    std::thread::scope(|threads| {
+        let running: Vec<_> = wanted.into_iter().map(|shows| threads.spawn(move || one(frames, notation, shows))).collect();
+        running.into_iter().map(|t| t.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+    })
+}
+
+fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Faults> {
+    let mut parts: Vec<Option<Part>> = frames.list.iter().map(|_| None).collect();
+    let mut at_base = Habits::new();
+    parts[frames.base] = part(frames, frames.base, notation, shows, &mut at_base);
+    // On from the scene's pose, and where the turn is not closed also back from it.
+    let mut habits = at_base.clone();
+    let ahead = frames.base + 1..frames.list.len();
+    let (round, back) = if frames.full { (0..frames.base, 0..0) } else { (0..0, 0..frames.base) };
+    for k in ahead.chain(round) {
+        parts[k] = part(frames, k, notation, shows, &mut habits);
+    }
+    for k in back.rev() {
+        parts[k] = part(frames, k, notation, shows, &mut at_base);
+    }
+    let all = parts.iter().flatten().map(|p| p.bounds).reduce(Rect::union);
+    let paper = all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(MARGIN_MM);
+    let shift = Point::ORIGIN - paper.min;
+    let mut track = Track::new(paper.height_mm(), frames.base, frames.list.len());
+    let shown = parts.iter().map(Option::is_some).collect();
+    for (k, part) in parts.into_iter().enumerate() {
+        let Some(mut part) = part else { continue };
+        part.translate(shift);
+        track.add(k, &part.items)?;
+    }
+    Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
+}
+
+fn part(frames: &Frames, k: usize, notation: &Notation, shows: Shows, habits: &mut Habits) -> Option<Part> {
+    let frame = &frames.list[k];
+    match shows {
+        Shows::Mechanism => {
+            let mut part = mechanism::drawing(&STYLE, &frame.scene, &frame.worked, notation).finish_after(habits);
+            part.translate(stray(frames, frame));
+            Some(part)
+        }
+        Shows::Polygon(level) => {
+            let on_paper = frame.shown[LEVELS.iter().position(|l| *l == level)?];
+            let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
+            // Letters only: the language does not matter.
+            let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };
+            Some(polygon::drawing(&STYLE, &w, p).finish_after(habits))
+        }
+    }
+}
+
+/// By how much (mm) a frame's diagram must be moved to lie over that of the scene's own pose: its origin may be a point that
+/// moves.
+pub fn stray(frames: &Frames, frame: &Frame) -> Vec2 {
+    let (here, first) = (&frame.worked.construction.diagram, &frames.list[frames.base].worked.construction.diagram);
+    (here.origin - first.origin) * (1.0 / first.mu_l)
+}

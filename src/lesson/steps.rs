@@ -1,0 +1,91 @@
+//! What is said at each step of the construction, and the answers, in all frames.
+
+use serde_json::{Value, json};
+
+use crate::accuracy::ladder::Certified;
+use crate::accuracy::{certify, steps as certified_steps, toggle};
+use crate::figure::results::{DIGITS, amount, sense, symbol};
+use crate::figure::words::words;
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::report::construction::sentences;
+use crate::report::phrase::{Phrase, Piece};
+use crate::scene::Lang;
+
+use super::bank;
+use super::frames::{Frame, Frames, LEVELS};
+
+/// Both languages of the page.
+pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
+
+/// The steps after the mechanism's own: level, index of the action (−1 for the pole), and what is said, English and Chinese.
+pub fn steps(frames: &Frames, notation: &Notation) -> Vec<Value> {
+    let mut steps = Vec::new();
+    for level in LEVELS {
+        let said = LANGS.map(|lang| frames.list.iter().map(|f| of_level(f, level, notation, lang)).collect::<Vec<_>>());
+        let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
+        let key = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+        for n in 0..count {
+            let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect());
+            steps.push(json!([key, n as i64 - 1, en, zh]));
+        }
+    }
+    steps
+}
+
+/// What is said in English and in Chinese; numbers that are the same in both are told once.
+fn in_both(said: impl Fn(usize) -> Vec<Option<String>>) -> [Value; 2] {
+    let [en, mut zh] = [0, 1].map(|l| bank::told(&said(l)));
+    if en[2] == zh[2] {
+        zh[2] = json!(0);
+    }
+    [en, zh]
+}
+
+fn of_level(frame: &Frame, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
+    let Some(p) = frame.worked.construction.polygon(level) else { return Vec::new() };
+    let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
+    sentences(&w, &frame.worked.construction, p, &certified_steps(&frame.scene, &frame.worked, None)).iter().map(source).collect()
+}
+
+/// A sentence with its formulas between dollar signs again.
+fn source(phrase: &Phrase) -> String {
+    let piece = |p: &Piece| match p {
+        Piece::Words(w) => w.clone(),
+        Piece::Formula(f) => format!("${f}$"),
+    };
+    phrase.pieces().iter().map(piece).collect()
+}
+
+/// The answers: for each question its value in all frames, English and Chinese.
+pub fn answers(frames: &Frames, driver: usize, notation: &Notation) -> Vec<Value> {
+    let certified: Vec<Vec<Certified>> = frames.list.iter().map(|f| certified(f, driver)).collect();
+    let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
+    (0..finds)
+        .map(|i| {
+            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, c, i, notation, LANGS[l])).collect();
+            let [en, zh] = in_both(said);
+            json!([en, zh])
+        })
+        .collect()
+}
+
+/// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
+/// certifies the others.
+fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
+    let told = frame.travel == 0.0 || toggle::driver_position(&frame.scene, driver).is_some();
+    let mut list = certify(&frame.scene, &frame.worked, DIGITS);
+    if !told {
+        list.iter_mut().for_each(|c| (c.parts, c.reading) = (Vec::new(), None));
+    }
+    list
+}
+
+fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation, lang: Lang) -> Option<String> {
+    // In a dead centre some questions have no answer.
+    let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
+    let find = &frame.scene.find[r.find];
+    let sense = sense(find, r.value(), c, words(lang), DIGITS).plain();
+    Some(format!("${} = {}$ {sense}", symbol(find, notation), amount(find, r.value(), c, DIGITS)).trim_end().to_owned())
+}

@@ -1,0 +1,223 @@
+//! All poses of a mechanism through the travel of one driver: followed from the scene's pose without a jump to another
+//! assembly, to the full turn or to the limits at both ends.
+//!
+//! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
+
+use std::f64::consts::TAU;
+
+use crate::accuracy::toggle::{driver_position, with_driver_at};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{self, Configuration, Pose as Frame, newton};
+use crate::scene::{DriverKind, Given, Scene};
+
+/// One pose.
+#[derive(Clone, Debug)]
+pub struct Pose {
+    /// How far the driver has gone from the scene's position: radians or metres.
+    pub travel: f64,
+    /// Where everything is.
+    pub configuration: Configuration,
+}
+
+/// The poses of a driver's travel.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// In the order of growing travel; the scene's own pose has the travel 0.
+    pub poses: Vec<Pose>,
+    /// Whether the mechanism comes back to its first pose after a full turn.
+    pub full: bool,
+    /// Travel at which the mechanism can go no farther back and no farther on; the pose there is the first and the last one.
+    pub limits: [Option<f64>; 2],
+}
+
+impl Sweep {
+    /// Whether a pose is an end because a joint leaves the paper there.
+    pub fn far(&self, pose: &Pose) -> bool {
+        let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
+        stray(&pose.configuration, &base.configuration) > FAR * 0.999 * base.configuration.extent()
+    }
+}
+
+/// A joint that strays farther than this part of the mechanism's size from where its motion leads has jumped to another
+/// assembly, or turns so fast that the step must be smaller. (A crank as long as the mechanism strays by 0.008 in 5°.)
+const STRAY: f64 = 0.03;
+/// Halvings of a step before the motion is taken to end: 5° become 0.0003°.
+const HALVINGS: usize = 14;
+/// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
+/// parallel send their crossing beyond all bounds.
+const FAR: f64 = 3.0;
+/// Fewest steps between two limits.
+const STEPS_LEAST: usize = 48;
+
+/// Follows a mechanism along one driver's travel, the other drivers held.
+pub struct Follower<'a> {
+    scene: Scene,
+    mechanism: &'a Mechanism,
+    demand: &'a Demand,
+    base: &'a Configuration,
+    driver: usize,
+}
+
+impl<'a> Follower<'a> {
+    /// Of the scene in its own pose.
+    pub fn new(scene: &Scene, mechanism: &'a Mechanism, demand: &'a Demand, base: &'a Configuration, driver: usize) -> Follower<'a> {
+        let mut scene = scene.clone();
+        // Only the driver moves, by a unit in a unit of time: then time is its travel.
+        for (d, of) in scene.drivers.iter_mut().enumerate() {
+            let rate = if d == driver { 1.0 } else { 0.0 };
+            of.rate = Given { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
+            of.acceleration = None;
+        }
+        Follower { scene, mechanism, demand, base, driver }
+    }
+
+    /// All poses, in at least `count` steps.
+    pub fn sweep(&self, count: usize) -> Sweep {
+        let turns = matches!(self.scene.drivers[self.driver].kind, DriverKind::Turn { .. });
+        let reach = if turns { TAU } else { 2.0 * self.base.extent() };
+        let step = reach / count as f64;
+        let (mut up, mut high) = self.walk(step, reach);
+        if turns && high.is_none() && up.last().is_some_and(|p| self.stray(&p.configuration, self.base) < 1e-6) {
+            up.pop();
+            up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
+            return Sweep { poses: up, full: true, limits: [None, None] };
+        }
+        let (mut down, mut low) = self.walk(-step, reach);
+        let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
+        if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
+            let fine = range / STEPS_LEAST as f64;
+            (up, high) = self.walk(fine, reach);
+            (down, low) = self.walk(-fine, reach);
+        }
+        let mut poses: Vec<Pose> = down.into_iter().rev().collect();
+        poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
+        poses.extend(up);
+        Sweep { poses, full: false, limits: [low, high] }
+    }
+
+    /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end.
+    fn walk(&self, step: f64, reach: f64) -> (Vec<Pose>, Option<f64>) {
+        let count = (reach / step.abs()).round() as usize;
+        let start = Pose { travel: 0.0, configuration: self.base.clone() };
+        let (mut before, mut now) = (None, start);
+        let mut poses = Vec::new();
+        for k in 1..=count {
+            let target = step * k as f64;
+            while now.travel != target {
+                match self.next(before.as_ref(), &now, target) {
+                    Some(next) => before = Some(std::mem::replace(&mut now, next)),
+                    None => {
+                        let end = self.end(&now, target);
+                        let limit = end.travel;
+                        poses.push(end);
+                        return (poses, Some(limit));
+                    }
+                }
+            }
+            poses.push(now.clone());
+        }
+        (poses, None)
+    }
+
+    /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
+    fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
+        let mut travel = target;
+        for _ in 0..HALVINGS {
+            let guess = foretold(before, now, travel);
+            if let Some(configuration) = self.at(&guess, travel)
+                && self.stray(&configuration, &guess) < STRAY
+            {
+                return Some(Pose { travel, configuration });
+            }
+            travel = now.travel + (travel - now.travel) / 2.0;
+        }
+        None
+    }
+
+    /// The last pose before the motion ends, found by halving.
+    fn end(&self, now: &Pose, target: f64) -> Pose {
+        let (mut inside, mut outside) = (now.clone(), target);
+        loop {
+            let middle = 0.5 * (inside.travel + outside);
+            // No double lies between.
+            if middle == inside.travel || middle == outside {
+                return inside;
+            }
+            // Close to its limit a mechanism moves as the root of the distance: nothing is foretold, and nearness is judged broadly.
+            match self.at(&inside.configuration, middle).filter(|c| self.stray(c, &inside.configuration) < 10.0 * STRAY) {
+                Some(configuration) => inside = Pose { travel: middle, configuration },
+                None => outside = middle,
+            }
+        }
+    }
+
+    /// The pose at a travel that is nearest to a guess; `None` where the mechanism does not close, or leaves the paper.
+    pub fn at(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        self.closed(guess, travel).filter(|c| self.stray(c, self.base) < FAR)
+    }
+
+    fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
+        let mut best = match later(guess) {
+            Ok(found) => found,
+            Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
+            Err(_) => return None,
+        };
+        // At a change point the closed forms of two motions change places.
+        let mut meant = guess.clone();
+        for g in 0..meant.closures.len() {
+            let kept = meant.closures[g];
+            meant.closures[g] = 1 - kept.min(1);
+            match later(&meant).ok().filter(|other| self.stray(other, guess) < self.stray(&best, guess)) {
+                Some(other) => best = other,
+                None => meant.closures[g] = kept,
+            }
+        }
+        Some(best)
+    }
+
+    fn by_newton(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        let mut values = newton::driver_values(&self.scene, self.base);
+        values.0[self.driver] += travel;
+        newton::moved(&self.scene, self.mechanism, guess, &values)
+    }
+
+    /// The largest distance of a joint in two poses, as a part of the mechanism's size.
+    fn stray(&self, a: &Configuration, b: &Configuration) -> f64 {
+        stray(a, b) / self.base.extent().max(f64::MIN_POSITIVE)
+    }
+}
+
+/// The largest distance (m) of a joint in two poses.
+fn stray(a: &Configuration, b: &Configuration) -> f64 {
+    a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
+}
+
+/// Where the motion leads: as far on as from the pose before.
+fn foretold(before: Option<&Pose>, now: &Pose, travel: f64) -> Configuration {
+    let mut guess = now.configuration.clone();
+    let Some(before) = before else { return guess };
+    let ratio = (travel - now.travel) / (now.travel - before.travel);
+    let ahead = |old: Point, new: Point| new + (new - old) * ratio;
+    for (p, old) in guess.points.iter_mut().zip(&before.configuration.points) {
+        if let (Some(p), Some(old)) = (p, old) {
+            *p = ahead(*old, *p);
+        }
+    }
+    for (f, old) in guess.poses.iter_mut().zip(&before.configuration.poses) {
+        if let (Some(f), Some(old)) = (f, old) {
+            let turned = f.axis.divide_by(old.axis).angle();
+            *f = Frame { origin: ahead(old.origin, f.origin), axis: f.axis.rotate_by(Vec2::from_angle(turned * ratio)) };
+        }
+    }
+    guess
+}
+
+/// The scene with its driver elsewhere, as far as the scene says where it is.
+pub fn scene_at(scene: &Scene, driver: usize, travel: f64) -> Scene {
+    match driver_position(scene, driver) {
+        Some(start) => with_driver_at(scene, driver, start + travel),
+        None => scene.clone(),
+    }
+}

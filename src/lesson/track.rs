@@ -1,0 +1,333 @@
+//! One drawing over all frames: which elements there are, in which frames each is seen, and which of its numbers change.
+//!
+//! The markup is the SVG writer's own: this room looks only at the numbers in it, so that whatever the figures learn to
+//! draw can move. Two items of two frames are the same element when name, text and markup but for the numbers agree.
+
+use std::collections::HashMap;
+
+use crate::diag::Faults;
+use crate::figure::item::{Item, Shape};
+use crate::figure::label::Label;
+use crate::render::svg;
+
+use super::pack;
+
+/// Attributes whose numbers are coordinates.
+const GEOMETRY: [&str; 9] = ["x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"];
+/// What the numbers are told in: thousandths of a millimetre, as the SVG writer rounds.
+const UNIT: f64 = 1000.0;
+
+/// An element.
+struct Element {
+    /// Its markup where it is seen first, and in the scene's own pose if it is seen there.
+    markup: String,
+    /// Whether it is seen in the scene's own pose.
+    at_base: bool,
+    /// Its numbers in each frame; `None` where it is not seen.
+    frames: Vec<Option<Vec<i64>>>,
+}
+
+/// A drawing in the making.
+pub struct Track {
+    height_mm: f64,
+    base: usize,
+    count: usize,
+    order: Vec<usize>,
+    elements: Vec<Element>,
+    known: HashMap<(String, String, String), usize>,
+}
+
+/// A drawing told to the page.
+pub struct Told {
+    /// The elements' markup, from back to front; those not seen in the scene's own pose are hidden.
+    pub markup: String,
+    /// For each element that changes: its index, where it is seen (runs of frames: seen, not seen, seen …), which numbers of which
+    /// attributes of which part change, and those numbers.
+    pub moving: Vec<serde_json::Value>,
+    /// For each label that is not seen at first: its index, and its contours as triples (where each begins, seen from the one
+    /// before, and which of [`Outlines`] it is).
+    pub labels: Vec<serde_json::Value>,
+}
+
+/// Contours of letters, each once.
+#[derive(Default)]
+pub struct Outlines {
+    /// Path data after the first move.
+    pub list: Vec<String>,
+    known: HashMap<String, usize>,
+}
+
+impl Outlines {
+    /// Path data of a label as triples.
+    fn told(&mut self, data: &str) -> Vec<i64> {
+        let mut triples = Vec::new();
+        for contour in data.split('m').skip(1) {
+            let end = contour.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(contour.len());
+            let (from, body) = contour.split_at(end);
+            triples.extend(numerals(from).iter().map(|(a, b)| from[*a..*b].parse::<i64>().unwrap_or(0)));
+            let next = self.list.len();
+            let index = *self.known.entry(body.to_owned()).or_insert(next);
+            if index == next {
+                self.list.push(body.to_owned());
+            }
+            triples.push(index as i64);
+        }
+        triples
+    }
+}
+
+impl Track {
+    /// Of a drawing on a paper so high, over so many frames; `base` is the frame of the scene's own pose.
+    pub fn new(height_mm: f64, base: usize, count: usize) -> Track {
+        Track { height_mm, base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
+    }
+
+    /// Adds the items of a frame; frames may come in any order.
+    ///
+    /// # Errors
+    /// Those of the SVG writer.
+    pub fn add(&mut self, frame: usize, items: &[Item]) -> Result<(), Faults> {
+        // The outlines of letters are not wanted again and again: blank labels have the same places.
+        let blank: Vec<Item> = items.iter().map(blank).collect();
+        let mut after = None;
+        for (item, text) in items.iter().zip(svg::elements(&blank, self.height_mm)?) {
+            let (form, numbers) = taken_apart(&text);
+            let key = (item.id.clone(), source(item).to_owned(), form);
+            let index = match self.known.get(&key) {
+                Some(&index) => index,
+                None => {
+                    let index = self.elements.len();
+                    let place = after.and_then(|a| self.order.iter().position(|e| *e == a)).map_or(0, |p| p + 1);
+                    self.order.insert(place, index);
+                    let markup = self.markup(item)?;
+                    self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count] });
+                    self.known.insert(key, index);
+                    index
+                }
+            };
+            if frame == self.base {
+                self.elements[index].markup = self.markup(item)?;
+                self.elements[index].at_base = true;
+            }
+            self.elements[index].frames[frame] = Some(numbers);
+            after = Some(index);
+        }
+        Ok(())
+    }
+
+    fn markup(&self, item: &Item) -> Result<String, Faults> {
+        Ok(svg::elements(std::slice::from_ref(item), self.height_mm)?.concat())
+    }
+
+    /// The drawing for the page.
+    pub fn told(&self, outlines: &mut Outlines) -> Told {
+        let mut told = Told { markup: String::new(), moving: Vec::new(), labels: Vec::new() };
+        for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
+            if element.at_base {
+                told.markup.push_str(&element.markup);
+            } else if let Some(data) = outline(&element.markup) {
+                told.labels.push(serde_json::json!([place, outlines.told(data)]));
+                told.markup.push_str(&hidden(&element.markup.replacen(data, "", 1)));
+            } else {
+                told.markup.push_str(&hidden(&element.markup));
+            }
+            told.markup.push('\n');
+            let seen: Vec<&Vec<i64>> = element.frames.iter().flatten().collect();
+            let changing: Vec<usize> = (0..seen[0].len()).filter(|n| seen.iter().any(|f| f[*n] != seen[0][*n])).collect();
+            if changing.is_empty() && seen.len() == element.frames.len() {
+                continue;
+            }
+            let mut columns = String::new();
+            for n in &changing {
+                pack::column(&seen.iter().map(|f| f[*n]).collect::<Vec<_>>(), &mut columns);
+            }
+            let parts = places(&element.markup, &changing);
+            told.moving.push(serde_json::json!([place, runs(element.frames.iter().map(Option::is_some)), parts, columns]));
+        }
+        told
+    }
+}
+
+/// Lengths of the runs of frames in which something is seen, not seen, seen …; empty where it is seen in all.
+pub fn runs(frames: impl IntoIterator<Item = bool>) -> Vec<usize> {
+    let mut runs = vec![0];
+    let mut seen = true;
+    for f in frames {
+        if f != seen {
+            runs.push(0);
+            seen = !seen;
+        }
+        *runs.last_mut().expect("there is a run") += 1;
+    }
+    if runs.len() == 1 { Vec::new() } else { runs }
+}
+
+fn source(item: &Item) -> &str {
+    match &item.shape {
+        Shape::Label { label, .. } => label.source(),
+        _ => "",
+    }
+}
+
+fn blank(item: &Item) -> Item {
+    let mut item = item.clone();
+    if let Shape::Label { label, anchor, at, size_mm, .. } = &mut item.shape {
+        // The writer places a label by its start.
+        let width = crate::figure::text::set(label).width_em;
+        at.x -= crate::figure::extent::anchor_shift_em(*anchor, width) * *size_mm;
+        *anchor = crate::figure::item::Anchor::Start;
+        *label = Label::text("");
+    }
+    item
+}
+
+/// The path data of a label.
+fn outline(markup: &str) -> Option<&str> {
+    if !is_label(markup) {
+        return None;
+    }
+    attributes(markup).into_iter().find(|a| a.name == "d").map(|a| a.value)
+}
+
+fn is_label(markup: &str) -> bool {
+    markup.contains(" data-text=")
+}
+
+fn hidden(markup: &str) -> String {
+    let end = markup.find([' ', '>', '/']).unwrap_or(markup.len());
+    format!("{} display=\"none\"{}", &markup[..end], &markup[end..])
+}
+
+/// An attribute of an element, or of one of the elements in it.
+struct Attribute<'a> {
+    /// Which element, in the order of the markup.
+    part: usize,
+    name: &'a str,
+    value: &'a str,
+}
+
+/// The attributes of markup that the SVG writer made: no text between elements, no quotation marks in values.
+fn attributes(markup: &str) -> Vec<Attribute<'_>> {
+    let mut part = 0;
+    let mut begun = false;
+    let mut list = Vec::new();
+    let mut pieces = markup.split('"');
+    while let Some(before) = pieces.next() {
+        let opened = before.match_indices('<').filter(|(i, _)| !before[i + 1..].starts_with('/')).count();
+        if opened > 0 {
+            part += opened - usize::from(!begun);
+            begun = true;
+        }
+        let (Some(name), Some(value)) = (before.rsplit([' ', '<']).next(), pieces.next()) else { break };
+        list.push(Attribute { part, name: name.trim_end_matches('='), value });
+    }
+    list
+}
+
+/// The numbers of an attribute's value: where each begins and ends. Flags of arcs are no coordinates.
+fn numerals(value: &str) -> Vec<(usize, usize)> {
+    let bytes = value.as_bytes();
+    let mut list = Vec::new();
+    let mut command = b' ';
+    let mut since = 0;
+    let mut i = 0;
+    while i < bytes.len() {
+        let numeral = bytes[i].is_ascii_digit() || bytes[i] == b'-';
+        if !numeral {
+            if bytes[i].is_ascii_alphabetic() {
+                (command, since) = (bytes[i], 0);
+            }
+            i += 1;
+            continue;
+        }
+        let start = i;
+        i += 1;
+        while i < bytes.len() && (bytes[i].is_ascii_digit() || bytes[i] == b'.') {
+            i += 1;
+        }
+        // Rotation, large-arc and sweep flag.
+        if !(command == b'A' && (2..5).contains(&since)) {
+            list.push((start, i));
+        }
+        since += 1;
+    }
+    list
+}
+
+/// Markup without its numbers, and the numbers.
+fn taken_apart(markup: &str) -> (String, Vec<i64>) {
+    let mut form = String::with_capacity(markup.len());
+    let mut numbers = Vec::new();
+    for a in attributes(markup) {
+        form.push_str(&format!("{} {}=", a.part, a.name));
+        if !GEOMETRY.contains(&a.name) {
+            form.push_str(a.value);
+            continue;
+        }
+        let mut from = 0;
+        for (start, end) in numerals(a.value) {
+            form.push_str(&a.value[from..start]);
+            form.push('#');
+            // The writer's numbers have three places: they read back exactly.
+            numbers.push((a.value[start..end].parse::<f64>().unwrap_or(0.0) * UNIT).round() as i64);
+            from = end;
+        }
+        form.push_str(&a.value[from..]);
+    }
+    (form, numbers)
+}
+
+/// Where the changing numbers stand: `part attribute numeral …`, one string for each attribute.
+fn places(markup: &str, changing: &[usize]) -> Vec<String> {
+    let mut list: Vec<String> = Vec::new();
+    let mut n = 0;
+    let label = is_label(markup);
+    for a in attributes(markup).iter().filter(|a| GEOMETRY.contains(&a.name)) {
+        // The outline of a label has no numbers in the frames.
+        let count = if label && a.name == "d" { 0 } else { numerals(a.value).len() };
+        let mine: Vec<String> = (0..count).filter(|k| changing.contains(&(n + k))).map(|k| k.to_string()).collect();
+        if !mine.is_empty() {
+            list.push(format!("{} {} {}", a.part, a.name, mine.join(" ")));
+        }
+        n += count;
+    }
+    list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::item::Stroke;
+    use crate::geom::Point;
+
+    #[test]
+    fn markup_is_taken_apart() {
+        let (form, numbers) = taken_apart("<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/>\n<path d=\"M0 1A3 3 0 0 1 4 5.25Z\"/></g>");
+        assert_eq!(form, "0 id=v31 x1=#1 y1=#2 d=M# #A# # 0 0 1 # #Z");
+        assert_eq!(numbers, [-1500, 2000, 0, 1000, 3000, 3000, 4000, 5250]);
+    }
+
+    #[test]
+    fn contours_are_told_once() {
+        let mut outlines = Outlines::default();
+        assert_eq!(outlines.told("m10 -5l3 4zm-20-6q1 2 3 4zm0 1l3 4z"), [10, -5, 0, -20, -6, 1, 0, 1, 0]);
+        assert_eq!(outlines.list, ["l3 4z", "q1 2 3 4z"]);
+    }
+
+    #[test]
+    fn an_element_that_comes_and_goes() {
+        let line = |id: &str, x: f64| {
+            Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id)
+        };
+        let mut track = Track::new(10.0, 0, 3);
+        track.add(0, &[line("a", 1.0), line("c", 1.0)]).unwrap();
+        track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)]).unwrap();
+        track.add(2, &[line("a", 3.0), line("c", 1.0)]).unwrap();
+        let told = track.told(&mut Outlines::default());
+        let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
+        assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);
+        assert_eq!(told.moving.len(), 2);
+        assert_eq!((&told.moving[0][0], &told.moving[0][2]), (&0.into(), &serde_json::json!(["0 x2 0"])));
+        assert_eq!((&told.moving[1][0], &told.moving[1][1]), (&1.into(), &serde_json::json!([0, 1, 1, 1])));
+    }
+}

@@ -1,0 +1,217 @@
+//! What the steps of a construction tell, found without drawing anything: from differences of positions in long numbers, and
+//! from what each term means.
+
+use hodograph::accuracy::steps::What;
+use hodograph::accuracy::truth::Differences;
+use hodograph::answer::Source;
+use hodograph::construct::{Action, Polygon};
+use hodograph::geom::{Point, Vec2, cross_lines};
+use hodograph::mechanism::{Core, Leg, Level};
+use hodograph::number::{Big, Real};
+use hodograph::plan::{Body, By, Spot, Term, TermKind, VertexId};
+use hodograph::position::{Configuration, Path};
+use hodograph::quantity::shortest;
+use hodograph::scene::{DriverKind, LinkId, Scene};
+use hodograph::worked::Worked;
+
+/// One number: of which action of which polygon, which, its value, and what is nothing beside it.
+pub struct Told {
+    pub level: Level,
+    pub action: usize,
+    pub what: What,
+    pub value: Big,
+    pub nothing: f64,
+}
+
+struct Oracle<'a> {
+    scene: &'a Scene,
+    w: &'a Worked,
+    d: &'a Differences<Big>,
+}
+
+/// Below this a length on paper (mm) is told as zero.
+const NOTHING_MM: f64 = 1.001e-9;
+
+/// Every number that is told, in a region of long numbers.
+pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> Vec<Told> {
+    let o = Oracle { scene, w, d };
+    let mut out = Vec::new();
+    for level in [Level::Velocity, Level::Acceleration] {
+        if let Some(p) = w.construction.polygon(level) {
+            for action in 0..p.actions.len() {
+                out.extend(o.numbers(level, p, action, pencil_mm).into_iter().map(|(what, value, nothing)| Told {
+                    level,
+                    action,
+                    what,
+                    value,
+                    nothing,
+                }));
+            }
+        }
+    }
+    out
+}
+
+impl Oracle<'_> {
+    fn numbers(&self, level: Level, p: &Polygon, action: usize, pencil_mm: f64) -> Vec<(What, Big, f64)> {
+        let mu = Big::from_decimal(&shortest(p.mu));
+        let edge = |k, i: usize| {
+            let whole = p.edges[i].terms.iter().fold(Vec2::zero(), |s, t| s + self.term(level, t));
+            (What::Length(k), whole.norm() / mu, NOTHING_MM)
+        };
+        match &p.actions[action] {
+            Action::LayOff(i) => vec![edge(0, *i)],
+            Action::Cross { edges, .. } => {
+                let mut all: Vec<_> = edges.iter().enumerate().map(|(k, i)| edge(k, *i)).collect();
+                let [u, w] = [0, 1].map(|k| self.direction(&p.edges[edges[k]].terms[0]));
+                let (sine, cosine) = (absolute(u.cross(w)), absolute(u.dot(w)));
+                all.push((What::Angle, sine.atan2(cosine) * Big::from_f64(180.0) / Big::pi(), 0.0));
+                let e = Big::from_decimal(&shortest(pencil_mm));
+                all.push((What::Moved, e * u.norm() * w.norm() / sine, 0.0));
+                all
+            }
+            Action::Reach(v) | Action::Copy { target: v, .. } => vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)],
+            Action::Rate(r) => {
+                let r = &self.w.construction.rates[*r];
+                let value = self.turning(level, r.body);
+                match r.line.filter(|_| r.measured.is_some()) {
+                    Some((of, to)) => {
+                        let arm = (self.place(of) - self.place(to)).norm();
+                        let length = absolute(value) * arm / mu;
+                        let nothing = (Big::from_f64(NOTHING_MM) * mu / arm).approx();
+                        vec![(What::Length(0), length, NOTHING_MM), (What::Arm, arm, 0.0), (What::Rate, value, nothing)]
+                    }
+                    None => {
+                        let rates = self.w.construction.rates.iter().filter(|r| r.level == level);
+                        vec![(What::Rate, value, 1e-13 * rates.map(|r| r.value.abs()).fold(0.0, f64::max))]
+                    }
+                }
+            }
+            Action::Nothing { .. } | Action::Line { .. } | Action::Same { .. } => Vec::new(),
+        }
+    }
+
+    fn place(&self, v: VertexId) -> Point<Big> {
+        match self.w.plan.vertex(v).spot {
+            Spot::Point(p) => self.d.now.point(p),
+            Spot::Special { group, legs } => {
+                let Core::Link { legs: all, .. } = &self.w.mechanism.groups[group].core else {
+                    panic!("a special point belongs to a link")
+                };
+                let [(p, u), (q, w)] = [legs.0, legs.1].map(|k| self.constraint_line(&all[k]));
+                cross_lines(p, u, q, w).at
+            }
+        }
+    }
+
+    fn constraint_line(&self, leg: &Leg) -> (Point<Big>, Vec2<Big>) {
+        let at = |p| self.d.now.point(p);
+        match *leg {
+            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => (at(near), at(near) - at(far)),
+            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => match self.d.now.guide(guide) {
+                Path::Line { direction, .. } => (at(pin), direction.perp()),
+                Path::Arc { centre, .. } => (at(pin), at(pin) - centre),
+            },
+            ref other => panic!("no constraint line of {other:?}"),
+        }
+    }
+
+    fn vector(&self, level: Level, v: VertexId) -> Vec2<Big> {
+        let vertex = self.w.plan.vertex(v);
+        match vertex.spot {
+            _ if vertex.fixed => Vec2::zero(),
+            Spot::Point(p) => self.d.vector(level, p, vertex.on).expect("a drawn point has places"),
+            Spot::Special { group, .. } => {
+                let Core::Link { link, .. } = &self.w.mechanism.groups[group].core else { panic!("a special point belongs to a link") };
+                let local = self.d.now.poses[link.0].expect("placed").to_local(self.place(v));
+                let at = |c: &Configuration<Big>| c.poses[link.0].expect("placed").to_world(local);
+                let (before, now, after) = (at(&self.d.before), at(&self.d.now), at(&self.d.after));
+                let one = Big::from_f64(1.0);
+                match level {
+                    Level::Acceleration => ((after - now) - (now - before)) * (one / (self.d.step * self.d.step)),
+                    _ => (after - before) * (one / (self.d.step + self.d.step)),
+                }
+            }
+        }
+    }
+
+    fn turning(&self, level: Level, body: Body) -> Big {
+        match body {
+            Body::Link(l) => self.link_turning(level, l),
+            Body::Cylinder(d) => {
+                let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind else { panic!("no cylinder") };
+                let line = |c: &Configuration<Big>| c.point(b) - c.point(a);
+                let start = line(&self.d.now);
+                let angle = |c: &Configuration<Big>| start.cross(line(c)).atan2(start.dot(line(c)));
+                let (before, after) = (angle(&self.d.before), angle(&self.d.after));
+                match level {
+                    Level::Acceleration => (after + before) / (self.d.step * self.d.step),
+                    _ => (after - before) / (self.d.step + self.d.step),
+                }
+            }
+        }
+    }
+
+    fn link_turning(&self, level: Level, l: LinkId) -> Big {
+        self.d.turning(level, l).expect("a drawn link has poses")
+    }
+
+    fn direction(&self, t: &Term) -> Vec2<Big> {
+        match t.by {
+            By::Guide { guide, .. } => match self.d.now.guide(guide) {
+                Path::Line { direction, .. } => direction,
+                Path::Arc { centre, .. } => (self.place(t.of) - centre).perp(),
+            },
+            _ => (self.place(t.of) - self.place(t.to)).perp(),
+        }
+    }
+
+    /// A term as it is defined.
+    fn term(&self, level: Level, t: &Term) -> Vec2<Big> {
+        let arm = self.place(t.of) - self.place(t.to);
+        let two = Big::from_f64(2.0);
+        let between = |level| self.vector(level, t.of) - self.vector(level, t.to);
+        let coriolis = |turning: Body, v: Vec2<Big>| v.perp() * (two * self.turning(Level::Velocity, turning));
+        // What of a vector is along a line.
+        let along = |v: Vec2<Big>, u: Vec2<Big>| u * (v.dot(u) / u.norm2());
+        match (t.kind, t.by) {
+            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => along(between(level), arm.perp()),
+            (TermKind::Relative, _) => between(level),
+            (TermKind::Normal, By::Turning(b)) => {
+                let w = self.turning(Level::Velocity, b);
+                arm * -(w * w)
+            }
+            (TermKind::Tangential, By::Turning(b)) => arm.perp() * self.turning(level, b),
+            (TermKind::Extension, _) => {
+                // l̇, or l̈ = (d·a + v² − l̇²)/l, along the line.
+                let (l2, v) = (arm.norm2(), between(Level::Velocity));
+                match level {
+                    Level::Velocity => along(v, arm),
+                    _ => arm * ((arm.dot(between(level)) + v.norm2() - v.dot(arm) * v.dot(arm) / l2) / l2),
+                }
+            }
+            (TermKind::Coriolis, By::Cylinder(d)) => coriolis(Body::Cylinder(d), along(between(Level::Velocity), arm)),
+            (TermKind::Coriolis, By::Guide { guide, .. }) => coriolis(Body::Link(self.scene.guides[guide.0].on), between(Level::Velocity)),
+            (TermKind::SlideNormal, By::Guide { guide, .. }) => self.slide_normal(t, guide, between(Level::Velocity)),
+            (TermKind::Slide, By::Guide { .. }) if level == Level::Velocity => between(level),
+            // Of the relative acceleration, less Coriolis' part, what is along the guide.
+            (TermKind::Slide, By::Guide { guide, .. }) => {
+                let carrier = Body::Link(self.scene.guides[guide.0].on);
+                let rest = between(level) - coriolis(carrier, between(Level::Velocity));
+                along(rest, self.direction(t))
+            }
+            other => panic!("no such term: {other:?}"),
+        }
+    }
+
+    fn slide_normal(&self, t: &Term, guide: hodograph::scene::GuideId, v: Vec2<Big>) -> Vec2<Big> {
+        let Path::Arc { centre, radius } = self.d.now.guide(guide) else { panic!("a curved part on a straight guide") };
+        // Only its length is told: v²/ρ, toward the centre or away from it.
+        let inward = centre - self.place(t.of);
+        inward * (v.norm2() / (radius * inward.norm()))
+    }
+}
+
+fn absolute(x: Big) -> Big {
+    if x.approx() < 0.0 { -x } else { x }
+}
