@@ -4,10 +4,10 @@
 use super::math::{mathml, mathml_display};
 use super::{Block, Document, Table, TableKind};
 use crate::diag::Faults;
-use crate::figure::item::Figure;
+use crate::figure::item::{Figure, Item};
 use crate::figure::label::Label;
 use crate::figure::words::words;
-use crate::render::svg;
+use crate::render::{escaped, number::mm, svg};
 use crate::report::phrase::{Phrase, Piece};
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
@@ -35,7 +35,7 @@ td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
 /// Writes the document.
 ///
 /// # Errors
-/// Those of [`svg::write`] for a drawing.
+/// Those of [`svg::elements`] for a drawing.
 pub fn html(document: &Document) -> Result<String, Faults> {
     let title = escaped(&document.title);
     let lang = words(document.lang).tag;
@@ -65,21 +65,24 @@ pub fn html(document: &Document) -> Result<String, Faults> {
             }
             Block::Table(table) => out += &rows(table),
             Block::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
-            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", svg::write(&nameless(figure))?.value),
+            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure)?),
         }
     }
     out += "</body>\n</html>\n";
     Ok(out)
 }
 
-/// The drawing without names of its parts: several in one page may not share them.
-fn nameless(figure: &Figure) -> Figure {
-    let mut figure = figure.clone();
-    for item in &mut figure.items {
-        item.id.clear();
-        item.class.clear();
-    }
-    figure
+/// A drawing inside the page. Its parts have no names: several drawings may not share them.
+fn drawing(figure: &Figure) -> Result<String, Faults> {
+    let nameless = |item: &Item| Item { id: String::new(), class: String::new(), ..item.clone() };
+    let items: Vec<Item> = figure.items.iter().map(nameless).collect();
+    let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
+    let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
+         <title>{title}</title>\n<desc>{desc}</desc>\n{}\n</svg>\n",
+        svg::elements(&items, figure.height_mm)?.join("\n")
+    ))
 }
 
 fn rows(table: &Table) -> String {
@@ -105,9 +108,4 @@ fn inline(phrase: &Phrase) -> String {
         Piece::Formula(f) => mathml(&Label::math(f.as_str())),
     };
     phrase.pieces().iter().map(piece).collect()
-}
-
-/// Text as it stands in HTML and XML.
-pub(super) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -6,6 +6,7 @@
 use super::Math;
 use crate::figure::font::Slant;
 use crate::figure::label::{Label, Node, Role};
+use crate::render::escaped;
 
 /// From this on a space is one between words, in em.
 const WORD_EM: f64 = 0.2;
@@ -113,10 +114,10 @@ impl Tongue for Mathml {
         format!("<mn>{text}</mn>")
     }
     fn words(&self, text: &str) -> String {
-        format!("<mtext>{}</mtext>", super::html::escaped(text))
+        format!("<mtext>{}</mtext>", escaped(text))
     }
     fn sign(&self, c: char, role: Role) -> String {
-        let c = super::html::escaped(&c.to_string());
+        let c = escaped(&c.to_string());
         match role {
             Role::Ordinary if matches!(c.as_str(), "(" | ")" | "[" | "]" | "|") => format!("<mo stretchy=\"false\">{c}</mo>"),
             // A sign that stands for a thing, as `?` or `⊥` before a line, keeps no space around it.
