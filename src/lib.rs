@@ -39,8 +39,9 @@
 //!   true ([`accuracy::ladder`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
-//! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
+//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
+//! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
 //!
@@ -75,3 +76,4 @@ pub mod report;
 pub mod scene;
 pub mod trig;
 pub mod worked;
+pub mod worksheet;

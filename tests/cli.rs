@@ -24,6 +24,44 @@ fn draws_svg_and_png_whole() {
 }
 
 #[test]
+fn pdf_holds_one_figure_or_many() {
+    let out = tempfile::tempdir().unwrap();
+    for arguments in [vec![], vec!["--figure", "mechanism,velocity"], vec!["--style", "dark", "--steps"]] {
+        let file = out.path().join(format!("{}.pdf", arguments.len()));
+        hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(&file).args(&arguments).assert().success();
+        assert!(std::fs::read(file).unwrap().starts_with(b"%PDF-1.7"));
+    }
+}
+
+#[test]
+fn a_worksheet_in_each_format() {
+    let out = tempfile::tempdir().unwrap();
+    for (ending, begins) in [("pdf", "%PDF-1.7"), ("html", "<!DOCTYPE html>"), ("md", "# Shaper"), ("typ", "#set document")] {
+        let file = out.path().join(format!("sheet.{ending}"));
+        let run = hodograph().args(["worksheet", "templates/shaper.json", "-o"]).arg(&file).assert().success();
+        assert!(std::fs::read(&file).unwrap().starts_with(begins.as_bytes()), "{ending}");
+        // Every file that was written is named, each on its line.
+        for line in text(&run.get_output().stdout).lines() {
+            assert!(Path::new(line).exists(), "{line}");
+        }
+    }
+    // Markdown and Typst share their three drawings.
+    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 4 + 3);
+}
+
+#[test]
+fn a_worksheet_that_cannot_be_is_told() {
+    let out = tempfile::tempdir().unwrap();
+    for name in ["sheet", "sheet.docx", "sheet.PDF.", "-"] {
+        let run = hodograph().args(["worksheet", "templates/shaper.json", "-o"]).arg(out.path().join(name)).assert().code(2);
+        assert!(text(&run.get_output().stderr).contains(".typ"), "{name}");
+    }
+    hodograph().args(["worksheet", "tests/bad/no-driver.json", "-o"]).arg(out.path().join("sheet.pdf")).assert().code(2);
+    hodograph().args(["worksheet", "templates/shaper.json", "--problem-only", "--solution", "-o", "x.pdf"]).assert().code(2);
+    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
+}
+
+#[test]
 fn bad_scenes_exit_with_2_and_write_nothing() {
     let out = tempfile::tempdir().unwrap();
     for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad")).unwrap() {
@@ -115,7 +153,7 @@ fn a_change_point_is_answered_and_drawn() {
 #[test]
 fn help_names_every_command() {
     let help = text(&hodograph().arg("--help").assert().success().get_output().stdout);
-    for command in ["draw", "solve", "plan", "new", "templates", "schema"] {
+    for command in ["draw", "solve", "plan", "worksheet", "new", "templates", "schema"] {
         assert!(help.contains(command), "{command}");
         hodograph().args([command, "--help"]).assert().success();
     }

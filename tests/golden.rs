@@ -1,6 +1,11 @@
-//! Golden files of every template: plan and construction as text, for some the plan as JSON, the sheet as SVG (outlines folded to a hash) and PNG.
+//! Golden files: of every template plan and construction as text, for some the plan as JSON, the sheet as SVG (outlines folded to a hash) and PNG.
 //!
 //! To accept what the program now makes, look at the new files and run `HODOGRAPH_ACCEPT=1 cargo test --test golden`.
+
+#[path = "golden/pdf.rs"]
+mod pdf;
+#[path = "golden/worksheet.rs"]
+mod worksheet;
 
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;

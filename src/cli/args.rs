@@ -28,6 +28,8 @@ pub enum Command {
     Solve(Solve),
     /// Write the vector equations in solving order, and why each effect is in or out; as JSON, also what work was done
     Plan(Plan),
+    /// Write a worksheet: the problem as it is set, and its solution step by step (PDF, HTML, Markdown, Typst)
+    Worksheet(Worksheet),
     /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
     Accuracy(Accuracy),
     /// Write a template's scene, with other parameters if wanted
@@ -138,6 +140,24 @@ pub struct Plan {
     /// Lay the sheet out too, so that the labels placed on it are counted
     #[arg(long, requires = "json")]
     pub figure: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Worksheet {
+    #[command(flatten)]
+    pub common: Common,
+    /// The file, ending in .pdf, .html, .md or .typ; the last two get their drawings as SVG files beside them
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
+    /// Only the problem: what is given and wanted, no answer
+    #[arg(long, conflicts_with = "solution")]
+    pub problem_only: bool,
+    /// Only the solution
+    #[arg(long)]
+    pub solution: bool,
+    /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
+    #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
+    pub digits: usize,
 }
 
 #[derive(ClapArgs, Debug)]

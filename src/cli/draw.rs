@@ -33,7 +33,9 @@ pub fn run(a: args::Draw) -> Run {
     if files::ending(&a.output) == Some(Format::Pdf.ending()) {
         // A document holds them all, a page each.
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
-        files::write(Path::new(&a.output), &pdf::pdf(&pages).map_err(failed)?.value)?;
+        let file = pdf::pdf(&pages).map_err(failed)?;
+        files::write(Path::new(&a.output), &file.value)?;
+        input.notes.extend(file.notes);
         files::print(&format!("{}\n", a.output))?;
         input.say_notes();
         return Ok(verdict(&worked));

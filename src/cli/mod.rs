@@ -6,6 +6,7 @@
 mod args;
 mod draw;
 mod files;
+mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -29,6 +30,7 @@ pub fn main() -> ExitCode {
         Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
+        Command::Worksheet(a) => worksheet::run(a),
         Command::Accuracy(a) => accuracy(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),

@@ -14,7 +14,7 @@ pub mod mechanism;
 pub mod place;
 pub mod polygon;
 pub mod price;
-mod remarks;
+pub(crate) mod remarks;
 pub mod results;
 pub mod sheet;
 pub mod steps;

@@ -15,7 +15,7 @@ use super::tables::constraint_line;
 use super::words::Words;
 
 /// The remarks, one a line.
-pub(super) fn remarks(answers: &Answers) -> Vec<Phrase> {
+pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
     if let Some(d) = &worked.drafting {

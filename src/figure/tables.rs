@@ -205,7 +205,7 @@ impl Tables<'_> {
 }
 
 /// The line on which a leg gives a locus for every point of its link, in words.
-pub(super) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
+pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
     let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
     match *leg {
         Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),

@@ -87,7 +87,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     out
 }
 
-pub(super) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
+pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
     let mut links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
     // A block belongs to the group that holds its guide or its pin.
     for l in (0..scene.links.len()).map(LinkId) {

@@ -1,0 +1,73 @@
+//! `hodograph worksheet`: the problem and its solution as a document.
+
+use super::{Failure, Input, Run, args, choices, files, verdict};
+use crate::diag::{Diagnostic, Faults};
+use crate::figure::sheet;
+use crate::figure::words::words;
+use crate::render::pdf;
+use crate::worked::Scope;
+use crate::worksheet::{Beside, Document, Options, Sides, html, markdown, pages, typst, worksheet};
+use std::path::Path;
+
+/// Runs the command.
+pub fn run(a: args::Worksheet) -> Run {
+    let write = writer(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
+    let mut input = Input::read(&a.common.scene)?;
+    let worked = input.work(Scope::Figure)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let sides = match (a.problem_only, a.solution) {
+        (true, _) => Sides::Problem,
+        (_, true) => Sides::Solution,
+        _ => Sides::Both,
+    };
+    let options = Options { sheet: sheet::Options { notation, digits: a.digits, ..sheet::Options::of_language(lang) }, sides };
+    let document = worksheet(&input.scene, &worked, &options);
+    let out = Path::new(&a.output);
+    let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
+    let Written { bytes, beside, notes } =
+        write(&document, stem).map_err(|f| Failure::Input(f, input.name.clone(), input.source.clone()))?;
+    input.notes.extend(notes);
+    // The drawings first: where the document is, they are too.
+    for picture in beside {
+        let path = out.with_file_name(&picture.name);
+        files::write(&path, picture.text.as_bytes())?;
+        files::print(&format!("{}\n", path.display()))?;
+    }
+    files::write(out, &bytes)?;
+    files::print(&format!("{}\n", a.output))?;
+    input.say_notes();
+    Ok(verdict(&worked))
+}
+
+/// A document as files, and what could not be written as it should.
+#[derive(Default)]
+struct Written {
+    bytes: Vec<u8>,
+    beside: Vec<Beside>,
+    notes: Vec<Diagnostic>,
+}
+
+impl Written {
+    fn of((text, beside): (String, Vec<Beside>)) -> Written {
+        Written { bytes: text.into_bytes(), beside, ..Written::default() }
+    }
+}
+
+/// What writes a document, given the stem of the names of its drawings.
+type Writer = fn(&Document, &str) -> Result<Written, Faults>;
+
+/// What writes files that end so.
+fn writer(output: &str) -> Result<Writer, Faults> {
+    match files::ending(output) {
+        Some("pdf") => Ok(|d, _| {
+            let file = pdf::document(&pages::pages(d), &d.title, words(d.lang).tag)?;
+            Ok(Written { bytes: file.value, notes: file.notes, ..Written::default() })
+        }),
+        Some("html") => Ok(|d, _| Ok(Written::of((html::html(d)?, Vec::new())))),
+        Some("md") => Ok(|d, stem| markdown::markdown(d, stem).map(Written::of)),
+        Some("typ") => Ok(|d, stem| typst::typst(d, stem).map(Written::of)),
+        _ => Err(Diagnostic::error("output", format!("{output} ends in none of .pdf, .html, .md, .typ"))
+            .help("name the file after its format, such as -o sheet.pdf")
+            .into()),
+    }
+}

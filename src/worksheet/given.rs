@@ -1,0 +1,230 @@
+//! What is given, as a list: lengths, fixed points, guides, drivers. Numbers as the scene writes them.
+
+use super::Maker;
+use crate::figure::results::number;
+use crate::figure::sheet::scale;
+use crate::plan::text::point_label;
+use crate::quantity::shortest;
+use crate::report::phrase::Phrase;
+use crate::scene::{Angle, Direction, DriverKind, Given, Guide, GuidePath, Lang, LinkId, Place, PointId, Through};
+
+/// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
+const DIGITS: usize = 6;
+
+impl Maker<'_> {
+    /// The list of given things.
+    pub(super) fn given(&self) -> Vec<Phrase> {
+        let mut all = Vec::new();
+        // The ends in the order of the scene, as the equations name them.
+        let ends = |a: PointId, b: PointId| format!("{}{}", self.name(a.min(b)), self.name(a.max(b)));
+        let lengths: Vec<String> =
+            self.scene.lengths.iter().map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), length(&l.value))).collect();
+        if !lengths.is_empty() {
+            all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
+        }
+        let places: Vec<String> = (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
+        if !places.is_empty() {
+            all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
+        }
+        all.extend(self.scene.guides.iter().map(|g| self.guide(g)));
+        all.extend((0..self.scene.drivers.len()).map(|d| self.driver(d)));
+        all.push(match self.lang() {
+            Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
+            Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),
+        });
+        all.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    fn name(&self, p: PointId) -> &str {
+        self.scene.point_name(p)
+    }
+
+    /// A point as a formula.
+    pub(super) fn point(&self, p: PointId) -> String {
+        format!("${}$", point_label(self.name(p)))
+    }
+
+    pub(super) fn link(&self, l: LinkId) -> &str {
+        self.scene.link_name(l)
+    }
+
+    fn place(&self, p: PointId) -> Option<String> {
+        let symbol = point_label(self.name(p));
+        Some(match &self.scene.points[p.0].place {
+            Place::Unknown => return None,
+            Place::At([x, y]) => format!("${symbol} = ({}, {})$", length(x), length(y)),
+            Place::InLink { base: (a, b), xy: [x, y] } => {
+                let (a, b) = (self.point(*a), self.point(*b));
+                match self.lang() {
+                    Lang::En => format!("${symbol}$ is ${}$ from {a} toward {b} and ${}$ to the left", length(x), length(y)),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} 方向 ${}$、向左 ${}$", length(x), length(y)),
+                }
+            }
+            Place::Polar { base: (a, b), length: l, angle: turn } => {
+                let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
+                let known = format!("${from}{symbol} = {}$", length(l));
+                match self.lang() {
+                    Lang::En => format!("{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)", angle(turn)),
+                    Lang::Zh => format!("{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）", angle(turn)),
+                }
+            }
+        })
+    }
+
+    fn guide(&self, g: &Guide) -> String {
+        let on = self.link(g.on);
+        let runner = match (g.pin, g.slider, self.lang()) {
+            (Some(p), Some(s), Lang::En) => format!("slider {} (pin {})", self.link(s), self.point(p)),
+            (Some(p), Some(s), Lang::Zh) => format!("滑块 {}（销 {}）", self.link(s), self.point(p)),
+            (Some(p), None, Lang::En) => format!("pin {}", self.point(p)),
+            (Some(p), None, Lang::Zh) => format!("销 {}", self.point(p)),
+            (None, Some(s), Lang::En) => format!("link {}", self.link(s)),
+            (None, Some(s), Lang::Zh) => format!("构件 {}", self.link(s)),
+            (None, None, _) => String::new(),
+        };
+        let path = self.path(&g.path);
+        match self.lang() {
+            Lang::En => format!("{runner} slides in a guide of link {on}{path}"),
+            Lang::Zh => format!("{runner} 沿构件 {on} 上的导路滑动{path}"),
+        }
+    }
+
+    fn path(&self, path: &GuidePath) -> String {
+        let en = self.lang() == Lang::En;
+        match path {
+            GuidePath::Arc { centre, radius } => {
+                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, length(r))).unwrap_or_default();
+                let centre = self.point(*centre);
+                if en { format!(" along an arc about {centre}{r}") } else { format!("，圆弧槽，圆心 {centre}{r}") }
+            }
+            GuidePath::Line { through, direction, offset } => {
+                let mut out = match direction {
+                    Direction::Along(a, b, turn) => {
+                        let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
+                        let turned = turn.as_ref().map(|t| format!("${}$", angle(t)));
+                        match (turned, en) {
+                            (None, true) => format!(" along {line}"),
+                            (None, false) => format!("，沿 {line}"),
+                            (Some(t), true) => format!(" in the direction of {line} turned by {t}"),
+                            (Some(t), false) => format!("，方向由 {line} 转过 {t}"),
+                        }
+                    }
+                    Direction::Instant(a) => match en {
+                        true => format!(" at ${}$ to the horizontal", angle(a)),
+                        false => format!("，与水平线成 ${}$", angle(a)),
+                    },
+                    Direction::Own => String::new(),
+                };
+                out += &match through {
+                    Through::Pin => String::new(),
+                    Through::Point(p) if matches!(direction, Direction::Along(a, b, None) if a == p || b == p) => String::new(),
+                    Through::Point(p) => format!("{}{}", self.tr(" through ", "，过 "), self.point(*p)),
+                    Through::At([x, y]) => format!("{}$({}, {})$", self.tr(" through ", "，过点 "), length(x), length(y)),
+                };
+                if let Some(o) = offset {
+                    let by = length(o);
+                    out += &if en { format!(", offset ${by}$ to the left") } else { format!("，向左偏距 ${by}$") };
+                }
+                out
+            }
+        }
+    }
+
+    fn driver(&self, d: usize) -> String {
+        let driver = &self.scene.drivers[d];
+        let comma = self.tr(", ", "，");
+        let mut out = match &driver.kind {
+            DriverKind::Turn { link, against, angle: given, .. } => {
+                let name = self.link(*link);
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: link {name}"),
+                    Lang::Zh => format!("原动件：构件 {name}"),
+                };
+                let number = if *against == self.scene.ground {
+                    name.to_owned()
+                } else {
+                    out += &match self.lang() {
+                        Lang::En => format!(", turning against link {}", self.link(*against)),
+                        Lang::Zh => format!("，相对构件 {} 转动", self.link(*against)),
+                    };
+                    format!("{name}/{}", self.link(*against))
+                };
+                if let Some(a) = given {
+                    out += &format!("{comma}$\\varphi_{{{number}}} = {}$", angle(a));
+                }
+                let (symbol, second) = (format!("\\omega_{{{number}}}"), format!("\\alpha_{{{number}}}"));
+                return self.driven(out, d, [&symbol, &second], ["rad/s", "rad/s^2"], true);
+            }
+            DriverKind::Slide { guide, position } => {
+                let g = &self.scene.guides[guide.0];
+                let what = g.pin.map(|p| self.point(p)).or(g.slider.map(|s| self.link(s).to_owned())).unwrap_or_default();
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: {what} along its guide"),
+                    Lang::Zh => format!("原动件：{what} 沿导路移动"),
+                };
+                if let Some(s) = position {
+                    out += &format!("{comma}$s = {}$", length(s));
+                }
+                out
+            }
+            DriverKind::Cylinder { a, b, length: given, .. } => {
+                let ends = format!("{}{}", self.name(*a), self.name(*b));
+                let mut out = match self.lang() {
+                    Lang::En => format!("driver: cylinder ${ends}$"),
+                    Lang::Zh => format!("原动件：液压缸 ${ends}$"),
+                };
+                if let Some(l) = given {
+                    out += &format!("{comma}$l_{{{ends}}} = {}$", length(l));
+                }
+                out
+            }
+        };
+        out = self.driven(out, d, ["v", "a"], ["m/s", "m/s^2"], false);
+        out
+    }
+
+    /// Adds the rate of a driver and its acceleration.
+    fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], units: [&str; 2], turns: bool) -> String {
+        let driver = &self.scene.drivers[d];
+        let comma = self.tr(", ", "，");
+        let told = |symbol: &str, value: f64, unit: &str| {
+            // The sense of a turning is told in words.
+            let shown = if turns { value.abs() } else { value };
+            let sense = if turns { self.words().sense(value) } else { "" };
+            format!("{comma}$ {symbol} = {} {unit}$ {sense}", inked(shown)).trim_end().to_owned()
+        };
+        out += &told(symbols[0], driver.rate.value, units[0]);
+        match &driver.acceleration {
+            Some(a) if a.value != 0.0 => out += &told(symbols[1], a.value, units[1]),
+            _ => out += self.tr(" (constant)", "（匀速）"),
+        }
+        out
+    }
+}
+
+/// A length as it is given.
+fn length(given: &Given) -> String {
+    literal(&given.text).unwrap_or_else(|| match given.value {
+        0.0 => "0".into(),
+        metres if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
+        metres => format!("{} mm", inked(metres * 1e3)),
+    })
+}
+
+fn angle(given: &Given<Angle>) -> String {
+    format!("{}\\degree", inked(given.value.degrees()))
+}
+
+/// A number in the label language, as short as it is, but not as long as a computed one.
+fn inked(value: f64) -> String {
+    if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
+}
+
+/// What is written as a number and a unit stays as it is written; everything else (a name, a sum) is told by its value.
+fn literal(text: &str) -> Option<String> {
+    let text = text.trim();
+    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'))?;
+    let (value, unit) = (&text[..end], text[end..].trim());
+    value.parse::<f64>().ok()?;
+    matches!(unit, "m" | "cm" | "mm" | "km" | "in" | "ft").then(|| format!("{} {unit}", value.replace('-', "−")))
+}

@@ -1,0 +1,111 @@
+//! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen and print. It fetches
+//! nothing. The file is well-formed XML too.
+
+use super::math::{mathml, mathml_display};
+use super::{Block, Document, Table, TableKind};
+use crate::diag::Faults;
+use crate::figure::item::{Figure, Item};
+use crate::figure::label::Label;
+use crate::figure::words::words;
+use crate::render::{escaped, number::mm, svg};
+use crate::report::phrase::{Phrase, Piece};
+
+/// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
+/// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.
+const STYLE: &str = "
+@page { size: A4; margin: 20mm }
+body { font: 12pt/1.5 'Tinos', 'Times New Roman', 'Liberation Serif', 'Noto Serif CJK SC', 'SimSun', serif; max-width: 174mm;
+  margin: 2em auto; padding: 0 1em; color: #000; background: #fff }
+h1 { font-size: 1.5em } h2 { font-size: 1.25em } h3 { font-size: 1.05em } h4 { font-size: 1em }
+h1, h2, h3, h4 { font-weight: 600; line-height: 1.25; break-after: avoid; margin: 1.2em 0 .4em }
+li { margin: .15em 0 }
+figure { margin: 1em 0; text-align: center; overflow-x: auto; break-inside: avoid }
+figure svg { max-width: 100%; height: auto }
+.scroll { overflow-x: auto; overflow-y: hidden; padding: .2em 0 }
+mi { text-transform: none; font-style: italic; font-family: 'Tinos', 'Times New Roman', 'Liberation Serif', serif }
+mi[mathvariant] { font-style: normal }
+table { border-collapse: collapse; margin: .6em 0; break-inside: avoid }
+td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
+.values th { border-bottom: 1px solid; font-style: italic }
+.equation td, .equation th { text-align: center }
+@media print { body { margin: 0; padding: 0; max-width: none } .scroll, figure { overflow: visible } figure svg { max-width: none }
+  .solution { break-before: page } }
+";
+
+/// Writes the document.
+///
+/// # Errors
+/// Those of [`svg::elements`] for a drawing.
+pub fn html(document: &Document) -> Result<String, Faults> {
+    let title = escaped(&document.title);
+    let lang = words(document.lang).tag;
+    let mut out = format!(
+        "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{lang}\" xml:lang=\"{lang}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
+         <body>\n<h1>{title}</h1>\n"
+    );
+    let mut sides = 0;
+    for block in &document.blocks {
+        match block {
+            Block::Heading(level, text) => {
+                sides += usize::from(*level == 1);
+                // The title is the first level; the second side begins a page.
+                let class = if *level == 1 && sides > 1 { " class=\"solution\"" } else { "" };
+                let h = level + 1;
+                out += &format!("<h{h}{class}>{}</h{h}>\n", escaped(text));
+            }
+            Block::Paragraph(p) => out += &format!("<p>{}</p>\n", inline(p)),
+            Block::List { numbered, members } => {
+                let tag = if *numbered { "ol" } else { "ul" };
+                out += &format!("<{tag}>\n");
+                for m in members {
+                    out += &format!("<li>{}</li>\n", inline(m));
+                }
+                out += &format!("</{tag}>\n");
+            }
+            Block::Table(table) => out += &rows(table),
+            Block::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
+            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure)?),
+        }
+    }
+    out += "</body>\n</html>\n";
+    Ok(out)
+}
+
+/// A drawing inside the page. Its parts have no names: several drawings may not share them.
+fn drawing(figure: &Figure) -> Result<String, Faults> {
+    let nameless = |item: &Item| Item { id: String::new(), class: String::new(), ..item.clone() };
+    let items: Vec<Item> = figure.items.iter().map(nameless).collect();
+    let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
+    let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
+         <title>{title}</title>\n<desc>{desc}</desc>\n{}\n</svg>\n",
+        svg::elements(&items, figure.height_mm)?.join("\n")
+    ))
+}
+
+fn rows(table: &Table) -> String {
+    let class = match table.kind {
+        TableKind::Equation => "equation",
+        TableKind::Values => "values",
+    };
+    let mut out = format!("<div class=\"scroll\"><table class=\"{class}\">\n");
+    for (r, row) in table.rows.iter().enumerate() {
+        out += "<tr>";
+        for (c, cell) in row.iter().enumerate() {
+            let tag = if r == 0 && table.kind == TableKind::Values || c == 0 && table.kind == TableKind::Equation { "th" } else { "td" };
+            out += &format!("<{tag}>{}</{tag}>", inline(cell));
+        }
+        out += "</tr>\n";
+    }
+    out + "</table></div>\n"
+}
+
+fn inline(phrase: &Phrase) -> String {
+    let piece = |p: &Piece| match p {
+        Piece::Words(w) => escaped(w),
+        Piece::Formula(f) => mathml(&Label::math(f.as_str())),
+    };
+    phrase.pieces().iter().map(piece).collect()
+}

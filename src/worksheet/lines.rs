@@ -1,0 +1,116 @@
+//! Breaking a sentence with formulas into lines.
+//!
+//! Decided here: that Unicode's line breaking rules hold, which know where Chinese may not break; a formula is one thing
+//! among the words, and a long one may break before its relations.
+
+use std::collections::VecDeque;
+
+use icu_segmenter::LineSegmenter;
+use icu_segmenter::options::LineBreakOptions;
+
+use crate::figure::label::Label;
+use crate::figure::text;
+use crate::report::phrase::{Phrase, Piece};
+
+/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. What has no place to break sticks
+/// out.
+pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label> {
+    // A formula is one thing among the words; before its relations it may break too.
+    const THING: char = '\u{FFFC}';
+    let mut plain = String::new();
+    let mut formulas = VecDeque::new();
+    for piece in phrase.pieces() {
+        match piece {
+            Piece::Words(w) => plain.push_str(w),
+            Piece::Formula(f) => {
+                for part in pieces_of(f) {
+                    plain.push(THING);
+                    formulas.push_back(part);
+                }
+            }
+        }
+    }
+    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
+    let breaks: Vec<usize> = segmenter.segment_str(&plain).collect();
+    let label = |from: &str, formulas: &mut VecDeque<String>| {
+        let mut out = Label::text("");
+        for (k, words) in from.split(THING).enumerate() {
+            if k > 0 {
+                out = out.then(Label::math(formulas.pop_front().unwrap_or_default()));
+            }
+            if !words.is_empty() {
+                out = out.then(Label::text(words));
+            }
+        }
+        out
+    };
+    let wide = |l: &Label| text::set(l).width_em * size_mm;
+    let mut lines = Vec::new();
+    let mut here: Option<Label> = None;
+    for ends in breaks.windows(2) {
+        let segment = &plain[ends[0]..ends[1]];
+        // The space at a line's end takes no room.
+        let things = segment.matches(THING).count();
+        let mut own: VecDeque<String> = formulas.drain(..things).collect();
+        let trimmed = label(segment.trim_end(), &mut own.clone());
+        let full = label(segment, &mut own);
+        here = Some(match here {
+            None => full,
+            Some(before) if wide(&before.clone().then(trimmed)) <= width_mm => before.then(full),
+            Some(before) => {
+                lines.push(before);
+                full
+            }
+        });
+    }
+    lines.extend(here);
+    lines
+}
+
+/// A formula in parts that may stand on different lines: each relation begins one, if the formula is long.
+fn pieces_of(formula: &str) -> Vec<String> {
+    /// Shorter formulas stay whole.
+    const LONG: usize = 40;
+    if formula.len() < LONG {
+        return vec![formula.to_owned()];
+    }
+    let mut parts: Vec<String> = Vec::new();
+    let mut depth = 0;
+    for c in formula.chars() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        match parts.last_mut() {
+            Some(last) if c != '=' || depth != 0 => last.push(c),
+            _ => parts.push(c.to_string()),
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(source: &str, width_mm: f64) -> Vec<String> {
+        wrapped(&Phrase::new(source), width_mm, 4.0).iter().map(|l| l.plain().trim_end().to_owned()).collect()
+    }
+
+    #[test]
+    fn lines_break_at_words_and_fit() {
+        let source = "Through $b$ draw the direction of $v_{CB}$, $\\perp BC$, and through the pole that of $v_C$.";
+        let lines = wrapped(&Phrase::new(source), 50.0, 4.0);
+        assert!(lines.len() > 2);
+        for l in &lines {
+            assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());
+        }
+        let joined: String = lines.iter().map(Label::plain).collect();
+        assert_eq!(joined, Phrase::new(source).label().plain());
+        assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
+    }
+
+    #[test]
+    fn chinese_breaks_anywhere_but_before_its_stops() {
+        let lines = texts("两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。", 30.0);
+        assert!(lines.len() > 4, "{lines:?}");
+        assert!(lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')), "{lines:?}");
+    }
+}

@@ -1,0 +1,72 @@
+//! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as SVG files beside it (what
+//! shows Markdown seldom shows drawings inside it).
+
+use super::math::{tex, tex_display};
+use super::{Beside, Block, Document, Table, picture_names};
+use crate::diag::Faults;
+use crate::figure::label::Label;
+use crate::render::svg;
+use crate::report::phrase::{Phrase, Piece};
+
+/// Writes the document, and its drawings under names that begin with `stem`.
+///
+/// # Errors
+/// Those of [`svg::write`] for a drawing.
+pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), Faults> {
+    let mut out = format!("# {}\n", escaped(&document.title));
+    let pictures = picture_names(document, stem);
+    let mut files = Vec::new();
+    let mut next = pictures.iter();
+    for block in &document.blocks {
+        out.push('\n');
+        match block {
+            Block::Heading(level, text) => out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text)),
+            Block::Paragraph(p) => out += &format!("{}\n", inline(p)),
+            Block::List { numbered, members } => {
+                for (k, m) in members.iter().enumerate() {
+                    let mark = if *numbered { format!("{}.", k + 1) } else { "-".into() };
+                    out += &format!("{mark} {}\n", inline(m));
+                }
+            }
+            Block::Table(table) => out += &rows(table),
+            Block::Formula(parts) => out += &format!("$${}$$\n", tex_display(parts)),
+            Block::Figure { .. } => {
+                let (name, figure) = next.next().expect("every figure has its name");
+                out += &format!("![{}](<{name}>)\n", escaped(&figure.title));
+                files.push(Beside { name: name.clone(), text: svg::write(figure)?.value });
+            }
+        }
+    }
+    Ok((out, files))
+}
+
+fn rows(table: &Table) -> String {
+    let mut out = String::new();
+    for (r, row) in table.rows.iter().enumerate() {
+        let cells: Vec<String> = row.iter().map(|c| inline(c).replace('|', "\\|")).collect();
+        out += &format!("| {} |\n", cells.join(" | "));
+        if r == 0 {
+            out += &format!("|{}\n", " :---: |".repeat(row.len()));
+        }
+    }
+    out
+}
+
+fn inline(phrase: &Phrase) -> String {
+    let piece = |p: &Piece| match p {
+        Piece::Words(w) => escaped(w),
+        Piece::Formula(f) => format!("${}$", tex(&Label::math(f.as_str()))),
+    };
+    phrase.pieces().iter().map(piece).collect()
+}
+
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}

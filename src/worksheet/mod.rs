@@ -1,0 +1,227 @@
+//! A worksheet: the problem as it is set, and its solution as a teacher writes it at the board.
+//!
+//! [`worksheet`] makes a [`Document`] of blocks from a worked scene; four writers turn it into files: [`html`] with MathML,
+//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that [`crate::render::pdf`] writes. Decided here: what is
+//! said, in which order. Not decided here: a single number (they come from the certified answers and the drawing board),
+//! and how a figure looks.
+//!
+//! The problem's side holds the given things alone: no answer, no polygon, no special point, not even in the words that
+//! describe its figure to a screen reader.
+
+mod display;
+mod given;
+pub mod html;
+mod lines;
+pub mod markdown;
+pub mod math;
+pub mod pages;
+mod problem;
+mod results;
+mod solution;
+pub mod typst;
+
+use crate::accuracy::{Certified, Steps, certify, steps};
+use crate::figure::item::Figure;
+use crate::figure::label::Label;
+use crate::figure::sheet;
+use crate::figure::words::{Words, words};
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::report::phrase::{Phrase, tr};
+use crate::scene::{Lang, Scene};
+use crate::worked::Worked;
+
+/// Which sides of a worksheet are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// The problem, then the solution.
+    #[default]
+    Both,
+    /// What a pupil gets.
+    Problem,
+    /// What a teacher keeps.
+    Solution,
+}
+
+/// How a worksheet is written.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Language, marks, digits, and how the figures look.
+    pub sheet: sheet::Options,
+    /// Which sides.
+    pub sides: Sides,
+}
+
+impl Options {
+    /// Both sides in the usual look of a language's textbooks.
+    pub fn of_language(lang: Lang) -> Options {
+        Options { sheet: sheet::Options::of_language(lang), sides: Sides::Both }
+    }
+}
+
+/// A document, for any of the writers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// Its title.
+    pub title: String,
+    /// Its language.
+    pub lang: Lang,
+    /// What stands in it.
+    pub blocks: Vec<Block>,
+}
+
+/// A piece of a document.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// A heading: 1 for the sides, 2 within them, 3 within those.
+    Heading(u8, String),
+    /// A paragraph.
+    Paragraph(Phrase),
+    /// A list.
+    List {
+        /// Whether its members are counted, from 1.
+        numbered: bool,
+        /// Its members.
+        members: Vec<Phrase>,
+    },
+    /// Rows of cells.
+    Table(Table),
+    /// A formula on a line of its own.
+    Formula(Vec<Math>),
+    /// A drawing, in true millimetres, with its caption in it.
+    Figure {
+        /// A word for its file.
+        name: &'static str,
+        /// What is drawn.
+        figure: Box<Figure>,
+    },
+}
+
+/// A table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// What it is.
+    pub kind: TableKind,
+    /// Its rows, equally long; the first one heads the columns.
+    pub rows: Vec<Vec<Phrase>>,
+}
+
+/// What a table is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TableKind {
+    /// A vector equation over what is known of its terms: cells centred, no lines.
+    Equation,
+    /// Values: cells from the left, a line below the head.
+    Values,
+}
+
+/// A part of a formula that stands on a line of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Math {
+    /// A row of signs.
+    Row(Label),
+    /// One row over another.
+    Fraction(Label, Label),
+    /// The square root of a row.
+    Root(Label),
+}
+
+impl Math {
+    /// In one line of characters: `(a)/(b)`, `√(a)`.
+    pub fn plain(&self) -> String {
+        match self {
+            Math::Row(row) => row.plain(),
+            Math::Fraction(over, under) => format!("({})/({})", over.plain(), under.plain()),
+            Math::Root(row) => format!("√({})", row.plain()),
+        }
+    }
+}
+
+/// A file that belongs to a document, such as a picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Beside {
+    /// Its name, in the folder of the document.
+    pub name: String,
+    /// What it holds.
+    pub text: String,
+}
+
+/// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
+///
+/// ```
+/// use hodograph::{scene, worksheet, worked::{work, Scope}};
+/// let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+/// let worked = work(&scene, Scope::Figure).unwrap().value;
+/// let document = worksheet::worksheet(&scene, &worked, &worksheet::Options::of_language(scene::Lang::En));
+/// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
+/// ```
+pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document {
+    let lang = options.sheet.lang;
+    let certified = certify(scene, worked, options.sheet.digits);
+    let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let mut blocks = Vec::new();
+    if options.sides != Sides::Solution {
+        maker.problem(&mut blocks);
+    }
+    if options.sides != Sides::Problem {
+        maker.solution(&mut blocks, options.sides == Sides::Solution);
+    }
+    let title = scene.title.get(lang);
+    let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
+    Document { title: title.into(), lang, blocks }
+}
+
+/// What all parts of a worksheet are made from.
+struct Maker<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    options: &'a sheet::Options,
+    certified: &'a [Certified],
+    /// The certified numbers of the construction's steps.
+    told: &'a Steps,
+}
+
+impl Maker<'_> {
+    fn lang(&self) -> Lang {
+        self.options.lang
+    }
+
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang(), en, zh)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.lang())
+    }
+
+    fn notation(&self) -> &Notation {
+        &self.options.notation
+    }
+
+    fn writer(&self) -> Writer<'_> {
+        Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation(), lang: self.lang() }
+    }
+
+    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
+        Block::Heading(level, self.tr(en, zh).into())
+    }
+
+    fn paragraph(&self, en: &str, zh: &str) -> Block {
+        Block::Paragraph(Phrase::new(if self.lang() == Lang::En { en } else { zh }))
+    }
+}
+
+/// The pictures of a document under one stem: `shaper-mechanism.svg`; the second of a word gets a number.
+fn picture_names<'a>(document: &'a Document, stem: &str) -> Vec<(String, &'a Figure)> {
+    let mut all: Vec<(String, &Figure)> = Vec::new();
+    for block in &document.blocks {
+        if let Block::Figure { name, figure } = block {
+            let plain = format!("{stem}-{name}.svg");
+            let counted = (2..).map(|k| format!("{stem}-{name}-{k}.svg"));
+            let free = std::iter::once(plain).chain(counted).find(|n| all.iter().all(|(m, _)| m != n));
+            all.push((free.expect("numbers do not run out"), figure));
+        }
+    }
+    all
+}

@@ -1,0 +1,385 @@
+//! A worksheet as pages of A4 in our own display list, for [`crate::render::pdf::document`].
+//!
+//! Decided here: where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
+//! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
+//! millimetres, because their scales are true; one that is larger than the page's text has a page as large as itself.
+
+use std::collections::VecDeque;
+
+use super::display::built;
+use super::lines::wrapped;
+use super::{Block, Document, Math, Table, TableKind};
+use crate::figure::extent::{bounds, translate};
+use crate::figure::grid::{self, Cell, Row};
+use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use crate::figure::label::Label;
+use crate::geom::{Point, Vec2};
+use crate::render::pdf::{Kind, Page, Part};
+use crate::report::phrase::Phrase;
+
+/// A4.
+const PAPER_MM: [f64; 2] = [210.0, 297.0];
+/// Left and right: lines of 174 mm hold some 85 letters.
+const SIDE_MM: f64 = 18.0;
+/// Above and below; the page number stands in the lower one.
+const TOP_MM: f64 = 18.0;
+const BOTTOM_MM: f64 = 20.0;
+/// The page number's baseline.
+const FOOT_MM: f64 = 10.0;
+/// Width of the text.
+const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
+/// A drawing up to this part of the text's width stands at the right, with text beside it.
+const BESIDE_PART: f64 = 0.42;
+/// Between such a drawing and the text.
+const BESIDE_GAP_MM: f64 = 8.0;
+/// Room worth filling with text when a drawing does not fit in it.
+const FLOW_MM: f64 = 70.0;
+/// Size of the type: 11 point.
+const TEXT_MM: f64 = 3.9;
+/// Sizes of the headings, title first.
+const HEADINGS_MM: [f64; 4] = [6.2, 5.2, 4.5, 4.1];
+/// Distance of baselines, in em: formulas in the line have scripts above and below.
+const LINE_EM: f64 = 1.6;
+/// The same where the text is set closer: less, and the scripts of two lines touch.
+const CLOSE_LINE_EM: f64 = 1.4;
+/// Air above headings, and between blocks, in em of the text.
+const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
+const BLOCK_AIR_EM: f64 = 0.6;
+/// From the margin to the text of a list's member.
+const INDENT_MM: f64 = 7.5;
+/// Between the columns of tables; an equation's are nearer than a table's.
+const EQUATION_GAP_MM: f64 = 2.2;
+const VALUES_GAP_MM: f64 = 5.0;
+/// Rows of a table that fit on a page below a heading.
+const ROWS_MAX: usize = 34;
+/// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
+const SMALLEST: f64 = 0.6;
+
+/// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page.
+pub fn pages(document: &Document) -> Vec<Page> {
+    let begins = |b: &Block| matches!(b, Block::Heading(1, _));
+    let mut pages = Vec::new();
+    for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
+        let title = (k == 0).then_some(document.title.as_str());
+        let [loose, close] = [LINE_EM, CLOSE_LINE_EM].map(|line_em| set(title, side, line_em));
+        pages.extend(if close.len() < loose.len() { close } else { loose });
+    }
+    let count = pages.len();
+    for (n, page) in pages.iter_mut().enumerate() {
+        let label = Label::text(format!("{} / {count}", n + 1));
+        let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
+        page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
+    }
+    pages
+}
+
+fn set(title: Option<&str>, blocks: &[Block], line_em: f64) -> Vec<Page> {
+    let mut setter = Setter::new(line_em);
+    if let Some(title) = title {
+        setter.heading(0, title);
+    }
+    for block in blocks {
+        match block {
+            Block::Heading(level, text) => setter.heading(usize::from(*level), text),
+            Block::Paragraph(p) => setter.paragraph(p),
+            Block::List { numbered, members } => setter.list(*numbered, members),
+            Block::Table(t) => setter.table(t),
+            Block::Formula(parts) => setter.formula(parts),
+            Block::Figure { figure, .. } => setter.figure(figure),
+        }
+    }
+    setter.finish_page();
+    setter.pages
+}
+
+/// A box that stands on a page as a whole: its items hang below the origin.
+struct Chunk {
+    kind: Kind,
+    items: Vec<Item>,
+    height_mm: f64,
+    /// Air above, unless it is first on its page.
+    air_mm: f64,
+}
+
+struct Setter {
+    /// Distance of baselines.
+    line_em: f64,
+    pages: Vec<Page>,
+    parts: Vec<Part>,
+    /// The upper edge of what is still free.
+    y: f64,
+    /// Headings that wait for what follows them.
+    waiting: Vec<Chunk>,
+    /// Drawings that wait for the next page.
+    drawings: VecDeque<Chunk>,
+    /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
+    beside: Option<[f64; 2]>,
+}
+
+impl Setter {
+    fn new(line_em: f64) -> Setter {
+        Setter {
+            line_em,
+            pages: Vec::new(),
+            parts: Vec::new(),
+            y: PAPER_MM[1] - TOP_MM,
+            waiting: Vec::new(),
+            drawings: VecDeque::new(),
+            beside: None,
+        }
+    }
+
+    /// An em of air: less where the lines stand closer.
+    fn air(&self) -> f64 {
+        TEXT_MM * self.line_em / LINE_EM
+    }
+
+    /// Width of the lines that begin here.
+    fn width(&self) -> f64 {
+        // What waits stands above the line that begins next.
+        let waiting: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
+        match self.beside {
+            Some([wide, bottom]) if self.y - waiting > bottom => FULL_MM - wide - BESIDE_GAP_MM,
+            _ => FULL_MM,
+        }
+    }
+
+    /// Goes below a drawing at the right.
+    fn clear(&mut self) {
+        if let Some([_, bottom]) = self.beside.take() {
+            self.y = self.y.min(bottom);
+        }
+    }
+
+    fn fresh(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    fn need(&self, chunks: &[&Chunk]) -> f64 {
+        let air = |i: usize, c: &Chunk| if i == 0 && self.fresh() { 0.0 } else { c.air_mm };
+        chunks.iter().enumerate().map(|(i, c)| air(i, c) + c.height_mm).sum()
+    }
+
+    fn room(&self) -> f64 {
+        self.y - BOTTOM_MM
+    }
+
+    /// Puts a chunk, with the headings that wait for it.
+    fn put(&mut self, chunk: Chunk) {
+        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
+        together.push(&chunk);
+        if self.need(&together) > self.room() && !self.fresh() {
+            self.break_page();
+        }
+        let waiting = std::mem::take(&mut self.waiting);
+        for c in waiting.into_iter().chain([chunk]) {
+            self.place(c);
+        }
+    }
+
+    fn place(&mut self, chunk: Chunk) {
+        if !self.fresh() {
+            self.y -= chunk.air_mm;
+        }
+        let mut items = chunk.items;
+        translate(&mut items, Vec2::new(SIDE_MM, self.y));
+        self.y -= chunk.height_mm;
+        match self.parts.last_mut() {
+            // The lines of a paragraph are one paragraph.
+            Some(last) if chunk.kind == Kind::Paragraph && chunk.air_mm == 0.0 && last.kind == Kind::Paragraph => last.items.extend(items),
+            _ => self.parts.push(Part { kind: chunk.kind, items }),
+        }
+    }
+
+    /// Ends the page; drawings that wait come first on the next.
+    fn break_page(&mut self) {
+        let parts = std::mem::take(&mut self.parts);
+        self.pages.push(Page { width_mm: PAPER_MM[0], height_mm: PAPER_MM[1], parts });
+        self.y = PAPER_MM[1] - TOP_MM;
+        self.beside = None;
+        while let Some(next) = self.drawings.front() {
+            if self.need(&[next]) > self.room() && !self.fresh() {
+                break;
+            }
+            if let Some(next) = self.drawings.pop_front() {
+                self.place(next);
+            }
+        }
+    }
+
+    /// Ends the page and puts all that waits.
+    fn finish_page(&mut self) {
+        for c in std::mem::take(&mut self.waiting) {
+            self.place(c);
+        }
+        while !self.drawings.is_empty() {
+            self.break_page();
+        }
+        if !self.fresh() {
+            self.break_page();
+        }
+    }
+
+    fn heading(&mut self, level: usize, words: &str) {
+        // No section begins before the drawings of the one before it are shown.
+        if !self.drawings.is_empty() && level <= 2 {
+            self.break_page();
+            while !self.drawings.is_empty() {
+                self.break_page();
+            }
+        }
+        let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
+        let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * self.air();
+        let width = self.width();
+        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size).into_iter().enumerate() {
+            let title = if k == 0 { words.to_owned() } else { label.plain() };
+            let (anchor, x) = if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
+            let height_mm = size * 1.35;
+            let item = line(&label, Point::new(x, -size), size, anchor);
+            let kind = if k == 0 { Kind::Heading { level: level as u16 + 1, title } } else { Kind::Paragraph };
+            self.waiting.push(Chunk { kind, items: vec![item], height_mm, air_mm: if k == 0 { air } else { 0.0 } });
+        }
+    }
+
+    fn paragraph(&mut self, phrase: &Phrase) {
+        let air_mm = BLOCK_AIR_EM * self.air();
+        if !phrase.plain().trim_end().ends_with([':', '：']) {
+            return self.lines(phrase, 0.0, None, air_mm);
+        }
+        // What announces a table or a formula stays with it.
+        let step = self.line_em * TEXT_MM;
+        for (k, label) in wrapped(phrase, self.width(), TEXT_MM).iter().enumerate() {
+            let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
+            let air_mm = if k == 0 { air_mm } else { 0.0 };
+            self.waiting.push(Chunk { kind: Kind::Paragraph, items, height_mm: step, air_mm });
+        }
+    }
+
+    fn list(&mut self, numbered: bool, members: &[Phrase]) {
+        for (k, m) in members.iter().enumerate() {
+            let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
+            let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
+            self.lines(m, INDENT_MM, Some(mark), air);
+        }
+    }
+
+    /// Lines of text; the first two and the last two stay together.
+    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
+        let labels = wrapped(phrase, self.width() - indent, TEXT_MM);
+        let count = labels.len();
+        let step = self.line_em * TEXT_MM;
+        let mut group: Vec<Item> = Vec::new();
+        let (mut rows, mut first) = (0, true);
+        for (k, label) in labels.iter().enumerate() {
+            let y = -(rows as f64) * step - TEXT_MM * 1.1;
+            if let (0, Some(mark)) = (k, &mark) {
+                group.push(line(&Label::text(mark.clone()), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
+            }
+            group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
+            rows += 1;
+            let held = k == 0 && count > 1 || k + 2 == count;
+            if !held {
+                let air = if first { air_mm } else { 0.0 };
+                self.put(Chunk { kind: Kind::Paragraph, items: std::mem::take(&mut group), height_mm: rows as f64 * step, air_mm: air });
+                (rows, first) = (0, false);
+            }
+        }
+    }
+
+    /// A table; one longer than a page goes on under its head again.
+    fn table(&mut self, table: &Table) {
+        if let Some((head, rows)) = table.rows.split_first()
+            && rows.len() > ROWS_MAX
+        {
+            for some in rows.chunks(ROWS_MAX) {
+                let rows = std::iter::once(head).chain(some).cloned().collect();
+                self.table(&Table { kind: table.kind, rows });
+            }
+            return;
+        }
+        let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
+        let set = |scale: f64| {
+            let rows: Vec<Row> =
+                table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale, self.line_em)).collect();
+            grid::set(&rows, gap * scale)
+        };
+        let mut items = set(1.0);
+        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
+        let room = self.width();
+        let scale = (room / wide).clamp(SMALLEST, 1.0);
+        if scale < 1.0 {
+            items = set(scale);
+        }
+        let step = self.line_em * TEXT_MM * scale;
+        if table.kind == TableKind::Values {
+            let y = -step * 1.15;
+            let to = bounds(&items).map_or(0.0, |b| b.max.x);
+            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: Stroke::new(0.2) };
+            items.push(Item::new("rule", shape));
+        } else if wide * scale < room - INDENT_MM {
+            translate(&mut items, Vec2::new(INDENT_MM, 0.0));
+        }
+        let cell = |c: &Phrase| c.plain();
+        let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
+        let height_mm = table.rows.len() as f64 * step + 0.5 * step;
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+    }
+
+    fn formula(&mut self, parts: &[Math]) {
+        let built = built(parts, TEXT_MM);
+        let mut items = built.items;
+        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
+        let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
+        let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
+        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+    }
+
+    fn figure(&mut self, figure: &Figure) {
+        let mut items = figure.items.clone();
+        let Some(ink) = bounds(&items) else { return };
+        let (wide, high) = (ink.width_mm(), ink.height_mm());
+        let kind = Kind::Figure(figure.desc.clone());
+        if wide > FULL_MM || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
+            let parts = vec![Part { kind, items }];
+            self.pages.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm, parts });
+            return;
+        }
+        let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
+        self.clear();
+        if wide <= BESIDE_PART * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
+            translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
+            self.parts.push(Part { kind, items });
+            self.beside = Some([wide, self.y - air_mm - high]);
+            return;
+        }
+        translate(&mut items, Vec2::new((FULL_MM - wide) / 2.0 - ink.min.x, -ink.max.y));
+        let chunk = Chunk { kind, items, height_mm: high + air_mm, air_mm };
+        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
+        together.push(&chunk);
+        // With little room left, heading and drawing go on together; with much, the text flows on before the drawing.
+        if self.need(&together) > self.room() && !self.fresh() && self.room() > FLOW_MM {
+            self.drawings.push_back(chunk);
+        } else {
+            self.put(chunk);
+        }
+    }
+}
+
+/// A line of text.
+pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
+    Item::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
+}
+
+fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64, line_em: f64) -> Row {
+    let cell = |(c, phrase): (usize, &Phrase)| {
+        let anchor = match kind {
+            TableKind::Equation if c > 0 => Anchor::Middle,
+            _ => Anchor::Start,
+        };
+        (!phrase.pieces().is_empty()).then(|| Cell { label: phrase.label(), size_mm, anchor, class: "cell".into(), id: String::new() })
+    };
+    // The second row stands off the rule below the head.
+    let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
+    let height = if r == 0 { 0.9 } else { air };
+    Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * line_em * size_mm }
+}

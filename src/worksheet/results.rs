@@ -1,0 +1,120 @@
+//! The results with their senses, and how the drawing compares with the loop equations.
+
+use super::{Block, Maker, Math, Table, TableKind};
+use crate::answer::Value;
+use crate::figure::label::Label;
+use crate::figure::remarks::remarks;
+use crate::figure::results::{Answers, amount, measured, number, sense, symbol};
+use crate::report::answers::worst;
+use crate::report::phrase::Phrase;
+use crate::scene::Lang;
+use crate::worked::Outcome;
+
+/// Digits at which drawing and analysis stand side by side: more than are printed as results.
+const COMPARED: usize = 8;
+
+impl Maker<'_> {
+    pub(super) fn results(&self, blocks: &mut Vec<Block>) {
+        let (scene, words, digits) = (self.scene, self.words(), self.options.digits);
+        blocks.push(Block::Heading(2, words.results.into()));
+        let head =
+            [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
+        let mut rows = vec![head.map(Phrase::new).to_vec()];
+        for (r, c) in self.worked.results.iter().zip(self.certified) {
+            let find = &scene.find[r.find];
+            let value = r.value();
+            rows.push(vec![
+                math(&symbol(find, self.notation())),
+                measured(r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
+                math(&amount(find, value, c, digits)),
+                of_label(&sense(find, value, c, words, digits)),
+            ]);
+        }
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
+        let said = remarks(&answers);
+        if !said.is_empty() {
+            blocks.push(Block::List { numbered: false, members: said });
+        }
+        self.comparison(blocks);
+    }
+
+    fn comparison(&self, blocks: &mut Vec<Block>) {
+        let Some(worst) = worst(self.worked) else { return };
+        blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
+        let [v, a] = self.worked.solution.size;
+        blocks.push(Block::Paragraph(Phrase::new(&match (self.lang(), a) {
+            (Lang::En, 0) => format!("All constraints of the mechanism, differentiated with respect to time, are {v} linear equations in the {v} unknown rates; they are solved at once, without any polygon."),
+            (Lang::En, _) => format!("All constraints of the mechanism, differentiated once and twice with respect to time, are {v} linear equations in the unknown rates and {a} in the unknown accelerations; they are solved at once, without any polygon."),
+            (Lang::Zh, 0) => format!("将机构全部约束方程对时间求导，得到关于 {v} 个未知速度的线性方程组，不用矢量多边形而一次解出。"),
+            (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不用矢量多边形而一次解出。"),
+        })));
+        self.components(blocks);
+        let head = [
+            self.tr("quantity", "量"),
+            self.tr("drawing", "图解"),
+            self.tr("loop equations", "解析"),
+            self.tr("relative difference", "相对差"),
+        ];
+        let mut rows = vec![head.map(Phrase::new).to_vec()];
+        for r in &self.worked.results {
+            let (Some(drawn), Some(agreement)) = (&r.drawn, r.agreement) else { continue };
+            let shown = |v: Value| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", size(v, trusted(r))) };
+            rows.push(vec![
+                math(&symbol(&self.scene.find[r.find], self.notation())),
+                Phrase::new(&shown(drawn.value)),
+                Phrase::new(&shown(r.computed)),
+                math(&if agreement.difference == 0.0 { "0".into() } else { number(agreement.difference, 1) }),
+            ]);
+        }
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        let text = self.words().agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
+        blocks.push(Block::Paragraph(Phrase::new(&text)));
+    }
+
+    /// How the magnitude of the first vector follows from the components that the equations give.
+    fn components(&self, blocks: &mut Vec<Block>) {
+        let first = self.worked.results.iter().find_map(|r| match r.computed {
+            Value::Vector(v) if r.agreement.is_some() && v.norm() > r.noise => Some((r, v)),
+            _ => None,
+        });
+        let Some((r, v)) = first else { return };
+        let name = symbol(&self.scene.find[r.find], self.notation());
+        let digits = trusted(r).min(self.options.digits + 1);
+        let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(x, digits) };
+        // A sign or a power of ten is not squared by itself.
+        let squared = |x: f64| match part(x) {
+            text if text.starts_with('−') || text.contains('^') => format!("({text})^2"),
+            text => format!("{text}^2"),
+        };
+        let squares = format!("{} + {}", squared(v.x), squared(v.y));
+        blocks.push(Block::Formula(vec![
+            Math::Row(Label::math(format!("{name} ="))),
+            Math::Root(Label::math(squares)),
+            Math::Row(Label::math(format!("= {}", number(v.norm(), digits)))),
+        ]));
+    }
+}
+
+/// Digits on which drawing and analysis agree, at most those that are compared.
+fn trusted(r: &Outcome) -> usize {
+    let difference = r.agreement.map_or(1.0, |a| a.difference).max(f64::EPSILON);
+    ((-libm::log10(difference)).floor().max(1.0) as usize).min(COMPARED)
+}
+
+/// A vector by its magnitude, a number as it is.
+fn size(value: Value, digits: usize) -> String {
+    match value {
+        Value::Vector(v) => number(v.norm(), digits),
+        Value::Scalar(s) => number(s, digits),
+    }
+}
+
+/// What a figure writes in a cell: words, where it is one piece, else a formula.
+fn of_label(label: &Label) -> Phrase {
+    if label.row().len() > 1 || label.source().contains('\\') { math(label.source()) } else { Phrase::new(label.source()) }
+}
+
+fn math(source: &str) -> Phrase {
+    Phrase::new(&format!("${source}$"))
+}

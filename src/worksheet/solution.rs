@@ -1,0 +1,243 @@
+//! The solution's side: freedom and groups, scales, then for each level equations, turning rates, polygon and steps.
+
+use super::{Block, Maker, Math, Table, TableKind};
+use crate::construct::Polygon;
+use crate::effort::is_carried;
+use crate::figure::label::Label;
+use crate::figure::results::number;
+use crate::figure::sheet::{Single, scale, single};
+use crate::figure::tables::constraint_line;
+use crate::mechanism::{Core, Level};
+use crate::plan::{Body, Chain, GroupSteps, Method, Rate, Spot, Step, VertexId};
+use crate::report::construction::sentences;
+use crate::report::phrase::Phrase;
+use crate::report::plan::group_words;
+use crate::scene::Lang;
+
+/// Digits of a length on paper in the choice of scales: a ruler gives no more.
+const RULER_DIGITS: usize = 4;
+/// Turning rates of a group in one line of formulas: more do not fit beside one another.
+const RATES_IN_A_LINE: usize = 4;
+
+impl Maker<'_> {
+    /// `alone`: there is no problem side before it, so that the mechanism is shown here.
+    pub(super) fn solution(&self, blocks: &mut Vec<Block>, alone: bool) {
+        blocks.push(self.heading(1, "Solution", "解"));
+        let special = self
+            .worked
+            .plan
+            .vertices
+            .iter()
+            .enumerate()
+            .any(|(v, vertex)| matches!(vertex.spot, Spot::Special { .. }) && self.worked.construction.diagram.spots[v].is_some());
+        self.freedom(blocks);
+        if alone || special {
+            blocks.extend(self.figure("construction", Single::Mechanism));
+        }
+        self.scales(blocks);
+        for level in [Level::Velocity, Level::Acceleration] {
+            self.level(blocks, level);
+        }
+        self.results(blocks);
+    }
+
+    fn figure(&self, name: &'static str, which: Single) -> Option<Block> {
+        single(self.scene, self.worked, self.options, which).map(|f| Block::Figure { name, figure: Box::new(f) })
+    }
+
+    fn freedom(&self, blocks: &mut Vec<Block>) {
+        let m = &self.worked.mechanism;
+        let f = &m.mobility;
+        blocks.push(self.heading(2, "Degree of freedom and groups", "自由度与杆组"));
+        let (n, low, high) = (f.moving, f.lower, f.higher);
+        let known = match self.lang() {
+            Lang::En => format!("Moving links $n = {n}$, lower pairs $p_l = {low}$, higher pairs $p_h = {high}$:"),
+            Lang::Zh => format!("活动构件数 $n = {n}$，低副数 $p_l = {low}$，高副数 $p_h = {high}$："),
+        };
+        blocks.push(Block::Paragraph(Phrase::new(&known)));
+        let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
+        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+        let drivers = self.scene.drivers.len();
+        let verdict = match self.lang() {
+            Lang::En if drivers == 1 => "With one driver its motion is determined. Groups in the order of solving:".to_owned(),
+            Lang::En => format!("With {drivers} drivers its motion is determined. Groups in the order of solving:"),
+            Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
+        };
+        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+        let groups = m.groups.iter().filter(|g| !is_carried(g)).map(|g| Phrase::new(&group_words(self.scene, m, g, self.lang())));
+        blocks.push(Block::List { numbered: true, members: groups.collect() });
+    }
+
+    /// The scales, and what the first thing drawn with each becomes on paper.
+    fn scales(&self, blocks: &mut Vec<Block>) {
+        let paper = &self.worked.construction;
+        let mut members = Vec::new();
+        let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
+        let mut mu_l = format!("$\\mu_l = {} m/mm$", scale(paper.diagram.mu_l));
+        if let Some(l) = self.scene.lengths.first() {
+            let (a, b) = (l.a.min(l.b), l.a.max(l.b));
+            let ends = format!("{}{}", self.scene.point_name(a), self.scene.point_name(b));
+            let on_paper = mm(l.value.value / paper.diagram.mu_l);
+            mu_l += &match self.lang() {
+                Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
+                Lang::Zh => format!("：$l_{{{ends}}}$ 的图示长度为 ${on_paper}$"),
+            };
+        }
+        members.push(mu_l);
+        for (level, unit, letter) in [(Level::Velocity, "m/s", "v"), (Level::Acceleration, "m/s^2", "a")] {
+            members.extend(paper.polygon(level).map(|p| format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))));
+        }
+        blocks.push(self.heading(2, "Scales", "比例尺"));
+        blocks.push(self.paragraph(
+            "From the series 1, 2, 2.5, 5 times a power of ten, as large as the paper allows. What is measured on paper, times its \
+             scale, is the quantity.",
+            "取自 1、2、2.5、5 乘以 10 的幂，在图纸允许范围内尽量大。图上量得的长度乘以相应的比例尺即为该量的大小。",
+        ));
+        blocks.push(Block::List { numbered: false, members: members.iter().map(|s| Phrase::new(s)).collect() });
+    }
+
+    fn level(&self, blocks: &mut Vec<Block>, level: Level) {
+        let Some(polygon) = self.worked.construction.polygon(level) else { return };
+        blocks.push(Block::Heading(2, self.words().equations(level).into()));
+        for group in self.worked.plan.steps(level) {
+            let chosen = group.drawn(self.worked.construction.chosen[group.group]);
+            for step in group.steps(chosen).take(group.alternatives.get(chosen).map_or(0, Vec::len)) {
+                self.step(blocks, level, step);
+            }
+            self.rates(blocks, level, group);
+            for step in &group.further {
+                self.step(blocks, level, step);
+            }
+        }
+        self.polygon(blocks, level, polygon);
+    }
+
+    fn polygon(&self, blocks: &mut Vec<Block>, level: Level, polygon: &Polygon) {
+        let (name, en, zh) = match level {
+            Level::Acceleration => ("acceleration", "Construction of the acceleration polygon", "作加速度多边形"),
+            _ => ("velocity", "Construction of the velocity polygon", "作速度多边形"),
+        };
+        blocks.push(self.heading(3, en, zh));
+        blocks.extend(self.figure(name, Single::Polygon(level)));
+        let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
+        blocks.push(Block::List { numbered: true, members });
+    }
+
+    fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
+        let w = self.writer();
+        match step {
+            Step::Equation { target, chains, method } => {
+                if let Spot::Special { group, legs } = w.plan.vertex(*target).spot
+                    && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
+                {
+                    let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
+                    let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
+                    blocks.push(Block::Paragraph(Phrase::new(&text)));
+                }
+                self.equation(blocks, level, *target, chains, *method);
+            }
+            Step::Image { target, from, link } => {
+                let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
+                let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
+                let (vector, link) = (w.vector(level, *target), self.link(*link));
+                blocks.push(Block::Paragraph(Phrase::new(&match self.lang() {
+                    Lang::En => {
+                        format!("${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order.")
+                    }
+                    Lang::Zh => format!("由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"),
+                })));
+            }
+            Step::Same { target, from, link } => {
+                let why = self.words().no_turning.replace("{}", self.link(*link));
+                let formula = format!("{} = {}", w.vector(level, *target), w.vector(level, *from));
+                blocks.push(Block::Paragraph(Phrase::new(&format!("${formula}${}{why}", self.tr(": ", "：")))));
+            }
+        }
+    }
+
+    fn equation(&self, blocks: &mut Vec<Block>, level: Level, target: VertexId, chains: &[Chain], method: Method) {
+        let w = self.writer();
+        let vector = w.vector(level, target);
+        if let [chain] = chains
+            && w.plan.vertex(chain.start).fixed
+            && let [term] = chain.known[..]
+        {
+            // One known term: a driven point, or one on a known link.
+            let (part, magnitude, direction) = (w.symbol(level, &term), w.magnitude(level, &term), w.direction(&term));
+            let head = if vector == part { vector } else { format!("{vector} = {part}") };
+            let known = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
+            let given = if known.is_empty() { self.tr(" (given)", "（已知）") } else { "" };
+            let comma = self.tr(", ", "，");
+            blocks.push(Block::Paragraph(Phrase::new(&format!("${head}{known}${given}{comma}${direction}$"))));
+            return;
+        }
+        if let [chain] = chains
+            && chain.known.is_empty()
+            && chain.unknown.is_empty()
+        {
+            let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
+            if chain.start != target {
+                blocks.push(Block::Paragraph(Phrase::new(&format!("${vector} = {start}$"))));
+            }
+            return;
+        }
+        let why = match (method, self.lang()) {
+            (Method::SameLink, Lang::En) => "two points of one link",
+            (Method::SameLink, Lang::Zh) => "基点法",
+            (Method::Coincident, Lang::En) => "coincident points of two links",
+            (Method::Coincident, Lang::Zh) => "重合点法",
+            (Method::Special, Lang::En) => "special point",
+            (Method::Special, Lang::Zh) => "特殊点法",
+            (Method::Driven, Lang::En) => "everything is known",
+            (Method::Driven, Lang::Zh) => "各项均已知",
+        };
+        blocks.push(Block::Paragraph(Phrase::new(&match self.lang() {
+            Lang::En => format!("For ${vector}$ ({why}):"),
+            Lang::Zh => format!("求 ${vector}$（{why}）："),
+        })));
+        let [mut symbols, mut magnitudes, mut directions] =
+            ["", self.words().magnitude, self.words().direction].map(|head| vec![Phrase::new(head)]);
+        for c in w.columns(level, target, chains) {
+            let cell = |text: &str| Phrase::new(&if text.is_empty() { String::new() } else { format!("${text}$") });
+            if !c.joint.is_empty() {
+                symbols.push(cell(c.joint));
+                magnitudes.push(cell(""));
+                directions.push(cell(""));
+            }
+            symbols.push(cell(&c.symbol));
+            magnitudes.push(cell(&c.magnitude));
+            directions.push(cell(&c.direction));
+        }
+        let [second, third] = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        blocks.push(Block::Table(Table { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
+    }
+
+    /// How the turning of each link of the group follows from the vectors: `ω₃ = v_C / l_CD`.
+    fn rates(&self, blocks: &mut Vec<Block>, level: Level, group: &GroupSteps) {
+        let w = self.writer();
+        let formula = |(body, rate): &(Body, Rate)| {
+            let symbol = w.turning(level, *body);
+            match rate {
+                Rate::Measured { of, to } => {
+                    let absolute = w.plan.vertex(*to).fixed;
+                    let sub = if absolute { w.name(*of) } else { format!("{}{}", w.name(*of), w.name(*to)) };
+                    let over = if level == Level::Acceleration { format!("a^t_{{{sub}}}") } else { format!("v_{{{sub}}}") };
+                    Some((format!("{symbol} ="), Some((over, w.length(*of, *to)))))
+                }
+                Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(level, Body::Link(*l))), None)),
+                Rate::Given { .. } | Rate::Zero => None,
+            }
+        };
+        let all: Vec<_> = group.rates.iter().filter_map(formula).collect();
+        for line in all.chunks(RATES_IN_A_LINE) {
+            let mut parts = Vec::new();
+            for (k, (row, fraction)) in line.iter().enumerate() {
+                let apart = if k > 0 { "\\quad \\quad " } else { "" };
+                parts.push(Math::Row(Label::math(format!("{apart}{row}"))));
+                parts
+                    .extend(fraction.as_ref().map(|(over, under)| Math::Fraction(Label::math(over.as_str()), Label::math(under.as_str()))));
+            }
+            blocks.push(Block::Formula(parts));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A worksheet as Typst source: native formulas and tables, drawings as SVG files beside it.
+
+use super::math::{typst as formula, typst_display};
+use super::{Beside, Block, Document, Table, TableKind, picture_names};
+use crate::diag::Faults;
+use crate::figure::label::Label;
+use crate::figure::words::words;
+use crate::render::{number::mm, svg};
+use crate::report::phrase::{Phrase, Piece};
+
+/// Widest drawing on a page: A4 less its margins. A wider one would be cut; it is made as wide as the page, and its scales
+/// then hold no more.
+const WIDEST_MM: f64 = 174.0;
+
+/// Writes the document, and its drawings under names that begin with `stem`.
+///
+/// # Errors
+/// Those of [`svg::write`] for a drawing.
+pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), Faults> {
+    let lang = words(document.lang).tag;
+    let mut out = format!(
+        "#set document(title: {})\n#set page(paper: \"a4\", margin: 18mm, numbering: \"1 / 1\")\n\
+         #set text(lang: \"{lang}\", size: 11pt, font: (\"Tinos\", \"Times New Roman\", \"Liberation Serif\", \"Noto Serif CJK SC\", \"SimSun\"))\n\
+         #set par(justify: false)\n#show heading: set block(sticky: true)\n#show table: set block(breakable: false)\n\n#align(center, text(size: 16pt)[{}])\n",
+        string(&document.title),
+        escaped(&document.title)
+    );
+    let pictures = picture_names(document, stem);
+    let mut files = Vec::new();
+    let mut next = pictures.iter();
+    let mut sides = 0;
+    for block in &document.blocks {
+        out.push('\n');
+        match block {
+            Block::Heading(level, text) => {
+                sides += usize::from(*level == 1);
+                if *level == 1 && sides > 1 {
+                    out += "#pagebreak()\n";
+                }
+                out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(text));
+            }
+            Block::Paragraph(p) => out += &format!("{}\n", inline(p)),
+            Block::List { numbered, members } => {
+                let mark = if *numbered { '+' } else { '-' };
+                for m in members {
+                    out += &format!("{mark} {}\n", inline(m));
+                }
+            }
+            Block::Table(table) => out += &rows(table),
+            Block::Formula(parts) => out += &format!("$ {} $\n", typst_display(parts)),
+            Block::Figure { .. } => {
+                let (name, figure) = next.next().expect("every figure has its name");
+                let (name_text, alt) = (string(name), string(&figure.desc));
+                let width = mm(figure.width_mm.min(WIDEST_MM));
+                out += &format!("#align(center, image({name_text}, width: {width}mm, alt: {alt}))\n");
+                files.push(Beside { name: name.clone(), text: svg::write(figure)?.value });
+            }
+        }
+    }
+    Ok((out, files))
+}
+
+fn rows(table: &Table) -> String {
+    let columns = table.rows.first().map_or(0, Vec::len);
+    let (align, line) = match table.kind {
+        TableKind::Equation => ("center", ""),
+        TableKind::Values => ("left", "  table.hline(y: 1, stroke: 0.5pt),\n"),
+    };
+    let mut out = format!("#table(columns: {columns}, stroke: none, inset: 4pt, align: {align} + horizon,\n{line}");
+    for row in &table.rows {
+        let cells: Vec<String> = row.iter().map(|c| format!("[{}]", inline(c))).collect();
+        out += &format!("  {},\n", cells.join(", "));
+    }
+    out + ")\n"
+}
+
+fn inline(phrase: &Phrase) -> String {
+    let piece = |p: &Piece| match p {
+        Piece::Words(w) => escaped(w),
+        Piece::Formula(f) => format!("${}$", formula(&Label::math(f.as_str()))),
+    };
+    phrase.pieces().iter().map(piece).collect()
+}
+
+/// A string of Typst's code.
+fn string(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', " "))
+}
+
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if matches!(c, '\\' | '#' | '*' | '_' | '`' | '$' | '<' | '>' | '@' | '[' | ']' | '~' | '=' | '/' | '"' | '\'') {
+            out.push('\\');
+        }
+        out.push(c);
+    }
+    out
+}

@@ -1,0 +1,230 @@
+//! Worksheets: their texts as accepted, no answer on the problem's side, pages without overlaps, files that others can read.
+
+use super::check_text;
+use super::pdf::{letters, read};
+use hodograph::accuracy::certify;
+use hodograph::figure::extent::{Rect, bounds};
+use hodograph::figure::item::{Item, Shape};
+use hodograph::render::pdf::{self, Kind, Page};
+use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::worked::{Scope, Worked, work};
+use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
+use std::path::Path;
+
+const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
+
+fn worked(name: &str) -> (Scene, Worked) {
+    let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    (scene, worked)
+}
+
+fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Document {
+    worksheet(scene, worked, &Options { sides, ..Options::of_language(lang) })
+}
+
+#[test]
+fn worksheets_read_as_accepted() {
+    let mut failures = Vec::new();
+    for name in ["crank-rocker", "shaper", "class-iii-six-bar"] {
+        let (scene, worked) = worked(name);
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name);
+        for (lang, suffix) in LANGS {
+            let d = document(&scene, &worked, lang, Sides::Both);
+            let file = |ending: &str| folder.join(format!("worksheet.{suffix}.{ending}"));
+            check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
+            check_text(&file("typ"), &typst::typst(&d, name).unwrap().0, &mut failures);
+            check_text(&file("html"), &super::folded(&html::html(&d).unwrap()), &mut failures);
+        }
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// All that a reader of the problem's side can see or hear.
+fn told(d: &Document) -> String {
+    let mut out = markdown::markdown(d, "x").unwrap().0;
+    for block in &d.blocks {
+        if let Block::Figure { figure, .. } = block {
+            out += &format!("\n{}\n{}\n", figure.title, figure.desc);
+            for item in &figure.items {
+                if let Shape::Label { label, .. } = &item.shape {
+                    out += &format!("{}\n", label.source());
+                }
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn the_problem_side_tells_no_answer() {
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        let given = templates::get(t.name).unwrap();
+        for (lang, suffix) in LANGS {
+            let d = document(&scene, &worked, lang, Sides::Problem);
+            let text = told(&d);
+            for (c, r) in certify(&scene, &worked, 4).iter().zip(&worked.results) {
+                for (part, number) in &c.parts {
+                    // Three digits at least, and not those of a given thing: a length of 150 mm gives no direction away.
+                    let Some((digits, _)) = number.text_scaled(4, 0) else { continue };
+                    let digits = digits.trim_start_matches('-').trim_end_matches('0').trim_end_matches('.').to_owned();
+                    let enough = digits.chars().filter(char::is_ascii_digit).count() >= 3 && !given.contains(&digits);
+                    assert!(
+                        !enough || !text.contains(&digits),
+                        "{} {suffix}: {} ({part:?}) = {digits} is told",
+                        t.name,
+                        scene.find[r.find].text
+                    );
+                }
+            }
+            let figures: Vec<_> =
+                d.blocks.iter().filter_map(|b| if let Block::Figure { figure, .. } = b { Some(figure) } else { None }).collect();
+            assert_eq!(figures.len(), 1, "{}", t.name);
+            assert!(figures[0].items.iter().all(|i| !i.class.contains("special")), "{}: the special point is found by the solver", t.name);
+            assert!(text.contains(if lang == Lang::En { "## Wanted" } else { "## 求" }));
+            assert!(!text.contains(if lang == Lang::En { "## Solution" } else { "## 解" }));
+        }
+    }
+}
+
+#[test]
+fn the_solution_has_every_answer_and_both_polygons() {
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let d = document(&scene, &worked, lang, Sides::Both);
+            let (text, beside) = markdown::markdown(&d, t.name).unwrap();
+            assert!(!text.contains("NaN") && !text.contains("inf "), "{} {suffix}", t.name);
+            for (polygon, word) in [(&worked.construction.velocity, "velocity"), (&worked.construction.acceleration, "acceleration")] {
+                let name = format!("{}-{word}.svg", t.name);
+                assert_eq!(polygon.is_some(), beside.iter().any(|f| f.name == name), "{} {word}", t.name);
+            }
+            // Every file that is written is named, and the other way round.
+            assert_eq!(text.matches("](<").count(), beside.len());
+            assert!(beside.iter().all(|f| text.contains(&format!("](<{}>)", f.name))));
+            let formulas = text.matches('$').count() - 2 * text.matches("$$").count();
+            assert_eq!(formulas % 2, 0, "{} {suffix}: a dollar sign is left open", t.name);
+        }
+    }
+}
+
+fn label_boxes(page: &Page) -> Vec<(&Item, Rect)> {
+    let text = |k: &Kind| !matches!(k, Kind::Figure(_));
+    let items = page.parts.iter().filter(|p| text(&p.kind)).flat_map(|p| &p.items);
+    items.filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect()
+}
+
+#[test]
+fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
+    let mut failures = Vec::new();
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let d = document(&scene, &worked, lang, Sides::Both);
+            for (n, page) in pages::pages(&d).iter().enumerate() {
+                let at = format!("{} {suffix} page {}", t.name, n + 1);
+                let all = bounds(&page.parts.iter().flat_map(|p| p.items.clone()).collect::<Vec<_>>()).unwrap();
+                // 8 mm is what a printer cannot reach.
+                if all.min.x < 8.0 || all.min.y < 8.0 || all.max.x > page.width_mm - 8.0 + 1e-6 || all.max.y > page.height_mm - 8.0 + 1e-6 {
+                    failures.push(format!("{at}: ink at {all:?}"));
+                }
+                let labels = label_boxes(page);
+                for (k, (a, r)) in labels.iter().enumerate() {
+                    for (b, s) in &labels[k + 1..] {
+                        // The sign of a root holds its row.
+                        let root = |i: &Item| matches!(&i.shape, Shape::Label { label, .. } if label.plain() == "√");
+                        let (w, h) = (r.max.x.min(s.max.x) - r.min.x.max(s.min.x), r.max.y.min(s.max.y) - r.min.y.max(s.min.y));
+                        if w > 0.05 && h > 0.05 && !root(a) && !root(b) {
+                            failures.push(format!("{at}: {:?} on {:?}", a.shape, b.shape).chars().take(300).collect());
+                        }
+                    }
+                }
+                // Text keeps off the drawings.
+                for part in page.parts.iter().filter(|p| matches!(p.kind, Kind::Figure(_))) {
+                    let Some(figure) = bounds(&part.items) else { continue };
+                    for (_, r) in &labels {
+                        let (w, h) =
+                            (r.max.x.min(figure.max.x) - r.min.x.max(figure.min.x), r.max.y.min(figure.max.y) - r.min.y.max(figure.min.y));
+                        if w > 0.05 && h > 0.05 {
+                            failures.push(format!("{at}: text at {r:?} in the drawing at {figure:?}"));
+                        }
+                    }
+                }
+                // A page does not end in a heading.
+                let last = page.parts.iter().rev().find(|p| p.kind != Kind::Artifact);
+                if last.is_some_and(|p| matches!(p.kind, Kind::Heading { .. })) {
+                    failures.push(format!("{at}: ends in a heading"));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{} faults:\n{}", failures.len(), failures.join("\n"));
+}
+
+#[test]
+fn pdf_pages_carry_their_text() {
+    let (scene, worked) = worked("slotted-lever");
+    for (lang, word) in [(Lang::En, "Degree of freedom and groups"), (Lang::Zh, "自由度与杆组")] {
+        let d = document(&scene, &worked, lang, Sides::Both);
+        let sheets = pages::pages(&d);
+        let file = pdf::document(&sheets, &d.title, "en").unwrap().value;
+        let found = read(&file, 20.0);
+        assert_eq!(found.len(), sheets.len());
+        for (page, sheet) in found.iter().zip(&sheets) {
+            assert_eq!(page.text, letters(sheet.parts.iter().flat_map(|p| &p.items)));
+        }
+        assert!(found.iter().any(|p| p.text.contains(word)));
+        assert_eq!(file, pdf::document(&pages::pages(&d), &d.title, "en").unwrap().value);
+    }
+}
+
+#[test]
+fn html_is_well_formed_and_fetches_nothing() {
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let text = html::html(&document(&scene, &worked, lang, Sides::Both)).unwrap();
+            let options = roxmltree::ParsingOptions { allow_dtd: true, ..roxmltree::ParsingOptions::default() };
+            let tree = roxmltree::Document::parse_with_options(&text, options).unwrap_or_else(|e| panic!("{} {suffix}: {e}", t.name));
+            let count = |name: &str| tree.descendants().filter(|n| n.tag_name().name() == name).count();
+            assert!(count("math") > 20 && count("svg") >= 1, "{} {suffix}", t.name);
+            for (parent, children) in [("mfrac", 2), ("msub", 2), ("msup", 2), ("msubsup", 3)] {
+                for n in tree.descendants().filter(|n| n.tag_name().name() == parent) {
+                    assert_eq!(n.children().filter(|c| c.is_element()).count(), children, "{} {suffix}: {parent}", t.name);
+                }
+            }
+            for n in tree.descendants() {
+                assert!(n.attributes().all(|a| !matches!(a.name(), "src" | "href")), "{} {suffix}: fetches something", t.name);
+            }
+            let mut ids: Vec<&str> = tree.descendants().filter_map(|n| n.attribute("id")).collect();
+            let all = ids.len();
+            ids.sort_unstable();
+            ids.dedup();
+            assert_eq!(ids.len(), all, "{} {suffix}: a name is there twice", t.name);
+        }
+    }
+}
+
+/// Where a typst is at hand; without one the test says so.
+#[test]
+fn typst_reads_the_source() {
+    if std::process::Command::new("typst").arg("--version").output().is_err() {
+        println!("skipped: there is no typst on the path");
+        return;
+    }
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let folder = tempfile::tempdir().unwrap();
+            let (text, beside) = typst::typst(&document(&scene, &worked, lang, Sides::Both), t.name).unwrap();
+            for f in beside {
+                std::fs::write(folder.path().join(f.name), f.text).unwrap();
+            }
+            let source = folder.path().join("sheet.typ");
+            std::fs::write(&source, text).unwrap();
+            let run = std::process::Command::new("typst").arg("compile").arg(&source).output().unwrap();
+            assert!(run.status.success(), "{} {suffix}: {}", t.name, String::from_utf8_lossy(&run.stderr));
+        }
+    }
+}
