@@ -40,9 +40,10 @@
 //!   what was done for it.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
+//! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
-//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`].
+//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
 //!
 //! # What must not be
 //! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the
@@ -62,6 +63,7 @@ pub mod diag;
 pub mod effort;
 pub mod figure;
 pub mod geom;
+mod json;
 pub mod lesson;
 pub mod mechanism;
 pub mod motion;

@@ -71,6 +71,15 @@ pub struct Draw {
     /// Which files to write into a folder
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
+    /// Which figures, each with files of its own: the whole sheet, or parts of it
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
+    pub figure: Vec<Picture>,
+    /// One picture for each step of the construction, with the step's sentence
+    #[arg(long, conflicts_with = "figure")]
+    pub steps: bool,
+    /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
+    #[arg(long, value_name = "STYLE", default_value = "print")]
+    pub style: String,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -153,6 +162,38 @@ pub struct Accuracy {
 pub enum Format {
     Svg,
     Png,
+}
+
+impl Format {
+    /// The format that a file's ending names.
+    pub fn of(ending: &str) -> Option<Format> {
+        Format::value_variants().iter().copied().find(|f| f.ending() == ending)
+    }
+
+    /// The ending of its files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Png => "png",
+        }
+    }
+}
+
+/// A figure that `draw` makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Picture {
+    /// The whole sheet
+    Sheet,
+    /// The kinematic diagram
+    Mechanism,
+    /// The velocity polygon
+    Velocity,
+    /// The acceleration polygon
+    Acceleration,
+    /// The equations with their tables
+    Equations,
+    /// The results
+    Results,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,13 +1,9 @@
 //! Files: read with a bound, written whole or not at all.
 
 use super::Failure;
-use super::args::{Draw, Format};
 use crate::diag::Diagnostic;
-use crate::plan::notation::Notation;
-use crate::scene::{Lang, Scene};
-use crate::worked::Worked;
 use std::io::{Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
@@ -61,39 +57,6 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 /// The name of a scene file without folder and ending, for the files made from it.
 pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
     Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
-}
-
-/// Draws the sheet into the files that were asked for, and prints their names.
-pub fn draw(scene: &Scene, worked: &Worked, lang: Lang, notation: &Notation, name: &str, a: &Draw) -> Result<(), Failure> {
-    let input = |d: crate::diag::Faults| Failure::Input(d, name.to_string(), String::new());
-    let figure =
-        crate::figure::sheet::sheet(scene, worked, &crate::figure::sheet::Options { lang, notation: notation.clone(), digits: a.digits })
-            .map_err(input)?;
-    let svg = crate::render::svg::write(&figure).map_err(input)?.value;
-    let out = Path::new(&a.output);
-    let single = match out.extension().and_then(|e| e.to_str()) {
-        Some("svg") => Some(Format::Svg),
-        Some("png") => Some(Format::Png),
-        _ => None,
-    };
-    let targets: Vec<(Format, PathBuf)> = match single {
-        Some(f) => vec![(f, out.to_path_buf())],
-        None => {
-            let stem = stem(name, "sheet");
-            a.format.iter().map(|f| (*f, out.join(format!("{stem}.{}", if *f == Format::Svg { "svg" } else { "png" })))).collect()
-        }
-    };
-    for (format, path) in targets {
-        match format {
-            Format::Svg => write(&path, svg.as_bytes())?,
-            Format::Png => {
-                let png = crate::render::png::render(&svg, a.dpi).map_err(|d| input(d.into()))?;
-                write(&path, &png)?;
-            }
-        }
-        print(&format!("{}\n", path.display()))?;
-    }
-    Ok(())
 }
 
 /// Writes one figure to a file ending in .svg or .png (at 200 dpi).

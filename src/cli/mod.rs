@@ -4,6 +4,7 @@
 //! ours.
 
 mod args;
+mod draw;
 mod files;
 
 use crate::accuracy::{certify, ways};
@@ -24,7 +25,7 @@ use std::time::Duration;
 pub fn main() -> ExitCode {
     let args = Args::parse();
     let result = match args.command {
-        Command::Draw(a) => draw(a),
+        Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
@@ -111,19 +112,6 @@ fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
 /// 3 where drawing and analysis disagree, else 0.
 fn verdict(worked: &Worked) -> ExitCode {
     if worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds())) { ExitCode::SUCCESS } else { ExitCode::from(3) }
-}
-
-fn draw(a: args::Draw) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
-    let drafting = input.pencil(a.drafting.as_deref())?;
-    let mut worked = input.work(Scope::Figure)?;
-    if drafting {
-        worked = worked.with_drafting(&input.scene);
-    }
-    let (lang, notation) = choices(&input.scene, &a.common);
-    files::draw(&input.scene, &worked, lang, &notation, &input.name, &a)?;
-    input.say_notes();
-    Ok(verdict(&worked))
 }
 
 fn lesson(a: args::Lesson) -> Run {

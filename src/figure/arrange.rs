@@ -151,6 +151,24 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
 }
 
+/// The equations of all levels, one below the other; `None` where there are none.
+pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
+    let mut parts = Vec::new();
+    let mut tree = Vec::new();
+    for (heading, lines) in equations.into_iter().filter(|(_, lines)| !lines.is_empty()) {
+        if !tree.is_empty() {
+            tree.push(Tree::Air(HEADING_AIR_MM));
+        }
+        for part in std::iter::once(heading).chain(lines) {
+            tree.push(Tree::Leaf(parts.len()));
+            parts.push(part);
+        }
+    }
+    Tree::text_column(tree).put(&mut parts, Point::ORIGIN);
+    let items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
+    (!items.is_empty()).then(|| Part::of(items))
+}
+
 struct Layout<'a> {
     parts: &'a [Part],
     title: Option<usize>,

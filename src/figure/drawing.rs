@@ -61,16 +61,31 @@ pub struct Drawing {
     style: Style,
     items: Vec<Item>,
     obstacles: Obstacles,
-    wanted: Vec<(LabelRequest, String, String)>,
+    wanted: Vec<Wanted>,
     names: HashSet<String>,
     owners: u32,
+    link: Option<usize>,
+}
+
+/// A label that wants a place.
+#[derive(Debug)]
+struct Wanted {
+    request: LabelRequest,
+    id: String,
+    class: String,
+    link: Option<usize>,
 }
 
 impl Drawing {
     /// An empty drawing; `kind` is the first word of every class and name in it.
     pub fn new(kind: &'static str, style: Style) -> Drawing {
         let (obstacles, names) = (Obstacles::default(), HashSet::new());
-        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, owners: 0 }
+        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, owners: 0, link: None }
+    }
+
+    /// What is drawn from now on belongs to this link, or to none.
+    pub fn of_link(&mut self, link: Option<usize>) {
+        self.link = link;
     }
 
     /// Draws a thing of one or more items, named after `name`; returns its owner for labels.
@@ -80,6 +95,7 @@ impl Drawing {
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
         for item in &mut items {
             item.id = self.name(name);
+            item.link = self.link;
         }
         self.items.extend(items);
         self.owners
@@ -93,7 +109,7 @@ impl Drawing {
     /// Asks for a label; it is placed when the drawing is finished.
     pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) {
         let id = self.name(&format!("label-{name}"));
-        self.wanted.push((request, id, format!("{} {class} {PLACED}", self.kind)));
+        self.wanted.push(Wanted { request, id, class: format!("{} {class} {PLACED}", self.kind), link: self.link });
     }
 
     /// A label at a point.
@@ -126,13 +142,15 @@ impl Drawing {
     /// now.
     pub fn finish_after(mut self, habits: &mut Habits) -> Part {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
-        let requests: Vec<LabelRequest> = self.wanted.iter().map(|(r, ..)| r.clone()).collect();
+        let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         let first = habits.is_empty();
-        let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|(_, id, _)| habits.get(id).copied()).collect();
+        let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placements = place_after(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
-        habits.extend(self.wanted.iter().map(|(_, id, _)| id.clone()).zip(placements.iter().map(|p| p.index)));
-        for (p, (request, id, class)) in placements.iter().zip(&self.wanted) {
-            for (k, item) in p.items(request, class, self.style.thin).into_iter().rev().enumerate() {
+        habits.extend(self.wanted.iter().map(|w| w.id.clone()).zip(placements.iter().map(|p| p.index)));
+        for (p, w) in placements.iter().zip(&self.wanted) {
+            for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
+                item.link = w.link;
+                let id = &w.id;
                 // The label comes first in this order and keeps the name; its leader line is named after it.
                 self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
             }
@@ -159,9 +177,9 @@ mod tests {
 
     #[test]
     fn names_are_unique_and_classes_begin_with_the_kind() {
-        let mut d = Drawing::new("mechanism", Style::TEXTBOOK);
-        d.draw("pivot-A", "", sym::fixed_pivot(&Style::TEXTBOOK, Point::ORIGIN, Vec2::new(0.0, -1.0)));
-        d.draw("pivot-A", "", sym::pin(&Style::TEXTBOOK, Point::new(20.0, 0.0)));
+        let mut d = Drawing::new("mechanism", Style::default());
+        d.draw("pivot-A", "", sym::fixed_pivot(&Style::default(), Point::ORIGIN, Vec2::new(0.0, -1.0)));
+        d.draw("pivot-A", "", sym::pin(&Style::default(), Point::new(20.0, 0.0)));
         d.label_at("A", "point", "A", Point::ORIGIN, 1.3, None);
         let part = d.finish();
         let names: HashSet<&str> = part.items.iter().map(|i| i.id.as_str()).collect();
@@ -172,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_part_stands_where_it_is_put() {
-        let mut part = Part::of(sym::pin(&Style::TEXTBOOK, Point::new(3.0, 4.0)));
+        let mut part = Part::of(sym::pin(&Style::default(), Point::new(3.0, 4.0)));
         part.stand_at(Point::new(10.0, 100.0));
         assert_eq!((part.bounds.min.x, part.bounds.max.y), (10.0, 100.0));
         assert_eq!(bounds(&part.items), Some(part.bounds));

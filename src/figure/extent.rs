@@ -161,7 +161,7 @@ impl Item {
 /// The box of a label's line (its advance by its ink's height); `None` when it has no ink.
 pub fn label_bounds(at: Point, label: &Label, size_mm: f64, anchor: Anchor) -> Option<Rect> {
     let set = text::set(label);
-    if set.outline.is_empty() {
+    if !set.inked {
         return None;
     }
     let left = at.x - anchor_shift_em(anchor, set.width_em) * size_mm;

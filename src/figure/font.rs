@@ -1,4 +1,4 @@
-//! The embedded fonts: which character comes from which font, and how a run of characters becomes outlines.
+//! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
 //!
 //! Decided here: the order in which the four fonts are asked. Not decided here: what is italic (the label
 //! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
@@ -26,7 +26,7 @@ pub enum Slant {
 }
 
 /// One of the embedded fonts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Face {
     /// Tinos Regular: Latin and Greek with the metrics of Times.
     Roman,
@@ -55,20 +55,36 @@ impl Loaded {
     }
 }
 
-static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-normal.ttf")));
-static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/tinos-italic.ttf")));
-static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/stix-math-sub.ttf")));
-static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(include_bytes!("../../fonts/song-gb1-cff.otf")));
+static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Roman.bytes()));
+static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Italic.bytes()));
+static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Math.bytes()));
+static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Song.bytes()));
 
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
+/// Glyphs kept, of about a kilobyte each: more than two languages' sheets ever use at once.
+const MOST_OUTLINES: usize = 2048;
 
 thread_local! {
     /// Only looked up in, never iterated.
     static RUNS: RefCell<HashMap<(Face, String), Rc<Run>>> = RefCell::default();
+    static OUTLINES: RefCell<HashMap<(Face, u32), Rc<Outline>>> = RefCell::default();
 }
 
 impl Face {
+    /// All of them.
+    pub const ALL: [Face; 4] = [Face::Roman, Face::Italic, Face::Math, Face::Song];
+
+    /// The font file, for formats that carry their fonts.
+    pub fn bytes(self) -> &'static [u8] {
+        match self {
+            Face::Roman => include_bytes!("../../fonts/tinos-normal.ttf"),
+            Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
+            Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
+            Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
+        }
+    }
+
     fn loaded(self) -> &'static Loaded {
         match self {
             Face::Roman => &ROMAN,
@@ -88,10 +104,10 @@ impl Face {
         order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some())
     }
 
-    /// Shapes a run of characters (kerning included) and returns its outline, first glyph's origin at 0, in em.
+    /// Shapes a run of characters (kerning included).
     ///
     /// A sheet measures the same few runs many times over while it looks for places: they are kept.
-    pub fn outline(self, run: &str) -> Rc<Run> {
+    pub fn shaped(self, run: &str) -> Rc<Run> {
         RUNS.with_borrow_mut(|runs| {
             if let Some(known) = runs.get(&(self, run.to_owned())) {
                 return Rc::clone(known);
@@ -112,18 +128,82 @@ impl Face {
         buffer.push_str(run);
         buffer.guess_segment_properties();
         shape(&ShaperFont::new(&loaded.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
-        let mut sink = Sink { segments: Vec::new(), dx: 0.0, dy: 0.0, em };
+        let mut glyphs: Vec<Glyph> = Vec::new();
+        let mut ink = Ink::NONE;
         let mut pen = 0.0;
         for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
-            sink.dx = pen + f64::from(pos.x_offset);
-            sink.dy = f64::from(pos.y_offset);
-            if let Some(glyph) = loaded.scaler.outline(GlyphId::new(info.glyph_id)) {
-                // An embedded outline that cannot be drawn would be a damaged build, not a user's fault.
-                glyph.draw(DrawMemory::Scratch, &mut sink).expect("embedded outlines are sound");
+            let start = info.cluster as usize;
+            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
+            if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
+                before.text.end = start;
             }
-            pen += f64::from(pos.x_advance);
+            let offset_em = [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em];
+            ink = ink.union(self.outline(info.glyph_id).ink.placed(1.0, pen + offset_em[0], offset_em[1]));
+            let advance_em = f64::from(pos.x_advance) / em;
+            glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
+            pen += advance_em;
         }
-        Run { segments: sink.segments, advance_em: pen / em }
+        Run { ink, advance_em: pen, glyphs }
+    }
+
+    /// What a glyph looks like.
+    pub fn outline(self, glyph: u32) -> Rc<Outline> {
+        OUTLINES.with_borrow_mut(|outlines| {
+            if outlines.len() >= MOST_OUTLINES {
+                outlines.clear();
+            }
+            Rc::clone(outlines.entry((self, glyph)).or_insert_with(|| Rc::new(self.draw(glyph))))
+        })
+    }
+
+    fn draw(self, glyph: u32) -> Outline {
+        let loaded = self.loaded();
+        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: f64::from(loaded.font.units_per_em()) };
+        if let Some(outline) = loaded.scaler.outline(GlyphId::new(glyph)) {
+            // An embedded outline that cannot be drawn would be a damaged build, not a user's fault.
+            outline.draw(DrawMemory::Scratch, &mut sink).expect("embedded outlines are sound");
+        }
+        Outline { segments: sink.segments, ink: sink.ink }
+    }
+}
+
+/// The contours of a glyph.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// In em, y up, its origin at 0. Filled by the non-zero rule.
+    pub segments: Vec<Segment<f64>>,
+    /// The box around them.
+    pub ink: Ink,
+}
+
+/// A box around ink, in em: that of the control points, which the curves of the fonts at hand touch at their extremes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ink {
+    /// Left and lower edge.
+    pub min: [f64; 2],
+    /// Right and upper edge; smaller than `min` where there is no ink.
+    pub max: [f64; 2],
+}
+
+impl Ink {
+    /// No ink.
+    pub const NONE: Ink = Ink { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
+
+    /// Whether there is any.
+    pub fn any(&self) -> bool {
+        self.min[0] <= self.max[0]
+    }
+
+    /// The box around both.
+    pub fn union(self, other: Ink) -> Ink {
+        let each = |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
+        Ink { min: each(self.min, other.min, f64::min), max: each(self.max, other.max, f64::max) }
+    }
+
+    /// The same scaled, then moved.
+    pub fn placed(self, scale: f64, dx: f64, dy: f64) -> Ink {
+        let at = |[x, y]: [f64; 2]| [dx + x * scale, dy + y * scale];
+        Ink { min: at(self.min), max: at(self.max) }
     }
 }
 
@@ -158,40 +238,64 @@ impl<T: Copy> Segment<T> {
 /// A shaped run of one font.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// The contours of all glyphs, in em, y up, baseline at 0.
-    pub segments: Vec<Segment<f64>>,
+    /// The box around all glyphs, the first one's origin at 0.
+    pub ink: Ink,
     /// Where the next run begins, in em.
     pub advance_em: f64,
+    /// The glyphs by number.
+    pub glyphs: Vec<Glyph>,
+}
+
+/// A glyph of a shaped run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glyph {
+    /// Its number in the font.
+    pub id: u32,
+    /// From its origin to that of the next one.
+    pub advance_em: f64,
+    /// From the pen to where it is drawn, y up.
+    pub offset_em: [f64; 2],
+    /// The bytes of the run's text that it stands for: more than one character for a ligature.
+    pub text: std::ops::Range<usize>,
 }
 
 struct Sink {
     segments: Vec<Segment<f64>>,
-    dx: f64,
-    dy: f64,
+    ink: Ink,
     em: f64,
 }
 
 impl Sink {
-    fn at(&self, x: f32, y: f32) -> [f64; 2] {
-        [(f64::from(x) + self.dx) / self.em, (f64::from(y) + self.dy) / self.em]
+    fn at(&mut self, x: f32, y: f32) -> [f64; 2] {
+        let p = [f64::from(x) / self.em, f64::from(y) / self.em];
+        self.ink = self.ink.union(Ink { min: p, max: p });
+        p
+    }
+
+    fn push(&mut self, segment: Segment<f64>) {
+        self.segments.push(segment);
     }
 }
 
 impl PathSink for Sink {
     fn move_to(&mut self, x: f32, y: f32) {
-        self.segments.push(Segment::Move(self.at(x, y)));
+        let to = self.at(x, y);
+        self.push(Segment::Move(to));
     }
     fn line_to(&mut self, x: f32, y: f32) {
-        self.segments.push(Segment::Line(self.at(x, y)));
+        let to = self.at(x, y);
+        self.push(Segment::Line(to));
     }
     fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
-        self.segments.push(Segment::Quad(self.at(cx0, cy0), self.at(x, y)));
+        let (control, to) = (self.at(cx0, cy0), self.at(x, y));
+        self.push(Segment::Quad(control, to));
     }
     fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
-        self.segments.push(Segment::Cubic(self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y)));
+        let (one, other, to) = (self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y));
+        self.push(Segment::Cubic(one, other, to));
     }
     fn close(&mut self) {
-        self.segments.push(Segment::Close);
+        self.push(Segment::Close);
     }
 }
 
@@ -205,8 +309,8 @@ mod tests {
         for (face, text, advance_em) in
             [(Face::Roman, "1", 0.5), (Face::Italic, "v", 0.444), (Face::Math, "⊥", 0.720), (Face::Song, "速", 1.0)]
         {
-            let run = face.outline(text);
-            assert!(run.segments.len() > 3, "{face:?} draws {text}");
+            let run = face.shaped(text);
+            assert!(face.outline(run.glyphs[0].id).segments.len() > 3, "{face:?} draws {text}");
             assert!((run.advance_em - advance_em).abs() < 1e-3, "{face:?} {text}: {} em", run.advance_em);
         }
     }

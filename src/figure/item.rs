@@ -21,6 +21,8 @@ pub struct Figure {
     pub desc: String,
     /// Language tag of title and description, such as `en` or `zh`.
     pub lang: String,
+    /// Colour of the paper; any but white is painted.
+    pub paper: Colour,
     /// What is drawn, from back to front.
     pub items: Vec<Item>,
 }
@@ -43,6 +45,8 @@ pub struct Item {
     pub id: String,
     /// Stable words for step-by-step reveal, such as `velocity edge unknown`; may be empty.
     pub class: String,
+    /// The link that it belongs to, by its place in the scene: styles may colour it.
+    pub link: Option<usize>,
     /// What is drawn.
     pub shape: Shape,
 }
@@ -288,7 +292,12 @@ pub enum Shape {
 impl Item {
     /// An item without a name.
     pub fn new(class: impl Into<String>, shape: Shape) -> Item {
-        Item { id: String::new(), class: class.into(), shape }
+        Item { id: String::new(), class: class.into(), link: None, shape }
+    }
+
+    /// The steps of the construction that draw it, by their classes `step-N`.
+    pub fn steps(&self) -> impl Iterator<Item = usize> {
+        self.class.split(' ').filter_map(|word| word.strip_prefix("step-")?.parse().ok())
     }
 
     /// The same with a name.

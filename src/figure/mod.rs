@@ -17,6 +17,7 @@ pub mod price;
 mod remarks;
 pub mod results;
 pub mod sheet;
+pub mod steps;
 pub mod style;
 pub mod symbols;
 pub mod tables;

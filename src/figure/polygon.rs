@@ -8,8 +8,8 @@ use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
-use crate::plan::{Spot, Step, TermKind, VertexId};
-use crate::scene::Asked;
+use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
+use crate::scene::{Asked, DriverKind};
 
 use super::drawing::{Drawing, Part};
 use super::item::Shape;
@@ -38,6 +38,8 @@ struct Arrow {
     class: &'static str,
     /// The actions that draw it; two vectors of one place are one arrow.
     steps: Vec<usize>,
+    /// The link whose motion it shows.
+    link: Option<usize>,
 }
 
 /// A point to be marked, with all letters that it has.
@@ -70,13 +72,13 @@ pub fn drawing(style: &Style, w: &Writer, p: &Polygon) -> Drawing {
     let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
     draft.letter(Point::ORIGIN, w.pole(p.level), 0);
     draft.follow();
-    let mut style = *style;
+    let mut style = style.clone();
     if draft.arrows.len() > MANY_ARROWS {
         let needed = draft.needed();
         draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
         style.label_mm = style.small_mm;
     }
-    draft.draw(style)
+    draft.draw(&style)
 }
 
 impl Draft<'_> {
@@ -134,7 +136,8 @@ impl Draft<'_> {
             let sign = self.zero_sign(edge.from.1.distance(edge.to.1));
             self.zeros.push((edge.to.1, format!("{symbol} {sign} 0"), step));
         } else {
-            self.arrow(edge.from.1, edge.to.1, symbol, if edge.known { "edge known" } else { "edge unknown" }, step);
+            let link = edge.terms.first().and_then(|t| self.link_of_term(t));
+            self.arrow((edge.from.1, edge.to.1), symbol, if edge.known { "edge known" } else { "edge unknown" }, step, link);
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),
@@ -148,7 +151,33 @@ impl Draft<'_> {
         }
     }
 
-    fn arrow(&mut self, from: Point, to: Point, symbol: String, class: &'static str, step: usize) {
+    /// The link whose turning or sliding makes a vector.
+    fn link_of_term(&self, term: &Term) -> Option<usize> {
+        let scene = self.w.scene;
+        match term.by {
+            By::Turning(Body::Link(l)) => Some(l.0),
+            By::Turning(Body::Cylinder(d)) | By::Cylinder(d) => match &scene.drivers[d].kind {
+                DriverKind::Cylinder { links, .. } => links.first().map(|l| l.0),
+                _ => None,
+            },
+            By::Guide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
+            }
+        }
+    }
+
+    /// The link that a point belongs to: of a pin's links the first of the scene that moves.
+    fn link_of_vertex(&self, v: VertexId) -> Option<usize> {
+        let (scene, vertex) = (self.w.scene, self.w.plan.vertex(v));
+        let pinned = || match vertex.spot {
+            Spot::Point(p) => scene.carriers(p).find(|l| *l != scene.ground),
+            _ => None,
+        };
+        vertex.on.or(vertex.number).or_else(pinned).map(|l| l.0)
+    }
+
+    fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
         let same = |a: &&mut Arrow| a.from.distance(from) < SAME_MM && a.to.distance(to) < SAME_MM;
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
@@ -159,7 +188,7 @@ impl Draft<'_> {
                     a.steps.push(step);
                 }
             }
-            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, steps: vec![step] }),
+            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, steps: vec![step], link }),
         }
     }
 
@@ -185,7 +214,7 @@ impl Draft<'_> {
         }
         let symbol = self.w.vector(self.p.level, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
-            self.arrow(Point::ORIGIN, at, symbol, "absolute", step);
+            self.arrow((Point::ORIGIN, at), symbol, "absolute", step, self.link_of_vertex(v));
         } else if !self.zeros.iter().any(|(_, note, _)| note.starts_with(&symbol)) {
             let sign = self.zero_sign(at.to_vec2().norm());
             self.zeros.push((at, format!("{symbol} {sign} 0"), step));
@@ -204,12 +233,12 @@ impl Draft<'_> {
         far.map_or(a.from, |b| b.to)
     }
 
-    fn draw(self, style: Style) -> Drawing {
+    fn draw(self, style: &Style) -> Drawing {
         let kind = match self.p.level {
             Level::Acceleration => "acceleration",
             _ => "velocity",
         };
-        let mut d = Drawing::new(kind, style);
+        let mut d = Drawing::new(kind, style.clone());
         let middle = middle(self.letters.iter().map(|l| l.at));
         for (from, to, step) in &self.lines {
             d.shape("line", &format!("construction step-{step}"), Shape::Line { from: *from, to: *to, stroke: style.thin });
@@ -234,6 +263,7 @@ impl Draft<'_> {
             let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
             let class = a.steps.iter().fold(a.class.to_owned(), |class, step| format!("{class} step-{step}"));
             let word = a.class.split(' ').next().unwrap_or_default();
+            d.of_link(a.link);
             let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
             let owner = d.shape(&format!("{word}-{}", a.symbols[0]), &class, shape);
             let from = self.own_part(a);
@@ -241,15 +271,16 @@ impl Draft<'_> {
             let outward = (a.from + (a.to - a.from) * 0.5) - middle;
             d.label(&a.symbols[0], &class, request.owned(owner).towards(outward));
         }
+        d.of_link(None);
         for (at, note, step) in &self.zeros {
             let class = format!("zero step-{step}");
-            d.draw("zero", &class, sym::dot(&style, *at));
+            d.draw("zero", &class, sym::dot(style, *at));
             d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
         }
         for (k, l) in self.letters.iter().enumerate() {
             let (class, clear) = if k == 0 { ("pole".to_owned(), style.dot_radius_mm) } else { (format!("point step-{}", l.step), 0.3) };
             if k == 0 {
-                d.draw("pole", "pole", sym::dot(&style, l.at));
+                d.draw("pole", "pole", sym::dot(style, l.at));
             }
             d.label_at(&l.letters[0], &class, &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
         }
@@ -281,7 +312,7 @@ mod tests {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
         let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-        let part = polygon(&Style::TEXTBOOK, &w, worked.construction.polygon(level).unwrap());
+        let part = polygon(&Style::default(), &w, worked.construction.polygon(level).unwrap());
         part.items.into_iter().map(|i| (i.id, i.shape)).collect()
     }
 

@@ -13,6 +13,7 @@ use crate::geom::{Point, Vec2};
 use crate::report::phrase::tr;
 use crate::report::price::name;
 use crate::scene::{Lang, Scene};
+use std::sync::LazyLock;
 
 /// A panel's plot, in mm.
 const PLOT: [f64; 2] = [150.0, 110.0];
@@ -23,7 +24,7 @@ const ABOVE_MM: f64 = 14.0;
 const BELOW_MM: f64 = 20.0;
 /// Errors below are drawn on the lower edge: no figure needs to tell them apart.
 const FLOOR: f64 = -42.0;
-const STYLE: &Style = &Style::TEXTBOOK;
+static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
 
 /// A family of ways: one symbol, one line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -208,7 +209,15 @@ pub fn figure(scene: &Scene, ways: &[Measured], series: &[Near], lang: Lang) -> 
         Lang::En => format!("Relative error of the {subject} against time on logarithmic axes, for every way to the answer."),
         Lang::Zh => format!("各种求解方法的{subject}相对误差与用时（双对数坐标）。"),
     };
-    Figure { width_mm: LEFT_MM + PLOT[0] + RIGHT_MM, height_mm, title: heading, desc, lang: words(lang).tag.into(), items }
+    Figure {
+        width_mm: LEFT_MM + PLOT[0] + RIGHT_MM,
+        height_mm,
+        title: heading,
+        desc,
+        lang: words(lang).tag.into(),
+        paper: Colour::WHITE,
+        items,
+    }
 }
 
 fn against_time(origin: Point, ways: &[Measured], subject: &str, lang: Lang) -> Vec<Item> {

@@ -12,7 +12,7 @@ use crate::quantity::shortest;
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 
-use super::arrange::{Pieces, arrange};
+use super::arrange::{Pieces, arrange, column};
 use super::drawing::Part;
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::label::Label;
@@ -32,29 +32,32 @@ pub struct Options {
     pub notation: Notation,
     /// Significant digits of the results, as far as they are certain.
     pub digits: usize,
+    /// Weights, sizes and colours. Its marks are already in `notation`.
+    pub style: Style,
 }
-
-/// Weights and sizes of all sheets.
-const STYLE: &Style = &Style::TEXTBOOK;
 
 impl Options {
     /// The usual look of a language's textbooks.
     pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS }
+        Options { lang, notation: Notation::of_language(lang), digits: results::DIGITS, style: Style::default() }
     }
 }
 
-/// A drawing of a sheet that can stand alone.
+/// A part of a sheet that can stand alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Single {
     /// The mechanism.
     Mechanism,
     /// A polygon.
     Polygon(Level),
+    /// The equations of all levels.
+    Equations,
+    /// The results.
+    Results,
 }
 
 /// Border of a sheet: what a printer cannot reach on most paper.
-const MARGIN_MM: f64 = 8.0;
+pub(super) const MARGIN_MM: f64 = 8.0;
 /// From a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// From the caption's baseline to the scale's.
@@ -69,35 +72,34 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let maker = Maker { scene, worked, options, certified };
     let title = maker.title();
     let drawings = maker.drawings(true);
-    let levels = [Level::Velocity, Level::Acceleration];
-    let tables = maker.tables();
-    let equations = levels.map(|l| (maker.heading(l), tables.parts(l)));
-    let results = results::results(STYLE, &maker.answers());
-    let pieces = Pieces { title, drawings, equations: equations.into(), results };
+    let equations = maker.equations();
+    let results = results::results(&options.style, &maker.answers());
+    let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
 }
 
-/// One drawing alone, with its scale; `None` where the scene does not call for it.
+/// One part alone, drawings with their caption and scale; `None` where the scene does not call for it.
 pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) -> Option<Figure> {
     let certified = certify(scene, worked, options.digits);
     let maker = Maker { scene, worked, options, certified };
-    let part = match which {
-        Single::Mechanism => maker.mechanism(),
-        Single::Polygon(level) => maker.polygon(worked.construction.polygon(level)?),
+    let mut part = match which {
+        Single::Mechanism => maker.captioned(maker.mechanism(), "", which),
+        Single::Polygon(level) => maker.captioned(maker.polygon(worked.construction.polygon(level)?), "", which),
+        Single::Equations => column(maker.equations())?,
+        Single::Results => results::results(&options.style, &maker.answers()),
     };
-    let (words, mu) = maker.caption(which);
-    let mut part = maker.captioned(part, "", words, &mu);
     let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
     part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
     Some(maker.figure(part.items, size))
 }
 
-struct Maker<'a> {
-    scene: &'a Scene,
-    worked: &'a Worked,
-    options: &'a Options,
-    certified: Vec<Certified>,
+/// Makes the parts of a sheet.
+pub(super) struct Maker<'a> {
+    pub scene: &'a Scene,
+    pub worked: &'a Worked,
+    pub options: &'a Options,
+    pub certified: Vec<Certified>,
 }
 
 impl Maker<'_> {
@@ -106,24 +108,28 @@ impl Maker<'_> {
         Answers { scene: self.scene, worked: self.worked, certified: &self.certified, notation, words: self.words(), digits: *digits }
     }
 
-    fn words(&self) -> &'static Words {
+    pub fn words(&self) -> &'static Words {
         words(self.options.lang)
     }
 
-    fn writer(&self) -> Writer<'_> {
+    pub fn writer(&self) -> Writer<'_> {
         Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
     }
 
-    fn tables(&self) -> TablesOwner<'_> {
-        TablesOwner { maker: self, writer: self.writer() }
+    /// The equations of each level with their heading; nothing where there are none.
+    pub fn equations(&self) -> Vec<(Part, Vec<Part>)> {
+        let (writer, worked) = (self.writer(), self.worked);
+        let tables =
+            Tables { style: &self.options.style, writer: &writer, mechanism: &worked.mechanism, construction: &worked.construction };
+        [Level::Velocity, Level::Acceleration].map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
-    fn mechanism(&self) -> Part {
-        mechanism::mechanism(STYLE, self.scene, self.worked, &self.options.notation)
+    pub fn mechanism(&self) -> Part {
+        mechanism::mechanism(&self.options.style, self.scene, self.worked, &self.options.notation)
     }
 
-    fn polygon(&self, p: &Polygon) -> Part {
-        polygon::polygon(STYLE, &self.writer(), p)
+    pub fn polygon(&self, p: &Polygon) -> Part {
+        polygon::polygon(&self.options.style, &self.writer(), p)
     }
 
     /// The drawings with their captions.
@@ -137,9 +143,8 @@ impl Maker<'_> {
         let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
         all.into_iter()
             .map(|(which, part)| {
-                let (words, mu) = self.caption(which);
                 let letter = letters.next().filter(|_| lettered).unwrap_or_default();
-                self.captioned(part, letter, words, &mu)
+                self.captioned(part, letter, which)
             })
             .collect()
     }
@@ -152,11 +157,13 @@ impl Maker<'_> {
             Single::Polygon(Level::Acceleration) => {
                 (self.words().acceleration_polygon, format!("\\mu_a = {} (m/s^2)/mm", scale(mu(Level::Acceleration))))
             }
+            Single::Equations | Single::Results => ("", String::new()),
             Single::Polygon(_) => (self.words().velocity_polygon, format!("\\mu_v = {} (m/s)/mm", scale(mu(Level::Velocity)))),
         }
     }
 
-    fn captioned(&self, mut part: Part, letter: &str, words: &str, mu: &str) -> Part {
+    pub fn captioned(&self, mut part: Part, letter: &str, which: Single) -> Part {
+        let (words, mu) = self.caption(which);
         let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
         let name = mu.chars().skip(1).take_while(|c| *c != ' ').collect::<String>();
@@ -164,8 +171,8 @@ impl Maker<'_> {
             let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
             Item::new(what, shape).with_id(format!("{what}-{name}"))
         };
-        part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), STYLE.caption_mm, "caption"));
-        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), STYLE.small_mm, "scale"));
+        part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), self.options.style.caption_mm, "caption"));
+        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu.as_str()), self.options.style.small_mm, "scale"));
         let placements = part.placements;
         Part { placements, ..Part::of(part.items) }
     }
@@ -178,40 +185,30 @@ impl Maker<'_> {
     fn title(&self) -> Option<Part> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
-        (!title.is_empty()).then(|| self.line("title", title, STYLE.caption_mm * 4.0 / 3.0))
+        (!title.is_empty()).then(|| self.line("title", title, self.options.style.caption_mm * 4.0 / 3.0))
     }
 
     fn heading(&self, level: Level) -> Part {
         let id = if level == Level::Acceleration { "heading-acceleration" } else { "heading-velocity" };
-        self.line(id, self.words().equations(level), STYLE.caption_mm)
+        self.line(id, self.words().equations(level), self.options.style.caption_mm)
     }
 
-    fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
+    pub fn figure(&self, items: Vec<Item>, size: [f64; 2]) -> Figure {
         let words = self.words();
         let title = self.scene.title.get(self.options.lang);
         let title = if title.is_empty() { words.diagram } else { title };
         let found = results::sentence(&self.answers());
-        Figure {
+        let mut figure = Figure {
             width_mm: size[0],
             height_mm: size[1],
             title: title.into(),
             desc: format!("{} {found}", words.described.replace("{}", title)),
             lang: words.tag.into(),
+            paper: Colour::WHITE,
             items,
-        }
-    }
-}
-
-struct TablesOwner<'a> {
-    maker: &'a Maker<'a>,
-    writer: Writer<'a>,
-}
-
-impl TablesOwner<'_> {
-    fn parts(&self, level: Level) -> Vec<Part> {
-        let worked = self.maker.worked;
-        let tables = Tables { style: STYLE, writer: &self.writer, mechanism: &worked.mechanism, construction: &worked.construction };
-        tables.parts(level)
+        };
+        self.options.style.palette.paint(&mut figure);
+        figure
     }
 }
 

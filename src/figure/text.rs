@@ -1,13 +1,12 @@
-//! Setting a label: from atoms to one outline with its measures.
+//! Setting a label: from atoms to glyphs with their places, and the measures of the whole.
 //!
-//! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the
-//! label). The outline is in integers of 1/1000 em, y up, so that moving or scaling a label changes one attribute.
+//! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the label).
 
 use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 
-use super::font::{Face, Segment, Slant};
+use super::font::{Face, Glyph, Ink, Slant};
 use super::label::{Label, Node, Role};
 
 /// `ScriptPercentScaleDown` = 70.
@@ -34,16 +33,35 @@ const MISSING_ADVANCE: f64 = 0.5;
 /// A label set in type; all measures in em of the label's size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Typeset {
-    /// The outline in 1/1000 em, y up, origin at the start of the baseline. Filled by the non-zero rule.
-    pub outline: Vec<Segment<i32>>,
+    /// What stands where in which font.
+    pub runs: Vec<Run>,
     /// Advance width.
     pub width_em: f64,
     /// Height of the ink above the baseline (0 for an empty label).
     pub ascent_em: f64,
     /// Depth of the ink below the baseline, positive downwards; negative when all ink stands above it.
     pub descent_em: f64,
+    /// Whether anything is to be seen.
+    pub inked: bool,
     /// Faults of the label: `label-syntax` and `missing-glyph`.
     pub faults: Vec<Diagnostic>,
+}
+
+/// Characters of one font, size and place in a row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The font.
+    pub face: Face,
+    /// What is written.
+    pub text: String,
+    /// How the font writes it; measures in em of the run.
+    pub glyphs: Vec<Glyph>,
+    /// Origin of the first glyph from the start of the baseline, in em of the label.
+    pub x_em: f64,
+    /// Its height over the baseline, in em of the label.
+    pub y_em: f64,
+    /// The run's em in those of the label: 1, or less in a script.
+    pub size_em: f64,
 }
 
 /// Sets a label.
@@ -72,45 +90,36 @@ fn set_anew(label: &Label) -> Typeset {
         faults.push(Diagnostic::warning("missing-glyph", message).help("write it with other characters"));
     }
     let (bottom, top) = line.vertical_ink();
-    let outline = line.segments.iter().map(|s| s.map(|[x, y]| [milli(x), milli(y)])).collect();
-    Typeset { outline, width_em: line.advance, ascent_em: top, descent_em: -bottom, faults }
+    Typeset { runs: line.runs, width_em: line.advance, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
 }
 
-fn milli(em: f64) -> i32 {
-    (em * 1000.0).round() as i32
-}
-
-/// A piece of set type: contours relative to its own origin, in em.
-#[derive(Clone, Default)]
+/// A piece of set type, relative to its own origin, in em.
+#[derive(Clone)]
 struct Line {
-    segments: Vec<Segment<f64>>,
+    ink: Ink,
+    runs: Vec<Run>,
     advance: f64,
 }
 
 impl Line {
-    fn append(&mut self, other: &Line, scale: f64, dx: f64, dy: f64) {
-        self.segments.extend(other.segments.iter().map(|s| s.map(|[x, y]| [dx + x * scale, dy + y * scale])));
+    fn empty() -> Line {
+        Line { ink: Ink::NONE, runs: Vec::new(), advance: 0.0 }
     }
 
-    /// Bounds of the control points: for the fonts at hand their curves touch them at the extremes.
-    fn ink(&self) -> Option<[f64; 4]> {
-        let mut b = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-        for s in &self.segments {
-            s.map(|[x, y]| {
-                b = [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)];
-                [x, y]
-            });
-        }
-        b[0].is_finite().then_some(b)
+    fn append(&mut self, other: Line, scale: f64, dx: f64, dy: f64) {
+        self.ink = self.ink.union(other.ink.placed(scale, dx, dy));
+        let moved = |r: Run| Run { x_em: dx + r.x_em * scale, y_em: dy + r.y_em * scale, size_em: r.size_em * scale, ..r };
+        self.runs.extend(other.runs.into_iter().map(moved));
     }
 
+    /// Lower and upper edge.
     fn vertical_ink(&self) -> (f64, f64) {
-        self.ink().map_or((0.0, 0.0), |b| (b[1], b[3]))
+        if self.ink.any() { (self.ink.min[1], self.ink.max[1]) } else { (0.0, 0.0) }
     }
 
     /// How far the ink of a slanted letter leans out over its advance.
     fn overhang(&self) -> f64 {
-        self.ink().map_or(0.0, |b| (b[2] - self.advance).max(0.0))
+        (self.ink.max[0] - self.advance).max(0.0)
     }
 }
 
@@ -120,7 +129,7 @@ struct Setter {
 
 impl Setter {
     fn row(&mut self, row: &[Node]) -> Line {
-        let mut line = Line::default();
+        let mut line = Line::empty();
         for (i, node) in row.iter().enumerate() {
             let side = match node.role {
                 Role::Relation => RELATION_SPACE,
@@ -135,9 +144,9 @@ impl Setter {
             let (side, after) = if row.len() == 1 { (0.0, 0.0) } else { (side, after) };
             line.advance += side;
             let atom = self.atom(node);
-            let at = line.advance;
-            line.append(&atom, 1.0, at, 0.0);
-            line.advance += atom.advance + after + node.space_em;
+            let (at, wide) = (line.advance, atom.advance);
+            line.append(atom, 1.0, at, 0.0);
+            line.advance += wide + after + node.space_em;
         }
         line
     }
@@ -153,8 +162,9 @@ impl Setter {
         if node.primes > 0 {
             // Full size, above the subscript: the glyph ′ of a text-size mathematical font already stands raised.
             let primes = self.characters(&"′".repeat(node.primes), Slant::Symbol);
-            line.append(&primes, 1.0, upper, 0.0);
-            upper += primes.advance;
+            let wide = primes.advance;
+            line.append(primes, 1.0, upper, 0.0);
+            upper += wide;
         }
         let sub = self.row(&node.sub);
         let sup = self.row(&node.sup);
@@ -171,12 +181,12 @@ impl Setter {
         }
         let mut end = upper;
         if !node.sup.is_empty() {
-            line.append(&sup, SCRIPT_SCALE, upper, up);
             end = upper + sup.advance * SCRIPT_SCALE + AFTER_SCRIPT;
+            line.append(sup, SCRIPT_SCALE, upper, up);
         }
         if !node.sub.is_empty() {
-            line.append(&sub, SCRIPT_SCALE, base, -down);
             end = end.max(base + sub.advance * SCRIPT_SCALE + AFTER_SCRIPT);
+            line.append(sub, SCRIPT_SCALE, base, -down);
         }
         line.advance = end;
         line
@@ -184,7 +194,7 @@ impl Setter {
 
     /// Characters in a row, each from the first font that has it, shaped in runs of one font.
     fn characters(&mut self, text: &str, slant: Slant) -> Line {
-        let mut line = Line::default();
+        let mut line = Line::empty();
         let mut run = String::new();
         let mut face = None;
         for c in text.chars() {
@@ -206,9 +216,10 @@ impl Setter {
 
     fn flush(line: &mut Line, run: &mut String, face: Option<Face>) {
         if let (Some(face), false) = (face, run.is_empty()) {
-            let set = face.outline(run);
+            let set = face.shaped(run);
             let at = line.advance;
-            line.append(&Line { segments: set.segments.clone(), advance: set.advance_em }, 1.0, at, 0.0);
+            let run = Run { face, text: run.clone(), glyphs: set.glyphs.clone(), x_em: 0.0, y_em: 0.0, size_em: 1.0 };
+            line.append(Line { ink: set.ink, runs: vec![run], advance: set.advance_em }, 1.0, at, 0.0);
             line.advance += set.advance_em;
         }
         run.clear();
@@ -241,17 +252,9 @@ mod tests {
         assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
         // Both scripts stand one above the other, with the gap between them.
         let both = Setter { missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
-        let mut ys: Vec<f64> = Vec::new();
-        for s in &both.segments {
-            s.map(|[x, y]| {
-                if x > 0.52 {
-                    ys.push(y);
-                }
-                [x, y]
-            });
-        }
-        ys.sort_by(f64::total_cmp);
-        let gap = ys.windows(2).map(|w| w[1] - w[0]).fold(0.0, f64::max);
+        let ink = |r: &Run| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
+        let (sup, sub) = (ink(&both.runs[1]), ink(&both.runs[2]));
+        let gap = sup.min[1] - sub.max[1];
         assert!(gap >= SCRIPT_GAP - 1e-9, "gap {gap}");
     }
 
@@ -265,6 +268,24 @@ mod tests {
     }
 
     #[test]
+    fn runs_are_the_label_in_characters() {
+        let set = set(&Label::text("速 office ").then(Label::math(r"a^n_{CB} = 2\omega_3 v'_B")));
+        let text: String = set.runs.iter().map(|r| r.text.as_str()).collect();
+        // A superscript is written before its subscript, the primes before both.
+        assert_eq!(text, "速 office anCB=2ω3v′B");
+        // Glyph by glyph they fill the box that the label says it takes.
+        let mut ink = Ink::NONE;
+        for r in &set.runs {
+            let mut pen = r.x_em;
+            for g in &r.glyphs {
+                ink = ink.union(r.face.outline(g.id).ink.placed(r.size_em, pen + g.offset_em[0] * r.size_em, r.y_em));
+                pen += g.advance_em * r.size_em;
+            }
+        }
+        assert!(close(ink.max[1], set.ascent_em) && close(ink.min[1], -set.descent_em));
+    }
+
+    #[test]
     fn missing_glyph_is_said_and_nothing_is_drawn() {
         let label = set(&Label::text("a\u{1F600}b"));
         assert_eq!(label.faults.len(), 1);
@@ -272,7 +293,7 @@ mod tests {
         assert!(label.faults[0].message.contains("U+1F600"));
         assert!(close(label.width_em, set(&Label::text("a")).width_em + MISSING_ADVANCE + set(&Label::text("b")).width_em));
         let gap = set(&Label::text("\u{1F600}"));
-        assert!(gap.outline.is_empty() && close(gap.width_em, MISSING_ADVANCE));
+        assert!(!gap.inked && close(gap.width_em, MISSING_ADVANCE));
     }
 
     #[test]

@@ -60,9 +60,14 @@ fn atom(node: &Node, out: &mut String) {
     if !element.is_empty() {
         let _ = write!(out, "<{element}>");
     }
-    base(node, out);
     if sub {
+        // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
+        out.push_str("<mpadded depth=\"0\">");
+        base(node, out);
+        out.push_str("</mpadded>");
         script(&node.sub, out);
+    } else {
+        base(node, out);
     }
     if sup {
         out.push_str("<mrow>");
@@ -100,11 +105,11 @@ mod tests {
     fn scripts_numbers_and_units() {
         assert_eq!(
             formula("v_{B3}^r = 2.5 m/s"),
-            "<math><msubsup><mi>v</mi><mrow><mi>B</mi><mn>3</mn></mrow><mrow><mi>r</mi></mrow></msubsup><mo>=</mo><mn>2.5</mn>\
+            "<math><msubsup><mpadded depth=\"0\"><mi>v</mi></mpadded><mrow><mi>B</mi><mn>3</mn></mrow><mrow><mi>r</mi></mrow></msubsup><mo>=</mo><mn>2.5</mn>\
              <mspace width=\"0.2em\"/><mtext>m/s</mtext></math>"
                 .replace("0.2em", &format!("{}em", Label::math("2.5 m").row().iter().map(|n| n.space_em).fold(0.0, f64::max)))
         );
-        assert_eq!(formula("b'_2"), "<math><msubsup><mi>b</mi><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>");
+        assert_eq!(formula("b'_2"), "<math><msubsup><mpadded depth=\"0\"><mi>b</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>");
     }
 
     #[test]

@@ -104,15 +104,10 @@
     return parts;
   }
 
-  const drawings = data.drawings.map(({ key, moving, labels, shown }) => {
+  const drawings = data.drawings.map(({ key, moving, shown }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
-    for (const [index, triples] of labels) {
-      let d = "";
-      for (let i = 0; i < triples.length; i += 3) d += `m${triples[i]} ${triples[i + 1]}${data.outlines[triples[i + 2]]}`;
-      elements[index].setAttribute("d", d);
-    }
     const movers = moving.map(([index, runs, places, packed]) => {
       const element = elements[index];
       const seen = flags(runs);
@@ -308,6 +303,7 @@
     const [x, y] = gripAt(where);
     grip.setAttribute("transform", `translate(${Math.round(x * 1000) / 1000} ${Math.round(y * 1000) / 1000})`);
     const shown = start + travel * data.driver.factor;
+    grip.dataset.travel = travel;
     grip.setAttribute("aria-valuenow", Math.round(shown * 10) / 10);
     grip.setAttribute("aria-valuetext", `${data.driver.plain} = ${shownValue(travel)}`);
   }

@@ -1,21 +1,24 @@
 //! A figure as SVG: millimetres, letters as outlines. The one place where y is turned over.
 //!
-//! No `<text>`, no `<marker>`, no `<use>`, no `<style>`: what is left is drawn alike by every program, and several
-//! figures can be put into one page without clashes. Attributes come out sorted by name (the `svg` crate does that),
-//! elements in the order of the items: the same figure gives the same bytes.
+//! No `<text>`, no `<marker>`, no `<style>`: what is left is drawn alike by every program. A letter's outline stands once, in
+//! `<defs>`, and wherever it is written it is used (by `xlink:href`, which older programs know as well). Its name tells its
+//! font, number and size, so that several figures can be put into one page: the same name is the same outline. Attributes
+//! come out sorted by name (the `svg` crate does that), elements in the order of the items: the same figure gives the same
+//! bytes.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use ::svg::Document;
-use ::svg::node::element::{Circle, Description, Group, Line, Path, Title};
-use ::svg::node::{Node, Text};
+use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
+use ::svg::node::{Blob, Node, Text};
 
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::Segment;
+use crate::figure::font::{Face, Segment};
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
-use crate::figure::text;
+use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
 
 use super::number::mm;
@@ -30,17 +33,17 @@ use super::number::mm;
 /// all of them in the order of the items.
 ///
 /// ```
-/// use hodograph::figure::item::{Figure, Item, Shape, Stroke};
+/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
 /// use hodograph::{geom::Point, render::svg};
 /// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
 /// let items = vec![Item::new("link", edge).with_id("crank")];
-/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), items };
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
 /// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
 /// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
-    let mut writer = Writer { height_mm: figure.height_mm, faults: Faults::default() };
+    let mut writer = Writer { height_mm: figure.height_mm, letters: BTreeMap::new(), faults: Faults::default() };
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
         return Err(Diagnostic::error("not-finite", format!("the paper is {} mm by {} mm", figure.width_mm, figure.height_mm)).into());
     }
@@ -53,10 +56,20 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
         .set("lang", figure.lang.as_str())
         .add(Title::new(figure.title.as_str()))
         .add(Description::new().add(Text::new(figure.desc.as_str())));
+    if figure.paper != Colour::WHITE {
+        let paper =
+            Rectangle::new().set("width", w.as_str()).set("height", h.as_str()).set("class", "paper").set("fill", hex(figure.paper));
+        document = document.add(paper);
+    }
+    let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
     for item in &figure.items {
-        if let Some(node) = writer.finite(item) {
-            document = document.add(node);
-        }
+        items.extend(writer.finite(item));
+    }
+    if !writer.letters.is_empty() {
+        document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.letters());
+    }
+    for item in items {
+        document.append(item);
     }
     if writer.faults.has_errors() {
         return Err(writer.faults);
@@ -66,20 +79,46 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
     Ok(Warned { value, notes: writer.faults.list })
 }
 
-/// Items as elements, one string each, as they stand in a document of this height: for pages that put documents together
-/// by themselves.
-///
-/// # Errors
-/// As [`write`].
-pub fn elements(items: &[Item], height_mm: f64) -> Result<Vec<String>, Faults> {
-    let mut writer = Writer { height_mm, faults: Faults::default() };
-    let list = items.iter().map(|item| writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
-    if writer.faults.has_errors() { Err(writer.faults) } else { Ok(list) }
+/// Items as elements, one string each, for pages that put documents together by themselves.
+pub struct Elements {
+    writer: Writer,
+}
+
+impl Elements {
+    /// For documents of this height.
+    pub fn new(height_mm: f64) -> Elements {
+        Elements { writer: Writer { height_mm, letters: BTreeMap::new(), faults: Faults::default() } }
+    }
+
+    /// The elements of these items, one for each.
+    ///
+    /// # Errors
+    /// As [`write`].
+    pub fn of(&mut self, items: &[Item]) -> Result<Vec<String>, Faults> {
+        let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
+        if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
+    }
+
+    /// The outlines that all these elements use.
+    pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
+        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(l, name)| (*l, name.clone())).collect();
+        Writer { height_mm: 0.0, letters, faults: Faults::default() }.letters().to_string()
+    }
 }
 
 struct Writer {
     height_mm: f64,
+    /// The letters used, each with the name that its uses call it by.
+    letters: BTreeMap<Letter, String>,
     faults: Faults,
+}
+
+/// A glyph of a font at a part of the label's size (in 1/1000).
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Letter {
+    face: Face,
+    glyph: u32,
+    size: i32,
 }
 
 impl Writer {
@@ -131,6 +170,9 @@ impl Writer {
                 let mut circle = Circle::new().set("cx", mm(centre.x)).set("cy", self.y(centre.y)).set("r", mm(*radius_mm));
                 named(&mut circle, item);
                 painted(&mut circle, stroke.as_ref(), *fill);
+                if fill.is_none() {
+                    circle.assign("fill", "none");
+                }
                 circle.into()
             }
             Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
@@ -154,17 +196,55 @@ impl Writer {
             Shape::Label { at, label, size_mm, anchor, colour } => {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
-                let mut path = Path::new()
-                    .set("d", outline_data(&set.outline))
-                    .set("transform", format!("translate({} {}) scale({})", mm(left), self.y(at.y), scale(*size_mm)))
+                let mut group = Group::new()
+                    .set("transform", format!("translate({} {})scale({})", mm(left), self.y(at.y), scale(*size_mm)))
                     .set("aria-label", label.plain())
-                    .set("data-text", label.source());
-                named(&mut path, item);
-                painted(&mut path, None, Some(*colour));
+                    .set("data-text", label.source())
+                    .add(Blob::new(self.written(&set)));
+                named(&mut group, item);
+                if *colour != Colour::BLACK {
+                    group.assign("fill", hex(*colour));
+                }
                 self.faults.list.extend(set.faults.iter().cloned());
-                path.into()
+                group.into()
             }
         }
+    }
+
+    /// The letters of a label, in 1/1000 em.
+    fn written(&mut self, set: &Typeset) -> String {
+        let mut out = String::new();
+        for run in &set.runs {
+            let mut pen = run.x_em;
+            for glyph in &run.glyphs {
+                let (x, y) = (pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em);
+                pen += glyph.advance_em * run.size_em;
+                if !run.face.outline(glyph.id).ink.any() {
+                    continue;
+                }
+                let letter = Letter { face: run.face, glyph: glyph.id, size: milli(run.size_em) };
+                let name = self.letters.entry(letter).or_insert_with(|| letter.name());
+                let _ = write!(out, "<use xlink:href=\"#{name}\"");
+                for (axis, at) in [("x", milli(x)), ("y", -milli(y))] {
+                    if at != 0 {
+                        let _ = write!(out, " {axis}=\"{at}\"");
+                    }
+                }
+                out.push_str("/>");
+            }
+        }
+        out
+    }
+
+    /// The outlines of all letters used.
+    fn letters(&self) -> Definitions {
+        let mut out = String::new();
+        for (letter, name) in &self.letters {
+            let outline = letter.face.outline(letter.glyph);
+            let segments = outline.segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * f64::from(letter.size) / 1000.0))));
+            let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(segments));
+        }
+        Definitions::new().add(Blob::new(out))
     }
 
     fn line(&self, from: Point, to: Point, stroke: &Stroke, item: &Item) -> Line {
@@ -218,6 +298,23 @@ impl Writer {
     }
 }
 
+impl Letter {
+    fn name(self) -> String {
+        let face = match self.face {
+            Face::Roman => 'r',
+            Face::Italic => 'i',
+            Face::Math => 'm',
+            Face::Song => 's',
+        };
+        let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
+        format!("g{face}{}{size}", self.glyph)
+    }
+}
+
+fn milli(em: f64) -> i32 {
+    (em * 1000.0).round() as i32
+}
+
 fn named(node: &mut impl Node, item: &Item) {
     if !item.id.is_empty() {
         node.assign("id", item.id.as_str());
@@ -242,8 +339,6 @@ fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) 
     }
     if let Some(c) = fill {
         node.assign("fill", hex(c));
-    } else if stroke.is_some() {
-        node.assign("fill", "none");
     }
 }
 
@@ -257,8 +352,8 @@ fn scale(size_mm: f64) -> String {
 }
 
 /// Path data of an outline in integers, relative commands, y turned over.
-fn outline_data(outline: &[Segment<i32>]) -> String {
-    let mut d = String::with_capacity(12 * outline.len());
+fn outline_data(outline: impl Iterator<Item = Segment<i32>>) -> String {
+    let mut d = String::new();
     let mut digits = itoa::Buffer::new();
     let (mut here, mut start) = ([0, 0], [0, 0]);
     for segment in outline {
@@ -279,7 +374,7 @@ fn outline_data(outline: &[Segment<i32>]) -> String {
             }
             here = points[points.len() - 1];
         };
-        match *segment {
+        match segment {
             Segment::Move(a) => {
                 write('m', &[a]);
                 start = a;
@@ -304,7 +399,15 @@ mod tests {
     use crate::figure::label::Label;
 
     fn figure(items: Vec<Item>) -> Figure {
-        Figure { width_mm: 100.0, height_mm: 50.0, title: "A < B".into(), desc: "two \"things\"".into(), lang: "en".into(), items }
+        Figure {
+            width_mm: 100.0,
+            height_mm: 50.0,
+            title: "A < B".into(),
+            desc: "two \"things\"".into(),
+            lang: "en".into(),
+            paper: Colour::WHITE,
+            items,
+        }
     }
 
     fn line(id: &str, from: Point, to: Point) -> Item {
@@ -344,13 +447,18 @@ mod tests {
     }
 
     #[test]
-    fn label_is_one_path_of_integers() {
+    fn letters_are_drawn_once_and_used() {
         let svg = write(&figure(vec![label("v_{B3B2}^r")])).unwrap().value;
-        assert_eq!(svg.matches("<path").count(), 1);
-        assert!(svg.contains(r#"transform="translate(10 40) scale(0.004)""#), "{svg}");
+        // v; B, 3, 2 and r in the smaller size. The second B is used again.
+        assert_eq!((svg.matches("<path").count(), svg.matches("<use").count()), (5, 6), "{svg}");
+        assert!(svg.contains(r#"transform="translate(10 40)scale(0.004)""#), "{svg}");
         assert!(svg.contains(r#"data-text="v_{B3B2}^r""#) && svg.contains(r#"aria-label="v_B3B2^r""#), "{svg}");
+        for used in svg.split("xlink:href=\"#").skip(1).map(|s| s.split('"').next().unwrap()) {
+            assert!(svg.contains(&format!("id=\"{used}\"")), "{used} is nowhere defined");
+        }
         let d = svg.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
         assert!(!d.contains('.') && d.starts_with('m'), "{d}");
+        assert!(!write(&figure(vec![label("")])).unwrap().value.contains("defs"));
     }
 
     #[test]

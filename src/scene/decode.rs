@@ -1,10 +1,10 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
-use super::fields::{Fields, list, object, quantity, suggest, two_quantities, word};
-use super::json::{Kind, Node, Word};
 use super::keys;
 use super::raw::*;
 use crate::diag::{Diagnostic, Faults};
+use crate::json::fields::{Fields, list, object, suggest, word, wrong};
+use crate::json::{Kind, Node, Word};
 
 /// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
 /// and their time with the cube of the number of links, so these bounds keep a run under a few seconds.
@@ -238,5 +238,30 @@ pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)
     match members.iter().find(|(key, _)| key.text == section) {
         Some((_, Node { kind: Kind::Object(inner), .. })) => inner,
         _ => &[],
+    }
+}
+
+/// A number or an expression in quotation marks.
+fn quantity(node: &Node, what: &str, faults: &mut Faults) -> Option<RawQuantity> {
+    let (text, bare) = match &node.kind {
+        Kind::Number(text) => (text.clone(), true),
+        Kind::Text(_) => (word(node, what, faults)?.text, false),
+        _ => return wrong(node, what, "a quantity such as \"100 mm\"", faults),
+    };
+    Some(RawQuantity { text, span: node.span, bare })
+}
+
+/// Two quantities, such as coordinates.
+fn two_quantities(node: &Node, what: &str, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+    match list(node, what, faults)? {
+        [a, b] => {
+            let (a, b) = (quantity(a, what, faults), quantity(b, what, faults));
+            Some([a?, b?])
+        }
+        items => {
+            let d = Diagnostic::error("wrong-count", format!("{what} has two values, this has {}", items.len())).at(node.span);
+            faults.push(d.help("write [x, y]"));
+            None
+        }
     }
 }

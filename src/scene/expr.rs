@@ -3,9 +3,9 @@
 //! The tree is public because the precision ladder evaluates it again with more digits. Places in the tree are byte
 //! offsets into the expression's own text.
 
-use super::fields::suggest;
 use super::units::{UNITS, Unit, unit_named};
 use crate::diag::{Diagnostic, Span};
+use crate::json::fields::suggest;
 
 /// Longer expressions are refused: nobody writes them by hand, and the tree's depth is bounded by the length.
 pub const MAX_LENGTH: usize = 400;

@@ -7,8 +7,6 @@ mod decode;
 pub mod eval;
 pub mod exact;
 pub mod expr;
-mod fields;
-mod json;
 mod keys;
 pub mod model;
 mod names;
@@ -24,6 +22,7 @@ mod values;
 pub use model::*;
 
 use crate::diag::{Faults, Severity, Span, Warned};
+use crate::json;
 
 /// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
 ///

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::fields::suggest;
-use super::json::Word;
 use super::model::{Link, LinkId, OnLink, Point, PointId};
 use crate::diag::Diagnostic;
+use crate::json::Word;
+use crate::json::fields::suggest;
 
 /// Longest name of a point or link. Figures print the names; nothing longer than this finds a place beside a joint.
 const MAX_NAME: usize = 16;

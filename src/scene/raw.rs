@@ -1,7 +1,7 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
-use super::json::Word;
 use crate::diag::Span;
+use crate::json::Word;
 
 /// A number or expression as written.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,9 +1,10 @@
 //! Templates: complete scenes that come with the program, whose parameters can be set.
 
-use super::json::{self, Kind, Node, Word};
 use super::model::Localized;
-use super::{decode, expr, fields::suggest};
+use super::{decode, expr};
 use crate::diag::{Diagnostic, Faults, Span};
+use crate::json::fields::suggest;
+use crate::json::{self, Kind, Node, Word};
 
 /// Every template: one line for each file of `templates/`, in the order in which they are listed to the reader.
 const FILES: &[(&str, &str)] = &[

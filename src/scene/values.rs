@@ -5,12 +5,12 @@ use std::collections::{HashMap, HashSet};
 
 use super::eval::{NoValue, Value, evaluate};
 use super::expr::{self, Expr};
-use super::fields::suggest;
-use super::json::Word;
 use super::model::{Angle, Given};
 use super::raw::RawQuantity;
 use super::units::{Dim, Wanted};
 use crate::diag::{Diagnostic, Faults, Span};
+use crate::json::Word;
+use crate::json::fields::suggest;
 use crate::number::{Ball, Real};
 
 /// A parameter's value, and the same with a bound of its error.

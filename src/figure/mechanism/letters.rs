@@ -28,6 +28,7 @@ impl Draft<'_> {
         for l in 0..self.scene.links.len() {
             let name = self.scene.links[l].name.clone();
             let id = format!("number-{name}");
+            self.d.of_link((l != self.scene.ground.0).then_some(l));
             if l == self.scene.ground.0 {
                 self.ground_number(&id, &name);
                 continue;
@@ -56,6 +57,7 @@ impl Draft<'_> {
                 }
             }
         }
+        self.d.of_link(None);
     }
 
     fn number(&mut self, id: &str, name: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {

@@ -97,12 +97,14 @@ impl Draft<'_> {
         let angles = ROTATION_RAD.map(|a| outward.angle() + side * a);
         // The head is at the end that the link turns to.
         let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        self.d.of_link(Some(link.0));
         let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
         let symbol = match &driver.acceleration {
             Some(a) if a.value != 0.0 => format!("\\omega_{{{index}}}, \\alpha_{{{index}}}"),
             _ => format!("\\omega_{{{index}}}"),
         };
         self.arc_label(&symbol, "rotation", centre, radius, [from, to], owner);
+        self.d.of_link(None);
     }
 
     fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
@@ -134,7 +136,11 @@ impl Draft<'_> {
         let ahead = tangent * driver.rate.value.signum();
         let from = match guide.pin {
             // Beyond the end of a slot with hatching on both sides.
-            Some(p) if self.in_fixed_slot(p) => at + ahead * (super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM),
+            Some(p) if self.in_fixed_slot(p) => {
+                let [back, on] = self.travel(g);
+                let goes = if driver.rate.value > 0.0 { on } else { -back };
+                at + ahead * (goes + super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM)
+            }
             _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
         };
         self.straight_arrow(from, tangent, driver.rate.value, &symbol);

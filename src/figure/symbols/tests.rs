@@ -1,3 +1,5 @@
+use std::sync::LazyLock;
+
 use super::*;
 use crate::figure::extent::{Rect, bounds};
 use crate::figure::item::{Item, Piece, Shape};
@@ -5,7 +7,7 @@ use crate::figure::place::Obstacles;
 use crate::figure::style::Style;
 use crate::geom::{Point, Vec2};
 
-const STYLE: Style = Style::TEXTBOOK;
+static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
 
 fn boxed(items: &[Item]) -> Rect {
     bounds(items).expect("a symbol has ink")

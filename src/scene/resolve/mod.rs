@@ -11,14 +11,14 @@ mod lengths;
 mod paper;
 mod places;
 
-use super::fields::suggest;
-use super::json::Word;
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
 use super::units::Wanted;
 use super::values::Values;
 use crate::diag::{Diagnostic, Faults, Span};
+use crate::json::Word;
+use crate::json::fields::suggest;
 
 /// What every section needs.
 struct Context<'a> {

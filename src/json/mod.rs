@@ -1,7 +1,10 @@
-//! Bytes to a tree of JSON values with their places: the one door to the JSON parser.
+//! Bytes to a tree of JSON values with their places: the one door to the parser of what people write, scenes and styles;
+//! [`fields`] takes the tree apart.
 //!
 //! Strict JSON only: no comments, no trailing commas. Number literals keep their text, so that no digit is lost before
 //! somebody decides in which precision to read it. Nothing here knows what a scene is.
+
+pub(crate) mod fields;
 
 use std::collections::HashSet;
 
@@ -18,7 +21,7 @@ const MAX_DEPTH: usize = 32;
 
 /// A text and its place. For a JSON string the place includes the quotation marks.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Word {
+pub(crate) struct Word {
     /// The text, escapes resolved.
     pub text: String,
     /// Its place.
@@ -27,14 +30,14 @@ pub(super) struct Word {
 
 /// A JSON value and its place.
 #[derive(Clone, Debug)]
-pub(super) struct Node {
+pub(crate) struct Node {
     pub kind: Kind,
     pub span: Span,
 }
 
 /// What a JSON value is.
 #[derive(Clone, Debug)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Text(String),
     /// A number literal, as written.
     Number(String),
@@ -59,7 +62,7 @@ impl Node {
 }
 
 /// Reads one JSON value. Duplicate keys go to `faults` (the first one counts); whatever leaves no tree at all is the error.
-pub(super) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
+pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {
         let message = format!("the file has {} bytes; a scene has at most {MAX_BYTES}", bytes.len());
         return Err(Diagnostic::error("too-large", message));

@@ -2,6 +2,10 @@
 //!
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
+mod legible;
+
+use std::sync::LazyLock;
+
 use hodograph::figure::extent::translate;
 use hodograph::figure::item::{Anchor, Colour, Figure, Item, Shape};
 use hodograph::figure::label::Label;
@@ -16,7 +20,7 @@ use hodograph::render::{png, svg};
 use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
-const STYLE: Style = Style::TEXTBOOK;
+static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
 const PAPER: Rect = Rect { min: Point::ORIGIN, max: Point { x: 210.0, y: 104.0 } };
 
 struct Words {
@@ -89,6 +93,7 @@ impl Board {
             title: words.configuration.into(),
             desc: words.polygon.into(),
             lang: words.lang.into(),
+            paper: Colour::WHITE,
             items: self.items,
         };
         (figure, placements)
@@ -232,7 +237,15 @@ fn symbols() -> Figure {
     }
     translate(&mut row, Vec2::new(0.0, 4.0));
     items.extend(row);
-    Figure { width_mm: 210.0, height_mm: 104.0, title: "Symbols".into(), desc: "Every symbol once".into(), lang: "en".into(), items }
+    Figure {
+        width_mm: 210.0,
+        height_mm: 104.0,
+        title: "Symbols".into(),
+        desc: "Every symbol once".into(),
+        lang: "en".into(),
+        paper: Colour::WHITE,
+        items,
+    }
 }
 
 fn ink(figure: &Figure, name: &str) -> (String, Vec<u8>) {

@@ -1,14 +1,13 @@
 //! Taking a JSON object apart: known keys, wanted types, and a diagnostic for everything else.
 
-use super::json::{Kind, Node, Word};
-use super::raw::RawQuantity;
+use super::{Kind, Node, Word};
 use crate::diag::{Diagnostic, Faults, Span};
 
 /// Bytes that a message can quote in one line.
 const LINE: usize = 120;
 
 /// The members of an object whose keys have been checked.
-pub(super) struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     what: &'static str,
     span: Span,
     members: &'a [(Word, Node)],
@@ -52,7 +51,7 @@ impl<'a> Fields<'a> {
 }
 
 /// The members of any object, in order.
-pub(super) fn object<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
+pub(crate) fn object<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
     match &node.kind {
         Kind::Object(members) => Some(members),
         _ => wrong(node, what, "an object", faults),
@@ -60,7 +59,7 @@ pub(super) fn object<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Opt
 }
 
 /// The items of a list.
-pub(super) fn list<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [Node]> {
+pub(crate) fn list<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Option<&'a [Node]> {
     match &node.kind {
         Kind::Array(items) => Some(items),
         _ => wrong(node, what, "a list", faults),
@@ -68,7 +67,7 @@ pub(super) fn list<'a>(node: &'a Node, what: &str, faults: &mut Faults) -> Optio
 }
 
 /// A text that is not empty.
-pub(super) fn word(node: &Node, what: &str, faults: &mut Faults) -> Option<Word> {
+pub(crate) fn word(node: &Node, what: &str, faults: &mut Faults) -> Option<Word> {
     match &node.kind {
         Kind::Text(text) if text.trim().is_empty() => {
             faults.push(Diagnostic::error("empty", format!("{what} is empty")).at(node.span));
@@ -79,32 +78,8 @@ pub(super) fn word(node: &Node, what: &str, faults: &mut Faults) -> Option<Word>
     }
 }
 
-/// A number or an expression in quotation marks.
-pub(super) fn quantity(node: &Node, what: &str, faults: &mut Faults) -> Option<RawQuantity> {
-    let (text, bare) = match &node.kind {
-        Kind::Number(text) => (text.clone(), true),
-        Kind::Text(_) => (word(node, what, faults)?.text, false),
-        _ => return wrong(node, what, "a quantity such as \"100 mm\"", faults),
-    };
-    Some(RawQuantity { text, span: node.span, bare })
-}
-
-/// Two quantities, such as coordinates.
-pub(super) fn two_quantities(node: &Node, what: &str, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
-    match list(node, what, faults)? {
-        [a, b] => {
-            let (a, b) = (quantity(a, what, faults), quantity(b, what, faults));
-            Some([a?, b?])
-        }
-        items => {
-            let d = Diagnostic::error("wrong-count", format!("{what} has two values, this has {}", items.len())).at(node.span);
-            faults.push(d.help("write [x, y]"));
-            None
-        }
-    }
-}
-
-fn wrong<T>(node: &Node, what: &str, wanted: &str, faults: &mut Faults) -> Option<T> {
+/// Says that a value is of another type than wanted.
+pub(crate) fn wrong<T>(node: &Node, what: &str, wanted: &str, faults: &mut Faults) -> Option<T> {
     let d = Diagnostic::error("wrong-type", format!("{what} must be {wanted}, this is {}", node.what())).at(node.span);
     faults.push(match &node.kind {
         Kind::Number(n) if wanted == "a text" => d.help(format!("write \"{n}\"")),
@@ -114,7 +89,7 @@ fn wrong<T>(node: &Node, what: &str, wanted: &str, faults: &mut Faults) -> Optio
 }
 
 /// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
-pub(super) fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: &str) -> String {
+pub(crate) fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: &str) -> String {
     let lower = got.to_lowercase();
     // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
     // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to guess from.

@@ -1,0 +1,199 @@
+//! Style files: JSON that says what differs from the style it is based on. All faults at once, each with its place.
+//!
+//! ```json
+//! { "base": "print", "lines": { "vector": 0.5 }, "colours": { "links": ["#0072b2", "#d55e00"] }, "notation": { "pole": "P" } }
+//! ```
+
+use super::{Marks, Style};
+use crate::diag::{Diagnostic, Faults};
+use crate::figure::item::Colour;
+use crate::figure::label::Label;
+use crate::figure::text;
+use crate::json::fields::{Fields, list, suggest, word, wrong};
+use crate::json::{self, Kind, Node};
+
+/// A length that a style sets: its key, where it is kept, and its bounds in mm.
+type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
+
+/// Lines thinner than a hair do not print, thicker than 2 mm they hide what they join.
+const LINES: &[Length] = &[
+    ("link", |s| &mut s.link.width_mm, [0.1, 2.0]),
+    ("outline", |s| &mut s.outline.width_mm, [0.1, 2.0]),
+    ("thin", |s| &mut s.thin.width_mm, [0.1, 2.0]),
+    ("vector", |s| &mut s.vector.width_mm, [0.1, 2.0]),
+];
+
+/// A head shorter than a millimetre is not seen, longer than a centimetre it is the vector.
+const HEADS: &[Length] = &[
+    ("vector_length", |s| &mut s.head.length_mm, [1.0, 10.0]),
+    ("vector_width", |s| &mut s.head.width_mm, [0.4, 6.0]),
+    ("thin_length", |s| &mut s.thin_head.length_mm, [1.0, 10.0]),
+    ("thin_width", |s| &mut s.thin_head.width_mm, [0.4, 6.0]),
+];
+
+/// Half to four times what the textbooks use: beyond, symbols run into one another.
+const SYMBOLS: &[Length] = &[
+    ("pin_radius", |s| &mut s.pin_radius_mm, [0.5, 4.0]),
+    ("dot_radius", |s| &mut s.dot_radius_mm, [0.3, 2.0]),
+    ("pivot_height", |s| &mut s.pivot_height_mm, [2.0, 16.0]),
+    ("pivot_half_base", |s| &mut s.pivot_half_base_mm, [1.5, 12.0]),
+    ("ground_half", |s| &mut s.ground_half_mm, [2.5, 20.0]),
+    ("hatch_pitch", |s| &mut s.hatch_pitch_mm, [0.5, 5.0]),
+    ("hatch_depth", |s| &mut s.hatch_depth_mm, [0.5, 6.0]),
+    ("block_length", |s| &mut s.block_length_mm, [4.0, 30.0]),
+    ("block_width", |s| &mut s.block_width_mm, [2.0, 16.0]),
+    ("slot_width", |s| &mut s.slot_width_mm, [1.5, 12.0]),
+];
+
+/// Scripts are 70 % of the type: under 3.2 mm they fall below 2.2 mm, the smallest that prints well.
+const TEXT: &[Length] = &[
+    ("label", |s| &mut s.label_mm, [3.2, 15.0]),
+    ("caption", |s| &mut s.caption_mm, [3.2, 15.0]),
+    ("small", |s| &mut s.small_mm, [3.2, 15.0]),
+];
+
+const SECTIONS: &[(&str, &str, &[Length])] =
+    &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
+const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "colours", "notation"];
+const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
+const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown"];
+/// More colours than this nobody tells apart; the bound keeps a file from filling the memory.
+const LINKS_MAX: usize = 64;
+
+/// Reads a style file.
+///
+/// # Errors
+/// All faults in one list, each with its place in `source` as byte offsets.
+///
+/// ```
+/// let style = hodograph::figure::style::read(br#"{ "base": "dark", "lines": { "link": 0.9 } }"#).unwrap();
+/// assert_eq!(style.link.width_mm, 0.9);
+/// assert!(hodograph::figure::style::read(br#"{ "lines": { "link": 90 } }"#).is_err());
+/// ```
+pub fn read(source: &[u8]) -> Result<Style, Faults> {
+    let mut faults = Faults::default();
+    let (_, root) = json::parse(source, &mut faults)?;
+    let style = style(&root, &mut faults);
+    style.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
+fn style(root: &Node, faults: &mut Faults) -> Option<Style> {
+    let f = Fields::open(root, "a style", KEYS, faults)?;
+    let mut style = match f.get("base") {
+        None => Style::textbook(),
+        Some(node) => {
+            let base = word(node, "\"base\"", faults)?;
+            Style::named(&base.text).or_else(|| {
+                let d = Diagnostic::error("unknown-style", format!("there is no style `{}`", base.text)).at(base.span);
+                faults.push(d.help(suggest(&base.text, Style::names().into_iter(), "the styles are")));
+                None
+            })?
+        }
+    };
+    if let Some(name) = f.get("name").and_then(|n| word(n, "\"name\"", faults)) {
+        style.name = name.text;
+    }
+    for (key, what, lengths) in SECTIONS {
+        let Some(node) = f.get(key) else { continue };
+        let keys: Vec<&str> = lengths.iter().map(|l| l.0).collect();
+        let Some(section) = Fields::open(node, what, &keys, faults) else { continue };
+        for (key, place, bounds) in *lengths {
+            if let Some(mm) = section.get(key).and_then(|n| length(n, key, *bounds, faults)) {
+                *place(&mut style) = mm;
+            }
+        }
+    }
+    if let Some(node) = f.get("colours") {
+        colours(node, &mut style, faults);
+    }
+    if let Some(node) = f.get("notation") {
+        marks(node, &mut style.marks, faults);
+    }
+    Some(style)
+}
+
+fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) -> Option<f64> {
+    let Kind::Number(text) = &node.kind else { return wrong(node, &format!("`{key}`"), "a number of millimetres", faults) };
+    match text.parse::<f64>() {
+        Ok(mm) if (least..=most).contains(&mm) => Some(mm),
+        _ => {
+            let d = Diagnostic::error("out-of-range", format!("`{key}` is {text} mm")).at(node.span);
+            faults.push(d.help(format!("give {least} to {most} mm")));
+            None
+        }
+    }
+}
+
+fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
+    let Some(f) = Fields::open(node, "\"colours\"", COLOURS, faults) else { return };
+    let mut one = |key: &str, place: &mut Colour| {
+        if let Some(c) = f.get(key).and_then(|n| colour(n, key, faults)) {
+            *place = c;
+        }
+    };
+    one("paper", &mut style.palette.paper);
+    one("ink", &mut style.palette.ink);
+    one("plate", &mut style.plate);
+    let Some(node) = f.get("links") else { return };
+    let Some(items) = list(node, "\"links\"", faults) else { return };
+    if items.len() > LINKS_MAX {
+        let message = format!("\"links\" has {} colours; at most {LINKS_MAX} are allowed", items.len());
+        return faults.push(Diagnostic::error("too-many", message).at(node.span));
+    }
+    style.palette.links = items.iter().filter_map(|n| colour(n, "a colour of a link", faults)).collect();
+}
+
+fn colour(node: &Node, what: &str, faults: &mut Faults) -> Option<Colour> {
+    let text = word(node, &format!("`{what}`"), faults)?;
+    let digits = text.text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
+    let value = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
+    if value.is_none() {
+        let d = Diagnostic::error("colour", format!("`{}` is no colour", text.text)).at(text.span);
+        faults.push(d.help("write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\""));
+    }
+    value.map(|v| Colour::rgb((v >> 16) as u8, (v >> 8) as u8, v as u8))
+}
+
+fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
+    let Some(f) = Fields::open(node, "\"notation\"", MARKS, faults) else { return };
+    let mut one = |key: &str, place: &mut Option<String>| {
+        let Some(text) = f.get(key).and_then(|n| word(n, &format!("`{key}`"), faults)) else { return };
+        let label = Label::math(text.text.as_str());
+        let set = text::set(&label);
+        match set.faults.first() {
+            Some(fault) => faults.push(Diagnostic::error("mark", fault.message.clone()).at(text.span).help("write another mark")),
+            None => *place = Some(text.text),
+        }
+    };
+    one("pole", &mut marks.pole);
+    one("coriolis", &mut marks.coriolis);
+    one("sliding", &mut marks.sliding);
+    one("known", &mut marks.known);
+    one("unknown", &mut marks.unknown);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_faults_at_once_with_their_places() {
+        let source = br##"{ "bse": "print", "lines": { "link": 40, "vektor": 0.5 }, "text": { "label": "big" },
+            "colours": { "ink": "black", "links": ["#12345", "#0072b2"] }, "notation": { "pole": "\\nosuch" } }"##;
+        let faults = read(source).unwrap_err();
+        let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
+        assert_eq!(codes, ["unknown-key", "unknown-key", "out-of-range", "wrong-type", "colour", "colour", "mark"]);
+        assert!(faults.list.iter().all(|d| d.span.is_some()));
+        assert!(faults.list[2].help.as_ref().unwrap().contains("0.1 to 2 mm"));
+    }
+
+    #[test]
+    fn what_is_not_said_is_that_of_the_base() {
+        let style = read(br#"{ "base": "slides", "lines": { "thin": 0.2 }, "notation": { "pole": "P" } }"#).unwrap();
+        let base = Style::named("slides").unwrap();
+        assert_eq!(style.thin.width_mm, 0.2);
+        assert_eq!((style.link, &style.palette), (base.link, &base.palette));
+        assert_eq!(style.marks.pole.as_deref(), Some("P"));
+        assert_eq!(read(br#"{ "base": "nosuch" }"#).unwrap_err().list[0].code, "unknown-style");
+    }
+}

@@ -1,0 +1,169 @@
+//! How figures look: weights and sizes of the ink in millimetres, and its colours. Styles are data: the bundled ones are the
+//! JSON files beside this one, a user's own is such a file that says what differs (the `file` module reads both).
+
+use super::arrow::Head;
+use super::item::{Colour, Stroke};
+use crate::plan::notation::Notation;
+
+mod file;
+mod palette;
+
+pub use file::read;
+pub use palette::Palette;
+
+/// How a figure is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Style {
+    /// Its name.
+    pub name: String,
+    /// Links: ISO 128's thick line, the darkest thing on the page, as the mechanism is the subject.
+    pub link: Stroke,
+    /// Outlines of joints, blocks and supports: below the links and above the auxiliary lines.
+    pub outline: Stroke,
+    /// Hatching, dimensions, angles, centre lines: half the outline, so that areas of hatching stay grey.
+    pub thin: Stroke,
+    /// Vectors: their length is read with a ruler to 0.2 mm, so the line may not be wider than twice that.
+    pub vector: Stroke,
+    /// Head of a vector.
+    pub head: Head,
+    /// Head of an angle's or dimension's arrow.
+    pub thin_head: Head,
+    /// Radius of a revolute joint's circle, to the middle of its line: its white must show between 0.7 mm links.
+    pub pin_radius_mm: f64,
+    /// Radius of the dot at a pole: larger than a line's width, smaller than a joint.
+    pub dot_radius_mm: f64,
+    /// Height of a fixed pivot's triangle, from the joint's centre to the ground line.
+    pub pivot_height_mm: f64,
+    /// Half the triangle's base.
+    pub pivot_half_base_mm: f64,
+    /// Half the length of a fixed pivot's ground line.
+    pub ground_half_mm: f64,
+    /// Distance between hatch strokes: closer than 1 mm they fill in at 150 dpi.
+    pub hatch_pitch_mm: f64,
+    /// Depth of the hatching, across the ground line.
+    pub hatch_depth_mm: f64,
+    /// Length of a slider's block, along its guide.
+    pub block_length_mm: f64,
+    /// Width of a slider's block, across its guide: shows the joint's circle with air on both sides.
+    pub block_width_mm: f64,
+    /// Clear width of a slot and distance of a pair of guide lines: a joint's circle fits in.
+    pub slot_width_mm: f64,
+    /// The area of a link with more than two joints: light enough for a label to be read on it.
+    pub plate: Colour,
+    /// Size of the type at points and vectors.
+    pub label_mm: f64,
+    /// Size of the type in tables and captions.
+    pub caption_mm: f64,
+    /// Size of the type at scales and dimensions: its scripts (70 %) stay above 2.2 mm, the smallest that prints.
+    pub small_mm: f64,
+    /// The colours of the ink.
+    pub palette: Palette,
+    /// Marks that differ from those of the chosen notation profile.
+    pub marks: Marks,
+}
+
+/// Marks of a notation profile that a style replaces; empty where it does not.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Marks {
+    /// The pole.
+    pub pole: Option<String>,
+    /// Superscript of the Coriolis part.
+    pub coriolis: Option<String>,
+    /// Superscript of sliding parts.
+    pub sliding: Option<String>,
+    /// The sign for "known" in tables.
+    pub known: Option<String>,
+    /// The sign for "unknown".
+    pub unknown: Option<String>,
+}
+
+impl Marks {
+    /// The profile with these marks in place of its own.
+    pub fn over(&self, profile: &Notation) -> Notation {
+        let or = |own: &Option<String>, old: &String| own.clone().unwrap_or_else(|| old.clone());
+        Notation {
+            pole: or(&self.pole, &profile.pole),
+            coriolis: or(&self.coriolis, &profile.coriolis),
+            sliding: or(&self.sliding, &profile.sliding),
+            known: or(&self.known, &profile.known),
+            unknown: or(&self.unknown, &profile.unknown),
+            ..profile.clone()
+        }
+    }
+}
+
+/// The bundled styles, the usual one first.
+const BUNDLED: [(&str, &str); 3] =
+    [("print", include_str!("print.json")), ("slides", include_str!("slides.json")), ("dark", include_str!("dark.json"))];
+
+impl Style {
+    /// The names of the bundled styles.
+    pub fn names() -> [&'static str; 3] {
+        BUNDLED.map(|(name, _)| name)
+    }
+
+    /// A bundled style: `print` (black on white, as the Chinese and German textbooks), `slides` (a colour for each link, larger
+    /// type) or `dark` (the same on a dark ground).
+    pub fn named(name: &str) -> Option<Style> {
+        let (_, source) = BUNDLED.iter().find(|(n, _)| *n == name)?;
+        Some(read(source.as_bytes()).expect("bundled styles are read by a test"))
+    }
+
+    /// What a style begins with before any file has spoken: the weights and sizes of `print`.
+    fn textbook() -> Style {
+        Style {
+            name: "print".into(),
+            link: Stroke::new(0.7).round(),
+            outline: Stroke::new(0.4),
+            thin: Stroke::new(0.25),
+            vector: Stroke::new(0.4),
+            head: Head::VECTOR,
+            thin_head: Head::THIN,
+            pin_radius_mm: 1.1,
+            dot_radius_mm: 0.6,
+            pivot_height_mm: 4.4,
+            pivot_half_base_mm: 2.9,
+            ground_half_mm: 5.6,
+            hatch_pitch_mm: 1.4,
+            hatch_depth_mm: 1.8,
+            block_length_mm: 8.0,
+            block_width_mm: 4.4,
+            slot_width_mm: 3.4,
+            plate: Colour::grey(232),
+            label_mm: 4.7,
+            caption_mm: 4.1,
+            small_mm: 3.5,
+            palette: Palette::default(),
+            marks: Marks::default(),
+        }
+    }
+}
+
+impl Default for Style {
+    /// `print`.
+    fn default() -> Style {
+        Style::named("print").expect("the usual style is bundled")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bundled_styles_are_readable_and_named_after_their_file() {
+        for name in Style::names() {
+            assert_eq!(Style::named(name).unwrap().name, name);
+        }
+        assert_eq!(Style::default(), Style::textbook());
+        assert_eq!(Style::named("nosuch"), None);
+    }
+
+    #[test]
+    fn marks_replace_those_of_the_profile() {
+        let marks = Marks { pole: Some("P".into()), ..Marks::default() };
+        let en = Notation::named("en").unwrap();
+        let own = marks.over(&en);
+        assert_eq!((own.pole.as_str(), &own.coriolis), ("P", &en.coriolis));
+    }
+}

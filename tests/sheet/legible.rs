@@ -1,0 +1,163 @@
+//! Whether every sheet can be read, whatever the pose: all templates at 24 positions of their driver, in both languages and
+//! both notation profiles.
+//!
+//! The table: `cargo test --test sheet every_pose -- --nocapture`
+
+use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
+use hodograph::figure::extent::Rect;
+use hodograph::figure::item::{Figure, Item, Shape};
+use hodograph::figure::place::Obstacles;
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::geom::{Point, Vec2};
+use hodograph::plan::notation::Notation;
+use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::worked::{Scope, work};
+
+/// Positions of the driver.
+const POSES: usize = 24;
+/// The smallest type, printed on A4 (a sheet that is larger is made smaller for it).
+const SMALLEST_MM: f64 = 2.2;
+/// A label that a line only grazes is read all the same.
+const GRAZE_MM: f64 = 0.3;
+
+/// What was found on sheets.
+#[derive(Clone, Copy, Default)]
+struct Found {
+    sheets: usize,
+    labels: usize,
+    overlaps: usize,
+    outside: usize,
+    on_thick_lines: usize,
+    on_heads: usize,
+    on_joints: usize,
+    leaders: usize,
+    smallest_mm: f64,
+}
+
+impl Found {
+    fn add(&mut self, o: Found) {
+        let first = self.sheets == 0;
+        self.sheets += o.sheets;
+        self.labels += o.labels;
+        self.overlaps += o.overlaps;
+        self.outside += o.outside;
+        self.on_thick_lines += o.on_thick_lines;
+        self.on_heads += o.on_heads;
+        self.on_joints += o.on_joints;
+        self.leaders += o.leaders;
+        self.smallest_mm = if first { o.smallest_mm } else { self.smallest_mm.min(o.smallest_mm) };
+    }
+
+    fn line(&self, name: &str) -> String {
+        format!(
+            "{name:<22} {:>6} {:>7} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>8.2}",
+            self.sheets,
+            self.labels,
+            self.overlaps,
+            self.outside,
+            self.on_thick_lines,
+            self.on_heads,
+            self.on_joints,
+            self.leaders,
+            self.smallest_mm
+        )
+    }
+}
+
+/// The part of its size at which a sheet fits on A4, upright or across; never larger than it is.
+fn on_a4(figure: &Figure) -> f64 {
+    let fits = |w: f64, h: f64| (w / figure.width_mm).min(h / figure.height_mm);
+    fits(297.0, 210.0).max(fits(210.0, 297.0)).min(1.0)
+}
+
+fn look(figure: &Figure) -> Found {
+    let labels: Vec<(&Item, Rect)> =
+        figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
+    let mut found = Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };
+    let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
+    let lines: Vec<Item> = figure.items.iter().filter(|i| !matches!(i.shape, Shape::Label { .. })).cloned().collect();
+    let ink = Obstacles::of(&lines);
+    let meets = |r: Rect, a: Point, b: Point, half: f64| clipped(a, b, r.grown(half)) > GRAZE_MM;
+    for (k, (item, r)) in labels.iter().enumerate() {
+        let Shape::Label { size_mm, .. } = &item.shape else { continue };
+        found.smallest_mm = found.smallest_mm.min(size_mm * on_a4(figure));
+        found.outside += usize::from(paper.union(*r) != paper);
+        found.overlaps += labels[..k].iter().filter(|(_, o)| r.overlap_mm2(*o) > 0.0).count();
+        let thick = ink.bars.iter().filter(|b| b.half_width_mm > 0.15);
+        found.on_thick_lines += usize::from(thick.clone().any(|b| meets(*r, b.from, b.to, b.half_width_mm)));
+        found.on_heads += usize::from(ink.heads.iter().any(|h| meets(*r, h.from, h.to, 0.0)));
+        let near = |d: &hodograph::figure::place::Disc| {
+            let p = Point::new(d.centre.x.clamp(r.min.x, r.max.x), d.centre.y.clamp(r.min.y, r.max.y));
+            p.distance(d.centre) < d.radius_mm - GRAZE_MM
+        };
+        found.on_joints += usize::from(ink.discs.iter().any(near));
+    }
+    found.leaders = figure.items.iter().filter(|i| i.id.ends_with("-leader")).count();
+    found
+}
+
+/// Length of a segment inside a box, by halving: another way than the one that places the labels.
+fn clipped(a: Point, b: Point, r: Rect) -> f64 {
+    const PIECES: usize = 200;
+    let inside = |p: Point| r.min.x <= p.x && p.x <= r.max.x && r.min.y <= p.y && p.y <= r.max.y;
+    let apart = a.x.max(b.x) < r.min.x || a.x.min(b.x) > r.max.x || a.y.max(b.y) < r.min.y || a.y.min(b.y) > r.max.y;
+    if apart {
+        return 0.0;
+    }
+    let d: Vec2 = b - a;
+    let hits = (0..PIECES).filter(|k| inside(a + d * ((*k as f64 + 0.5) / PIECES as f64))).count();
+    hits as f64 / PIECES as f64 * d.norm()
+}
+
+/// The scene at positions of its first driver all around, or between its limits; those that cannot be drawn are left out.
+fn poses(scene: &Scene) -> Vec<Scene> {
+    let Some(start) = driver_position(scene, 0) else { return vec![scene.clone()] };
+    let turns = matches!(scene.drivers[0].kind, DriverKind::Turn { .. });
+    let [low, high] = match [limit(scene, 0, false), limit(scene, 0, true)] {
+        [Some(low), Some(high)] => [low, high],
+        _ if turns => [start, start + std::f64::consts::TAU],
+        _ => [start * 0.8, start * 1.2],
+    };
+    (0..POSES).map(|k| with_driver_at(scene, 0, low + (high - low) * (k as f64 + 0.25) / POSES as f64)).collect()
+}
+
+#[test]
+fn every_pose_can_be_read() {
+    let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
+    let mut table = vec![format!(
+        "{:<22} {:>6} {:>7} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>8}",
+        "", "sheets", "labels", "overlaps", "outside", "on lines", "on heads", "on pins", "leaders", "least mm"
+    )];
+    let mut all = Found::default();
+    let mut faults = Vec::new();
+    for t in templates::list() {
+        if !only.is_empty() && !only.split(',').any(|o| o == t.name) {
+            continue;
+        }
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        let mut here = Found::default();
+        for (k, pose) in poses(&scene).iter().enumerate() {
+            let Ok(worked) = work(pose, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                for notation in ["en", "cn"] {
+                    let notation = Notation::named(notation).unwrap();
+                    let name = format!("{} pose {k} {lang:?} {}", t.name, notation.name);
+                    let figure = sheet(pose, &worked.value, &Options { notation, ..Options::of_language(lang) }).unwrap();
+                    let found = look(&figure);
+                    if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
+                        faults.push(format!(
+                            "{name}: {} overlaps, {} outside, smallest type {:.2} mm",
+                            found.overlaps, found.outside, found.smallest_mm
+                        ));
+                    }
+                    here.add(found);
+                }
+            }
+        }
+        table.push(here.line(t.name));
+        all.add(here);
+    }
+    table.push(all.line("all"));
+    println!("{}", table.join("\n"));
+    assert!(faults.is_empty(), "{} sheets:\n{}", faults.len(), faults.join("\n"));
+}
