@@ -41,8 +41,8 @@ pub struct Frames {
 /// The two levels that have polygons.
 pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
 
-/// A polygon next to a limit leaves the paper when it is so many times as large as three quarters of all.
-const OFF_PAPER: f64 = 4.0;
+/// A polygon next to a limit leaves the paper when it is so many times as large as half of all, unless it is the scene's own.
+const OFF_PAPER: f64 = 2.5;
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
 const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
@@ -199,8 +199,8 @@ impl Maker<'_> {
             let mut sizes: Vec<f64> = trials.iter().filter_map(size).collect();
             sizes.sort_by(f64::total_cmp);
             let Some(largest) = sizes.last().copied() else { continue };
-            let usual = sizes[sizes.len() * 3 / 4];
-            let most = if full { largest } else { largest.min(OFF_PAPER * usual) };
+            let own = trials.iter().find(|t| t.travel == 0.0).and_then(size).unwrap_or(0.0);
+            let most = if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) };
             let fitting = trials.iter().filter(|t| size(t).is_some_and(|s| s <= most));
             let ends = fitting.filter_map(|t| t.worked.construction.polygon(level)).flat_map(|p| {
                 let mu = p.mu;

@@ -1,22 +1,9 @@
-//! Formulas of the label language as MathML, sentences as HTML.
+//! Formulas of the label language as MathML, words for HTML.
 
 use std::fmt::Write as _;
 
 use crate::figure::font::Slant;
 use crate::figure::label::{Label, Node, Role};
-use crate::report::phrase::{Phrase, Piece};
-
-/// A sentence: its words escaped, its formulas as `<math>`.
-pub fn sentence(phrase: &Phrase) -> String {
-    let mut out = String::new();
-    for piece in phrase.pieces() {
-        match piece {
-            Piece::Words(words) => out.push_str(&escaped(words)),
-            Piece::Formula(source) => out.push_str(&formula(source)),
-        }
-    }
-    out
-}
 
 /// A formula.
 pub fn formula(source: &str) -> String {
@@ -114,6 +101,6 @@ mod tests {
 
     #[test]
     fn words_are_escaped() {
-        assert_eq!(sentence(&Phrase::new("a < b & $c$")), "a &lt; b &amp; <math><mi>c</mi></math>");
+        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
     }
 }

@@ -44,7 +44,7 @@
   /** A column of the frames in which something is seen, spread over all frames. */
   function spread(values, seen) {
     let i = 0;
-    return seen.map((s) => (s ? values[i++] / 1000 : NaN));
+    return seen.map((s) => (s ? values[i++] / data.unit : NaN));
   }
 
   /** The frame before or after, round the turn where it is closed. */
@@ -164,7 +164,8 @@
   /** A sentence of a frame; see bank.rs. */
   function sayer([en, zh]) {
     const open = (told, numbers) => {
-      const [forms, sequence] = told;
+      const [written, sequence] = told;
+      const forms = written.map((f) => f.replace(/\uE001(\d+)\uE002/g, (_, n) => data.formulas[n]));
       const holes = forms.map((f) => f.split("\uE000").length - 1);
       const runs = sequence === 0 ? [0, count] : sequence;
       const list = numbers === "" ? [] : numbers.split(" ");
@@ -284,7 +285,7 @@
   const svg = document.querySelector("#mechanism svg");
   const gripAt = (() => {
     const read = reader(data.handle);
-    const [x, y] = [read(count), read(count)].map((v) => v.map((n) => n / 1000));
+    const [x, y] = [read(count), read(count)].map((v) => v.map((n) => n / data.unit));
     return (where) => [value(x, where), value(y, where)];
   })();
   const grip = document.createElementNS(svg.namespaceURI, "g");

@@ -13,12 +13,13 @@ use crate::mechanism::Level;
 use crate::render::svg::Elements;
 use crate::scene::{DriverKind, Lang, Scene};
 
+use super::bank::Formulas;
 use super::frames::{Frame, Frames};
 use super::mathml::{escaped, formula};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::sweep::Sweep;
-use super::track::{Told, runs};
+use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
 use super::{Options, limit, pack};
 
@@ -40,8 +41,12 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
     };
+    let mut formulas = Formulas::default();
+    let steps = steps(frames, &options.notation, &mut formulas);
+    let answers = answers(frames, options.driver, &options.notation, &mut formulas);
     let data = json!({
         "digits": pack::alphabet(),
+        "unit": UNIT,
         "lang": tag(options.lang),
         "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
         "title": LANGS.map(title),
@@ -54,8 +59,9 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "cut": frames.cut,
         "handle": handle(frames, options.driver, &drawings[0]),
         "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
-        "steps": steps(frames, &options.notation),
-        "answers": answers(frames, options.driver, &options.notation),
+        "steps": steps,
+        "answers": answers,
+        "formulas": formulas.list,
     });
     // Inside a script element only `</` could end it.
     let data = data.to_string().replace("</", "<\\/");
@@ -147,12 +153,12 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
     said.collect()
 }
 
-/// The point by which the driver is dragged, over the frames: two packed columns of thousandths of a millimetre on the
+/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) on the
 /// mechanism's paper, y down.
 fn handle(frames: &Frames, driver: usize, paper: &Scenery) -> Value {
     let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
     let mut packed = String::new();
-    let whole = |v: f64| (v * 1000.0).round() as i64;
+    let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
     pack::column(&places.iter().map(|p| whole(paper.size_mm[1] - p.y)).collect::<Vec<_>>(), &mut packed);
     json!(packed)

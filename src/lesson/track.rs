@@ -14,8 +14,9 @@ use super::pack;
 
 /// Attributes whose numbers are coordinates.
 const GEOMETRY: [&str; 9] = ["x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"];
-/// What the numbers are told in: thousandths of a millimetre, as the SVG writer rounds.
-const UNIT: f64 = 1000.0;
+/// What the numbers are told in, as a part of a millimetre: rounding to it is a quarter of the hundredth that the page may be
+/// off, and a smooth column's third differences are one character each.
+pub const UNIT: f64 = 200.0;
 
 /// An element.
 struct Element {
@@ -224,7 +225,6 @@ fn taken_apart(markup: &str) -> (String, Vec<i64>) {
         for (start, end) in numerals(a.value) {
             form.push_str(&a.value[from..start]);
             form.push('#');
-            // The writer's numbers have three places: they read back exactly.
             numbers.push((a.value[start..end].parse::<f64>().unwrap_or(0.0) * UNIT).round() as i64);
             from = end;
         }
@@ -258,7 +258,7 @@ mod tests {
     fn markup_is_taken_apart() {
         let (form, numbers) = taken_apart("<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/>\n<path d=\"M0 1A3 3 0 0 1 4 5.25Z\"/></g>");
         assert_eq!(form, "0 id=v31 x1=#1 y1=#2 d=M# #A# # 0 0 1 # #Z");
-        assert_eq!(numbers, [-1500, 2000, 0, 1000, 3000, 3000, 4000, 5250]);
+        assert_eq!(numbers, [-300, 400, 0, 200, 600, 600, 800, 1050]);
     }
 
     #[test]
