@@ -185,8 +185,7 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order });
     }
 
-    let worked =
-        Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
+    let worked = Worked { mechanism, demand, configuration, plan, construction, solution, results, bad_angles: Vec::new(), drafting: None };
     Ok(Warned { value: worked, notes })
 }
 

@@ -16,7 +16,8 @@ pub fn courses(frames: &Frames, style: &Style, notation: &Notation) -> Vec<Cours
     let Some(first) = frames.list.first() else { return Vec::new() };
     let scene = &first.scene;
     let supports: Vec<_> = (0..scene.points.len()).filter_map(|p| usual(alone.iter().filter_map(|c| c.supports.get(p).copied()))).collect();
-    let hatched: Vec<_> = (0..scene.guides.len()).map(|g| usual(alone.iter().filter_map(|c| c.hatched.get(g).copied().flatten()))).collect();
+    let hatched: Vec<_> =
+        (0..scene.guides.len()).map(|g| usual(alone.iter().filter_map(|c| c.hatched.get(g).copied().flatten()))).collect();
     let ways: Vec<Vec<Option<f64>>> = (0..scene.guides.len()).map(|g| way(frames, GuideId(g))).collect();
     (0..frames.list.len())
         .map(|k| {

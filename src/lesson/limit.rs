@@ -51,9 +51,7 @@ fn said(scene: &Scene, sides: [&Side; 2], pin: PointId, lang: Lang) -> Option<St
     };
     match sides.map(name) {
         [Some(a), Some(b)] => Some(word("limit_links", lang).replace("{}", &format!("{a}{}{b}", word("and", lang)))),
-        [Some(bar), None] | [None, Some(bar)] => {
-            Some(word("limit_square", lang).replace("{}", &bar).replace("{1}", scene.point_name(pin)))
-        }
+        [Some(bar), None] | [None, Some(bar)] => Some(word("limit_square", lang).replace("{}", &bar).replace("{1}", scene.point_name(pin))),
         [None, None] => None,
     }
 }

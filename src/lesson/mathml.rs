@@ -96,7 +96,10 @@ mod tests {
              <mspace width=\"0.2em\"/><mtext>m/s</mtext></math>"
                 .replace("0.2em", &format!("{}em", Label::math("2.5 m").row().iter().map(|n| n.space_em).fold(0.0, f64::max)))
         );
-        assert_eq!(formula("b'_2"), "<math><msubsup><mpadded depth=\"0\"><mi>b</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>");
+        assert_eq!(
+            formula("b'_2"),
+            "<math><msubsup><mpadded depth=\"0\"><mi>b</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>"
+        );
     }
 
     #[test]

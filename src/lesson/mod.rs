@@ -70,14 +70,21 @@ pub const POSITIONS: usize = 72;
 pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
     let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
     if options.driver >= scene.drivers.len() {
-        return Err(Diagnostic::error("driver", format!("there is no driver {}: the scene has {}", options.driver + 1, scene.drivers.len())).into());
+        return Err(Diagnostic::error(
+            "driver",
+            format!("there is no driver {}: the scene has {}", options.driver + 1, scene.drivers.len()),
+        )
+        .into());
     }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
     let frames = maker.frames(&sweep)?;
     if scene.drivers.len() > 1 {
-        notes.push(Diagnostic::note("lesson-driver", "the scene has several drivers: the lesson moves one of them, the others hold their positions"));
+        notes.push(Diagnostic::note(
+            "lesson-driver",
+            "the scene has several drivers: the lesson moves one of them, the others hold their positions",
+        ));
     }
     Ok(Warned { value: page::page(scene, options, &sweep, &frames)?, notes })
 }

@@ -48,8 +48,8 @@
   }
 
   /** The frame before or after, round the turn where it is closed. */
-  const frame = (k) => (data.full ? (k + count) % count : k);
-  const time = (k) => (data.full ? times[(k + count) % count] + TURN * Math.floor(k / count) : times[k]);
+  const frame = (k) => (data.full ? ((k % count) + count) % count : k);
+  const time = (k) => (data.full ? times[frame(k)] + TURN * Math.floor(k / count) : times[k]);
   const inside = (k) => data.full || (k >= 0 && k < count);
 
   /** Where a travel lies: between which frames, and how far (0 to 1). */
@@ -316,7 +316,7 @@
       return (gx - x) ** 2 + (gy - y) ** 2;
     };
     const here = locate(travel).k;
-    const reach = data.full ? count : Math.ceil(count / 4);
+    const reach = Math.ceil(data.full ? count / 2 : count / 4);
     let best = here;
     let least = Infinity;
     for (let k = here - reach; k <= here + reach; k++) {

@@ -156,7 +156,8 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
 /// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) on the
 /// mechanism's paper, y down.
 fn handle(frames: &Frames, driver: usize, paper: &Scenery) -> Value {
-    let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
+    let places: Vec<Point> =
+        frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
     let mut packed = String::new();
     let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);

@@ -44,7 +44,7 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
 }
 
 fn of_level(frame: &Frame, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
-    let Some(p) = frame.worked.construction.polygon(level) else { return Vec::new() };
+    let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, None).iter().map(source).collect()
 }
@@ -64,7 +64,7 @@ pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &m
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {
-            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, &c[i], i, notation, LANGS[l])).collect();
+            let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, c.get(i)?, i, notation, LANGS[l])).collect();
             let [en, zh] = in_both(said, formulas);
             json!([en, zh])
         })
@@ -74,6 +74,9 @@ pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &m
 /// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
 /// certifies the others.
 fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
+    if frame.end {
+        return Vec::new();
+    }
     let told = frame.travel == 0.0 || toggle::driver_position(&frame.scene, driver).is_some();
     let mut list = certify(&frame.scene, &frame.worked, DIGITS);
     if !told {

@@ -263,7 +263,9 @@ mod tests {
 
     #[test]
     fn an_element_that_comes_and_goes() {
-        let line = |id: &str, x: f64| Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id);
+        let line = |id: &str, x: f64| {
+            Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id)
+        };
         let mut track = Track::new(10.0, 0, 3);
         track.add(0, &[line("a", 1.0), line("c", 1.0)]).unwrap();
         track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)]).unwrap();
