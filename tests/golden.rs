@@ -10,6 +10,7 @@ mod worksheet;
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::sheet::{Options, sheet};
+use hodograph::lesson;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
@@ -27,10 +28,13 @@ fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
 }
 
+/// FNV-1a: any stable hash will do.
+fn hash(text: &str) -> String {
+    format!("#{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3)))
+}
+
 /// Outlines, and the letters of a label, as `#` and a hash: a changed letter still shows, and the file stays readable.
 fn folded(svg: &str) -> String {
-    // FNV-1a: any stable hash will do.
-    let hash = |text: &str| text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
     let mut out = String::with_capacity(svg.len() / 3);
     let mut rest = svg;
     loop {
@@ -41,7 +45,7 @@ fn folded(svg: &str) -> String {
         let text = &rest[start..start + length];
         out.push_str(&rest[..start]);
         out.push_str(mark);
-        out.push_str(&if length > 80 || !mark.is_empty() { format!("#{:016x}", hash(text)) } else { text.to_owned() });
+        out.push_str(&if length > 80 || !mark.is_empty() { hash(text) } else { text.to_owned() });
         rest = &rest[start + length..];
     }
     out.push_str(rest);
@@ -103,6 +107,41 @@ fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
             difference.display()
         ));
     }
+}
+
+/// A lesson: its markup with outlines folded, its data with what is packed folded; style and script are files of their own.
+fn lesson_text(page: &str) -> String {
+    fn fold(value: &mut serde_json::Value) {
+        match value {
+            serde_json::Value::String(s) if s.len() > 80 => *s = format!("{} {}", s.len(), hash(s)),
+            serde_json::Value::Array(list) => list.iter_mut().for_each(fold),
+            serde_json::Value::Object(fields) => fields.values_mut().for_each(fold),
+            _ => {}
+        }
+    }
+    let between = |from: &str, to: &str| page.split(from).nth(1).unwrap().split(to).next().unwrap();
+    let mut data: serde_json::Value = serde_json::from_str(between("id=\"data\">", "</script>")).unwrap();
+    data["words"] = "…".into();
+    fold(&mut data);
+    let lines: Vec<String> = data.as_object().unwrap().iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    let markup = folded(&page.replace(between("<style>", "</style>"), ""));
+    format!("{}\n{}\n", markup.split("<script").next().unwrap(), lines.join("\n").replace("],[\"", "],\n[\""))
+}
+
+/// A crank that turns fully, and one that is stopped.
+#[test]
+fn lessons_stay_as_accepted() {
+    let mut failures = Vec::new();
+    for name in ["crank-rocker", "five-bar"] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let page = lesson::lesson(&scene, &lesson::Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name).join("lesson.html.txt");
+        check_text(&path, &lesson_text(&page), &mut failures);
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let fragment = lesson::reveal(&scene, &worked, &Options::of_language(Lang::En)).unwrap().value;
+        check_text(&path.with_file_name("reveal.html.txt"), &folded(&fragment), &mut failures);
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
 }
 
 #[test]
