@@ -144,12 +144,14 @@ fn solve(a: args::Solve) -> Run {
     }
     files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
     let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
-    if drafting {
-        files::print(&format!("\n{}", tolerances::text(&w, &worked)))?;
-    }
-    if a.steps {
-        let pencil_mm = worked.drafting.as_ref().map(|d| d.pencil_mm);
-        files::print(&format!("\n{}", construction::text(&w, &worked.construction, &steps(&input.scene, &worked, pencil_mm))))?;
+    if drafting || a.steps {
+        let steps = steps(&input.scene, &worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+        if drafting {
+            files::print(&format!("\n{}", tolerances::text(&w, &worked, &steps)))?;
+        }
+        if a.steps {
+            files::print(&format!("\n{}", construction::text(&w, &worked.construction, &steps)))?;
+        }
     }
     input.say_notes();
     Ok(verdict(&worked))

@@ -188,6 +188,39 @@ fn printed_digits_are_true_next_to_a_toggle() {
     tally.done(1500);
 }
 
+/// Poses by lengths so close to a dead point that `f64` cannot tell them from it: what is printed is true of what is written.
+#[test]
+fn printed_digits_are_true_closer_than_f64_can_tell() {
+    let mut tally = Tally::default();
+    let mut longer = 0;
+    for side in ["left", "right"] {
+        for nines in 4..=26 {
+            let text = format!(
+                r#"{{"links": {{"1": ["A","B"], "2": ["B","C","E"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4",
+                "lengths": {{"AB": "3 m", "BC": "2 m", "CD": "3 m", "AD": "4 m", "BE": "1 m", "CE": "1.5 m"}}, "side": {{"C": "{side} of BD"}},
+                "driver": {{"link": "1", "angle": "89.{} deg", "omega": "1.1 rad/s", "alpha": "0.3 rad/s^2"}}}}"#,
+                "9".repeat(nines)
+            );
+            let scene = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+            assert!(worked.unanswered.is_empty(), "{text}");
+            longer += usize::from(worked.results.iter().any(|r| r.longer.is_some()));
+            tally.check(&format!("89.9({nines}) {side}"), &scene);
+        }
+        // At the limit as written there is nothing to tell.
+        let text = format!(
+            r#"{{"links": {{"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4", "find": ["omega_3", "v_B"],
+            "lengths": {{"AB": "3 m", "BC": "2 m", "CD": "3 m", "AD": "4 m"}}, "side": {{"C": "{side} of BD"}},
+            "driver": {{"link": "1", "angle": "90 deg", "omega": "1.1 rad/s"}}}}"#
+        );
+        let scene = read(&text).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        assert_eq!((worked.results.len(), worked.unanswered.len()), (1, 1), "{text}");
+    }
+    assert!(longer > 20, "{longer}");
+    tally.done(1500);
+}
+
 impl Tally {
     /// Poses down to 1e-12 (radians, or of the way) before both toggles.
     fn toward(&mut self, name: &str, scene: &Scene) {
