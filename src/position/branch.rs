@@ -23,9 +23,9 @@ impl<N: Real> Trial<N> {
 }
 
 /// Whether all closures lie so close together, relative to the size of the mechanism, that rounding may have hidden from
-/// `f64` which is which: near a limit they differ by the root of the distance from it.
+/// `f64` which is which: near a limit they differ by the root of the distance from it, and `f64` leaves of that root some 1e-8 in doubt.
 pub(super) fn alike<N: Real>(trials: &[Trial<N>], extent: f64) -> bool {
-    const CLOSE: f64 = 1e-6;
+    const CLOSE: f64 = 1e-7;
     let near = |t: &Trial<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
     trials.len() > 1 && trials.iter().all(near)
 }

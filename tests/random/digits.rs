@@ -4,7 +4,7 @@ use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::told::told;
-use hodograph::accuracy::ladder::{certify, parts};
+use hodograph::accuracy::ladder::{Part, certify, parts};
 use hodograph::accuracy::{steps, toggle, truth};
 use hodograph::answer::Value;
 use hodograph::geom::Vec2;
@@ -64,6 +64,17 @@ impl Tally {
                         };
                         self.printed += 1;
                         self.short += usize::from(certain < *digits);
+                        // Zero is said of what is surely less than this part of what it is measured against.
+                        let whole = if matches!(part, Part::Direction) {
+                            1e6
+                        } else if matches!(part, Part::Degrees) {
+                            360.0
+                        } else {
+                            r.scale
+                        };
+                        if n.zero && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole {
+                            continue;
+                        }
                         let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
                         if truth != text {
                             self.wrong.push(format!(
