@@ -168,7 +168,7 @@ fn templates_look_as_accepted() {
                 let text = format!(
                     "{}\n{}",
                     answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
-                    drafting::text(&w, &asked)
+                    drafting::text(&w, &asked, &steps(&scene, &asked, asked.drafting.as_ref().map(|d| d.pencil_mm)))
                 );
                 check_text(&folder.join(format!("drafting.{suffix}.txt")), &text, &mut failures);
             }
