@@ -71,5 +71,6 @@ pub mod quantity;
 pub mod render;
 pub mod report;
 pub mod scene;
+pub mod sweep;
 pub mod trig;
 pub mod worked;

@@ -5,6 +5,8 @@
 
 mod args;
 mod files;
+mod sweep;
+mod tables;
 
 use crate::accuracy::{certify, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -28,6 +30,7 @@ pub fn main() -> ExitCode {
         Command::Solve(a) => solve(a),
         Command::Plan(a) => plan(a),
         Command::Accuracy(a) => accuracy(a),
+        Command::Sweep(a) => sweep::sweep(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),

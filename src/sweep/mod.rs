@@ -1,0 +1,177 @@
+//! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
+//!
+//! [`run`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
+//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels), which runs over chunks of
+//! positions, four side by side where the machine can ([`lane`]); class III groups are followed ([`track`]). Positions at
+//! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
+//! cannot be assembled are left out, with the reason in the notes.
+//!
+//! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
+//! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
+
+pub mod carry;
+pub mod closure;
+pub mod compile;
+mod general;
+pub mod kernel;
+pub mod lane;
+pub mod program;
+pub mod reading;
+pub mod rows;
+pub mod station;
+pub mod table;
+pub mod track;
+pub mod vary;
+
+pub use compile::compile;
+pub use lane::Width;
+pub use station::Stations;
+pub use table::{Column, Table};
+
+use crate::diag::{Diagnostic, Faults};
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{self, Configuration};
+use crate::scene::Scene;
+use general::General;
+pub use general::driver_name;
+use program::{Buffer, CHUNK, COS, Program, SIN, VALUE};
+use rayon::prelude::*;
+
+/// A scene placed at its instant, ready to be swept.
+pub struct Placed<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its topology.
+    pub mechanism: &'a Mechanism,
+    /// What is called for.
+    pub demand: Demand,
+    /// Where everything is at the instant.
+    pub at: Configuration,
+}
+
+impl<'a> Placed<'a> {
+    /// Places a scene for its own questions.
+    ///
+    /// # Errors
+    /// Those of [`position::configure`].
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        let demand = Demand::of(scene, mechanism);
+        let at = position::configure(scene, mechanism, &demand)?.value;
+        Ok(Placed { scene, mechanism, demand, at })
+    }
+}
+
+/// The answers to the scene's questions at all stations of a driver.
+///
+/// A row for each station that can be assembled, in the order of the stations; see [`Table`]. The result does not depend on
+/// the number of threads, on the width or on how the stations are cut into chunks.
+///
+/// # Errors
+/// A driver that the scene does not have.
+pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+    let scene = placed.scene;
+    if driver >= scene.drivers.len() {
+        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+    }
+    let mut notes = Vec::new();
+    let general = General::new(placed, driver);
+    let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
+        Ok(program) => {
+            let mut rows = run_program(&program, placed, driver, stations, width);
+            rows.complete(&general, stations);
+            rows
+        }
+        Err(note) => {
+            notes.push(note);
+            general.follow(stations)
+        }
+    };
+    Ok(rows.into_table(placed, driver, stations, notes))
+}
+
+/// The rows of a sweep under way: numbers of all columns, and which rows are there.
+pub(crate) struct Rows {
+    /// Name and unit of each column.
+    pub names: Vec<(String, &'static str)>,
+    /// The numbers, a column after the other.
+    pub columns: Vec<Vec<f64>>,
+    /// Why a row is missing, if it is.
+    pub missing: Vec<Option<Faults>>,
+}
+
+impl Rows {
+    /// Hands the rows whose numbers are not all finite to the general solver.
+    fn complete(&mut self, general: &General, stations: &Stations) {
+        let open: Vec<usize> =
+            (0..stations.len()).filter(|&i| self.missing[i].is_none() && self.columns.iter().any(|c| !c[i].is_finite())).collect();
+        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i)).collect();
+        for (i, row) in open.into_iter().zip(solved) {
+            match row {
+                Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
+                Err(why) => self.missing[i] = Some(why),
+            }
+        }
+    }
+
+    fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, mut notes: Vec<Diagnostic>) -> Table {
+        let there: Vec<usize> = (0..stations.len()).filter(|&i| self.missing[i].is_none()).collect();
+        let pick = |values: &[f64]| there.iter().map(|&i| values[i]).collect::<Vec<_>>();
+        let (name, unit) = general::driver_name(placed.scene, driver);
+        let mut columns = vec![Column { name, unit, values: pick(&stations.values) }];
+        for ((name, unit), values) in self.names.into_iter().zip(&self.columns) {
+            columns.push(Column { name, unit, values: pick(values) });
+        }
+        let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
+        notes.extend(general::gaps(&words, &self.missing));
+        Table { columns, notes }
+    }
+}
+
+/// Below this many rows a sweep is not worth other threads.
+const ALONE: usize = 16 * CHUNK;
+
+fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    let n = stations.len();
+    let names = program.columns.iter().map(|c| (c.name.clone(), c.unit)).collect();
+    let mut columns: Vec<Vec<f64>> = program.columns.iter().map(|_| vec![0.0; n]).collect();
+    let mut missing: Vec<Option<Faults>> = vec![None; n];
+    let states = if program.tracks.is_empty() {
+        None
+    } else {
+        let states = general::follow_tracks(program, placed, driver, stations);
+        for (gap, state) in missing.iter_mut().zip(&states) {
+            if let Err(why) = state {
+                *gap = Some(why.clone());
+            }
+        }
+        Some(states)
+    };
+    let one_chunk = |buffer: &mut Buffer, chunk: usize| {
+        let rows = chunk * CHUNK..n.min((chunk + 1) * CHUNK);
+        buffer.fill(VALUE, &stations.values[rows.clone()]);
+        buffer.fill(COS, &stations.cosines[rows.clone()]);
+        buffer.fill(SIN, &stations.sines[rows.clone()]);
+        if let Some(states) = &states {
+            for (i, state) in states[rows.clone()].iter().enumerate() {
+                if let Ok(state) = state {
+                    program.show(state, buffer, i);
+                }
+            }
+        }
+        program.run(buffer, width);
+        program.columns.iter().map(|c| buffer.numbers(c.reg, rows.len()).to_vec()).collect::<Vec<_>>()
+    };
+    let chunks = n.div_ceil(CHUNK);
+    let filled: Vec<Vec<Vec<f64>>> = if n <= ALONE {
+        let mut buffer = program.buffer();
+        (0..chunks).map(|c| one_chunk(&mut buffer, c)).collect()
+    } else {
+        (0..chunks).into_par_iter().map_init(|| program.buffer(), |buffer, c| one_chunk(buffer, c)).collect()
+    };
+    for (chunk, parts) in filled.into_iter().enumerate() {
+        for (column, part) in columns.iter_mut().zip(parts) {
+            column[chunk * CHUNK..][..part.len()].copy_from_slice(&part);
+        }
+    }
+    Rows { names, columns, missing }
+}
