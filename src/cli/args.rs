@@ -30,6 +30,8 @@ pub enum Command {
     Accuracy(Accuracy),
     /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON)
     Sweep(Sweep),
+    /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
+    Limits(Limits),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -191,6 +193,18 @@ fn length(s: &str) -> Result<String, String> {
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
         Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
     }
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Limits {
+    #[command(flatten)]
+    pub common: Common,
+    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// As many steps as a table in memory may have: a hundred columns of ten million rows are eight gigabytes.

@@ -31,6 +31,7 @@ pub fn main() -> ExitCode {
         Command::Plan(a) => plan(a),
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
+        Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -1,11 +1,13 @@
-//! The command `sweep`: all positions of a driver, or of a parameter, into a file.
+//! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
-use super::args::Sweep;
+use super::args::{Limits, Sweep};
 use super::tables::{self, Kind};
 use super::{Failure, Input, Run, files};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::Mechanism;
+use crate::report::limits as report;
 use crate::scene::{self, Angle, DriverKind, Scene, edit};
+use crate::sweep::extreme;
 use crate::sweep::vary::Variation;
 use crate::sweep::{self, Placed, Stations, Table, Width, station};
 use std::path::Path;
@@ -30,6 +32,31 @@ pub fn sweep(a: Sweep) -> Run {
     }
     input.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// The command `limits`: what the motion as a whole comes to.
+pub fn limits(a: Limits) -> Run {
+    let input = Input::read(&a.common.scene)?;
+    let (lang, _) = super::choices(&input.scene, &a.common);
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
+    let driver = match a.over.as_deref() {
+        None | Some("driver") => 0,
+        Some(name) => driver_named(&input.scene, name).ok_or_else(|| failed(unknown_driver(&input.scene, name)))?,
+    };
+    let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(failed)?;
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
+    } else {
+        files::print(&report::text(&input.scene, driver, &limits, lang))?;
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+fn unknown_driver(scene: &Scene, name: &str) -> Faults {
+    let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
+    Diagnostic::error("no-driver", format!("the scene has no driver `{name}`")).help(format!("its drivers are {}", names.join(", "))).into()
 }
 
 /// Puts other questions in the place of the scene's.

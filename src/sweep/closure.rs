@@ -20,9 +20,17 @@ pub struct Margin<N> {
     pub inner: N,
     /// The size of the terms of both.
     pub terms: N,
+    /// What the product of both is where the loci cross squarely: it over this is sin² of their crossing.
+    pub full: N,
 }
 
 impl<N: Lane> Margin<N> {
+    /// sin² of the angle under which the loci cross, the transmission angle of the group: smooth in the driver's position,
+    /// negative where they miss each other, with a double zero where they only touch.
+    pub fn crossing(&self) -> N {
+        self.outer * self.inner / self.full
+    }
+
     /// The root of the product of both; NaN where the loci miss each other.
     #[inline(always)]
     fn root(&self) -> N {
@@ -58,7 +66,7 @@ impl Closure<6> for Circles {
     fn margin<N: Lane>(&self, [ax, ay, r, bx, by, s]: [N; 6]) -> Margin<N> {
         let d2 = (Vec2::new(bx, by) - Vec2::new(ax, ay)).norm2();
         let (sum, difference) = (r + s, r - s);
-        Margin { outer: sum * sum - d2, inner: d2 - difference * difference, terms: d2 + r * r + s * s }
+        Margin { outer: sum * sum - d2, inner: d2 - difference * difference, terms: d2 + r * r + s * s, full: r * r * s * s * 4.0 }
     }
 }
 
@@ -104,7 +112,7 @@ impl Closure<7> for CircleLine {
     #[inline(always)]
     fn margin<N: Lane>(&self, [ax, ay, r, qx, qy, tx, ty]: [N; 7]) -> Margin<N> {
         let h = Vec2::new(tx, ty).cross(Vec2::new(qx - ax, qy - ay));
-        Margin { outer: (r - h) * (r + h), inner: one(r), terms: r * r + h * h }
+        Margin { outer: (r - h) * (r + h), inner: one(r), terms: r * r + h * h, full: r * r }
     }
 }
 
@@ -174,7 +182,7 @@ impl Closure<4> for Lever {
     fn margin<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> Margin<N> {
         let r2 = Vec2::new(bx - ax, by - ay).norm2();
         let h2 = self.h * self.h;
-        Margin { outer: r2 + -h2, inner: one(r2), terms: r2 + h2 }
+        Margin { outer: r2 + -h2, inner: one(r2), terms: r2 + h2, full: r2 }
     }
 }
 

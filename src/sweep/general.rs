@@ -1,6 +1,7 @@
 //! Positions one by one, by the general solvers: where a program has no value, and for mechanisms that have no program.
 
 use super::compile::ask;
+use super::limit::Event;
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
@@ -11,7 +12,7 @@ use crate::answer::{Value, evaluate};
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration, newton};
 use crate::quantity::{metres, significant};
-use crate::scene::{DriverKind, Scene};
+use crate::scene::{DriverKind, LinkId, Scene};
 
 /// The general way to single rows of a sweep.
 pub(super) struct General<'a> {
@@ -217,6 +218,31 @@ pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
         "rad" => format!("{name} = {}°", significant(value.to_degrees(), 6)),
         _ => format!("{name} = {}", metres(value)),
     }
+}
+
+/// The links of an event for a sentence: `links 2, 3`.
+pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> String {
+    let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
+    match names[..] {
+        [one] => format!("link {one}"),
+        _ => format!("links {}", names.join(", ")),
+    }
+}
+
+/// What a change point is told as.
+pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagnostic {
+    let (links, at) = (links_words(scene, &change.links), driver_words(scene, driver, change.value));
+    Diagnostic::note(
+        "change-point",
+        format!("at {at} {links} lie in line (a change point); the motion is carried on smoothly to the other side"),
+    )
+}
+
+/// What a limit of the driver is told as.
+pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnostic {
+    let (links, at) = (links_words(scene, &limit.links), driver_words(scene, driver, limit.value));
+    let pin = limit.pin.map_or(String::new(), |p| format!(" at {}", scene.point_name(p)));
+    Diagnostic::note("limit", format!("the driver goes no farther than {at}: there {links} come into line{pin}"))
 }
 
 /// One note for each run of missing rows; `words` names a row by its swept value.

@@ -12,9 +12,11 @@
 pub mod carry;
 pub mod closure;
 pub mod compile;
+pub mod extreme;
 mod general;
 pub mod kernel;
 pub mod lane;
+pub mod limit;
 pub mod program;
 pub mod reading;
 pub mod rows;
@@ -34,6 +36,7 @@ use crate::position::{self, Configuration};
 use crate::scene::Scene;
 use general::General;
 pub use general::driver_name;
+use limit::Probe;
 use program::{Buffer, CHUNK, COS, Program, SIN, VALUE};
 use rayon::prelude::*;
 
@@ -77,8 +80,15 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
     let general = General::new(placed, driver);
     let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
         Ok(program) => {
-            let mut rows = run_program(&program, placed, driver, stations, width);
+            let (parts, changes) = branches(program, placed, driver, stations);
+            notes.extend(changes);
+            let mut rows = run_parts(&parts, placed, driver, stations, width);
             rows.complete(&general, stations);
+            if rows.missing.iter().any(Option::is_some)
+                && let Some((program, _)) = parts.first()
+            {
+                notes.extend(ends(program, placed, driver, stations));
+            }
             rows
         }
         Err(note) => {
@@ -125,6 +135,79 @@ impl Rows {
         notes.extend(general::gaps(&words, &self.missing));
         Table { columns, notes }
     }
+}
+
+/// Lowest and highest of the stations and of where the driver stands.
+fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
+    let now = station::position_now(placed.scene, &placed.at, driver);
+    let low = stations.values.iter().copied().fold(now, f64::min);
+    let high = stations.values.iter().copied().fold(now, f64::max);
+    (now, [low, high])
+}
+
+/// A note for each limit of the driver within the span of the stations.
+fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
+    let (now, span) = span(placed, driver, stations);
+    let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
+    span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
+}
+
+/// The program of each stretch between change points, with its stations; and a note for each change point.
+fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
+    let all: Vec<usize> = (0..stations.len()).collect();
+    if !program.tracks.is_empty() || program.joints.is_empty() {
+        return (vec![(program, all)], Vec::new());
+    }
+    let (now, span) = span(placed, driver, stations);
+    let mut changes = [Vec::new(), Vec::new()];
+    for (changes, until) in changes.iter_mut().zip(span) {
+        if until != now {
+            *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
+        }
+    }
+    if changes.iter().all(Vec::is_empty) {
+        return (vec![(program, all)], Vec::new());
+    }
+    // How many change points lie between the instant and a station, downward or upward.
+    let passed = |value: f64| {
+        let [down, up] = &changes;
+        if value < now { (0, down.iter().filter(|c| c.value > value).count()) } else { (1, up.iter().filter(|c| c.value < value).count()) }
+    };
+    let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
+    for way in 0..2 {
+        let mut program = program.clone();
+        for k in 0..=changes[way].len() {
+            let rows: Vec<usize> = all.iter().copied().filter(|&i| passed(stations.values[i]) == (way, k)).collect();
+            parts.push((program.clone(), rows));
+            if let Some(joint) = changes[way].get(k).and_then(|c| c.joint) {
+                program.flip(joint);
+            }
+        }
+    }
+    parts.retain(|(_, rows)| !rows.is_empty());
+    let notes = changes.iter().flatten().map(|c| general::change_note(placed.scene, driver, c)).collect();
+    (parts, notes)
+}
+
+fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    if let [(program, _)] = parts {
+        return run_program(program, placed, driver, stations, width);
+    }
+    let mut whole: Option<Rows> = None;
+    for (program, rows) in parts {
+        let part = run_program(program, placed, driver, &stations.pick(rows), width);
+        let n = stations.len();
+        let whole = whole.get_or_insert_with(|| Rows {
+            names: part.names.clone(),
+            columns: vec![vec![f64::NAN; n]; part.columns.len()],
+            missing: vec![None; n],
+        });
+        for (k, &i) in rows.iter().enumerate() {
+            whole.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c[i] = p[k]);
+            whole.missing[i].clone_from(&part.missing[k]);
+        }
+    }
+    whole.unwrap_or(Rows { names: Vec::new(), columns: Vec::new(), missing: Vec::new() })
 }
 
 /// Below this many rows a sweep is not worth other threads.

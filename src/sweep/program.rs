@@ -8,7 +8,7 @@ use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, Turnin
 use super::closure::{CircleLine, Circles, Closure, Lever, Lines, Margin};
 use super::kernel::{Kernel, Reg};
 use super::lane::{Dual, Lane, Width};
-use super::reading::{Coriolis, Direction, Length, Part, Quotient, Sum};
+use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::track::Track;
 use crate::mechanism::Level;
@@ -116,6 +116,8 @@ operations! {
     Direction,
     /// Part of a vector.
     Part,
+    /// Part along a direction.
+    Dot,
     /// Coriolis term.
     Coriolis,
     /// Sum of two numbers.
@@ -259,15 +261,15 @@ impl Program {
         run_all(std::iter::once(&self.steps[0][steps]), &mut Single { registers });
     }
 
-    /// The margin of a joint, from registers that [`Program::derive`] filled.
-    pub fn margin(&self, joint: &Joint, registers: &[Dual]) -> Option<Margin<Dual>> {
-        fn of<const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(k: &K, registers: &[Dual]) -> Margin<Dual> {
-            k.margin(k.inputs().map(|r| registers[r.0 as usize]))
+    /// The margin of a joint, from the registers that `read` reads.
+    pub fn margin<N: Lane>(&self, joint: &Joint, read: &impl Fn(Reg) -> N) -> Option<Margin<N>> {
+        fn of<N: Lane, const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(k: &K, read: &impl Fn(Reg) -> N) -> Margin<N> {
+            k.margin(k.inputs().map(read))
         }
         match &self.steps[Level::Position as usize][joint.step].op {
-            Op::Circles(k) => Some(of(k, registers)),
-            Op::CircleLine(k) => Some(of(k, registers)),
-            Op::Lever(k) => Some(of(k, registers)),
+            Op::Circles(k) => Some(of(k, read)),
+            Op::CircleLine(k) => Some(of(k, read)),
+            Op::Lever(k) => Some(of(k, read)),
             _ => None,
         }
     }

@@ -65,6 +65,27 @@ impl Kernel<4, 2> for Part {
     }
 }
 
+/// u·v.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    /// Direction.
+    pub u: Pair,
+    /// The vector.
+    pub v: Pair,
+}
+
+impl Kernel<4, 1> for Dot {
+    #[inline(always)]
+    fn inputs(&self) -> [Reg; 4] {
+        [self.u.x, self.u.y, self.v.x, self.v.y]
+    }
+
+    #[inline(always)]
+    fn eval<N: Lane>(&self, [ux, uy, vx, vy]: [N; 4]) -> [N; 1] {
+        [ux * vx + uy * vy]
+    }
+}
+
 /// aᵏ = 2 ω × v_r.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coriolis {

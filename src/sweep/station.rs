@@ -44,6 +44,12 @@ impl Stations {
         Stations::of_values((0..=steps).map(|i| between(from, to, i, steps)).collect(), per_value)
     }
 
+    /// Some of them.
+    pub fn pick(&self, rows: &[usize]) -> Stations {
+        let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect();
+        Stations { values: of(&self.values), cosines: of(&self.cosines), sines: of(&self.sines) }
+    }
+
     /// How many.
     pub fn len(&self) -> usize {
         self.values.len()

@@ -163,17 +163,6 @@ impl Program {
         }
     }
 
-    /// All registers of positions at a state, each with its derivative by the swept quantity.
-    pub fn derive_at(&self, state: &State, turn: Turn) -> Vec<Dual> {
-        let (cos, sin, per_value) = turn(state.value);
-        let mut registers = self.inputs(state.value, cos, sin, per_value);
-        for (track, followed) in self.tracks.iter().zip(&state.links) {
-            track.store(followed, &mut registers);
-        }
-        self.derive_steps(0..self.steps[0].len(), &mut registers);
-        registers
-    }
-
     /// The determinants of the followed links' legs: where one vanishes the driver stops.
     pub fn determinants(&self, state: &State) -> Vec<f64> {
         state.links.iter().map(|f| f.det).collect()
@@ -262,5 +251,74 @@ impl Track {
         }
         let slope = (Vec2::new(slope[0], slope[1]), slope[2] / self.unit);
         Some((Followed { own, axis, slope, det }, corrected < 0.1 * LEAP * predicted))
+    }
+}
+
+/// Steps of Newton's method on a fold; from a state next to it half of them suffice.
+const FOLD_PATIENCE: usize = 30;
+
+impl Program {
+    /// The fold next to a state: the value of the swept quantity at which the legs' equations and their determinant vanish together.
+    ///
+    /// There the pose moves along the kernel of the legs while the driver stands, so that the value is exact to second order.
+    /// `None` where Newton's method does not settle near by, or another followed link comes before this one.
+    pub fn fold(&self, track: usize, near: &State, turn: Turn) -> Option<f64> {
+        let t = &self.tracks[track];
+        if track > 0 {
+            return None;
+        }
+        let registers = |x: f64| {
+            let (cos, sin, per_value) = turn(x);
+            let mut registers = self.inputs(x, cos, sin, per_value);
+            self.derive_steps(0..t.step, &mut registers);
+            registers
+        };
+        let scale = if self.angular { 1.0 } else { t.unit };
+        let place = |q: [f64; 4]| (Point::new(q[0] * t.unit, q[1] * t.unit), Vec2::from_angle(q[2]), q[3] * scale);
+        let det = |q: [f64; 4]| {
+            let (own, axis, x) = place(q);
+            let rows = t.legs(&registers(x)).map(|l| l.gradient(own, axis, t.unit));
+            cramer(rows, [0.0; 3]).1
+        };
+        let f = &near.links[track];
+        let mut q = [f.own.x / t.unit, f.own.y / t.unit, f.axis.angle(), near.value / scale];
+        for _ in 0..FOLD_PATIENCE {
+            let (own, axis, x) = place(q);
+            let known = registers(x);
+            let legs = t.legs(&known);
+            let drift = t.drift(&known, own, axis);
+            let mut matrix = nalgebra::Matrix4::zeros();
+            let mut rhs = nalgebra::Vector4::zeros();
+            for i in 0..3 {
+                let g = legs[i].gradient(own, axis, t.unit);
+                for k in 0..3 {
+                    matrix[(i, k)] = g[k];
+                }
+                matrix[(i, 3)] = drift[i] * scale / t.unit;
+                rhs[i] = -legs[i].miss(own, axis) / t.unit;
+            }
+            // Central differences: their error slows the last steps, it does not move the fold.
+            const STEP: f64 = 1.0 / 65_536.0;
+            for k in 0..4 {
+                let (mut hi, mut lo) = (q, q);
+                hi[k] += STEP;
+                lo[k] -= STEP;
+                matrix[(3, k)] = (det(hi) - det(lo)) * (0.5 / STEP);
+            }
+            rhs[3] = -det(q);
+            let step = matrix.lu().solve(&rhs)?;
+            let size = step.amax();
+            if !size.is_finite() || size > 0.1 {
+                return None;
+            }
+            for k in 0..4 {
+                q[k] += step[k];
+            }
+            if size < 4.0 * f64::EPSILON {
+                break;
+            }
+        }
+        let x = q[3] * scale;
+        ((x - near.value).abs() < 1e-4 * scale).then_some(x)
     }
 }

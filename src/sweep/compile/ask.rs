@@ -7,9 +7,10 @@ use crate::mechanism::Level;
 use crate::report::answers;
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
+use crate::sweep::extreme::Output;
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::Asked;
-use crate::sweep::reading::{Coriolis, Direction, Length, Part, Sum};
+use crate::sweep::reading::{Coriolis, Direction, Dot, Length, Part, Sum};
 
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
@@ -92,6 +93,30 @@ impl Compiler<'_> {
                 one(self, reg)
             }
         })
+    }
+
+    /// Position, rate and acceleration of an output.
+    pub(super) fn output(&mut self, output: Output) -> Result<[Asked; 3], NoKernel> {
+        let regs = match output {
+            Output::Turning(l) => {
+                let v = self.line_of(l)?;
+                [self.emit(P, Direction { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
+            }
+            Output::Sliding(g) => {
+                let guide = &self.scene.guides[g.0];
+                let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
+                    (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
+                    (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
+                    _ => return Err(self.lost(guide.on)),
+                };
+                let (from, to) = (slot.through, self.spot(runner, P)?);
+                let way = self.emit_pair(P, Arm { from, to });
+                let (v, a) = (self.spot(runner, V)?, self.spot(runner, A)?);
+                let u = slot.direction;
+                [self.emit(P, Dot { u, v: way }, 1), self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
+            }
+        };
+        Ok(regs.map(|reg| Asked { name: String::new(), unit: "", reg }))
     }
 
     fn column(&self, find: &Find, component: &str, reg: Reg) -> Asked {

@@ -13,6 +13,7 @@ mod place;
 mod rate;
 
 use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
+use super::extreme::Output;
 use super::kernel::{Pair, Reg};
 use super::program::{Asked, COS, Joint, Op, Program, SIN, Step, VALUE};
 use super::track::Track;
@@ -35,6 +36,23 @@ pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<
     let mut c = Compiler::new(scene, m, at, driver);
     for f in find {
         let columns = c.answer(f)?;
+        c.columns.extend(columns);
+    }
+    Ok(c.finish())
+}
+
+/// Compiles position, rate and acceleration of outputs, three columns each; and the positions of all groups, so that every joint
+/// is among the program's.
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, outputs: &[Output]) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, Some(driver));
+    for g in 0..m.groups.len() {
+        c.group(g, Level::Position)?;
+    }
+    for output in outputs {
+        let columns = c.output(*output)?;
         c.columns.extend(columns);
     }
     Ok(c.finish())
