@@ -38,6 +38,8 @@
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
 //!   true ([`accuracy::ladder`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
+//! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
+//!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.

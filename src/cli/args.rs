@@ -30,6 +30,8 @@ pub enum Command {
     Accuracy(Accuracy),
     /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON)
     Sweep(Sweep),
+    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table
+    Batch(Batch),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
     /// Write a template's scene, with other parameters if wanted
@@ -205,6 +207,39 @@ pub struct Limits {
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Batch {
+    #[command(flatten)]
+    pub common: Common,
+    /// A parameter and its values: NAME=FROM..TO:N; bare numbers keep the unit
+    #[arg(long, value_name = "NAME=FROM..TO:N", required = true)]
+    pub vary: Vec<String>,
+    /// So many mechanisms at random instead of every combination
+    #[arg(long, value_name = "N")]
+    pub random: Option<u64>,
+    /// Another seed gives other random mechanisms
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Which driver is swept for each mechanism, by its name
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Where the driver's positions begin (default: 0)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where they end (default: a full turn)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
+    #[arg(long, value_parser = steps)]
+    pub steps: Option<usize>,
+    /// Other questions than the scene's, such as v_E,a_E
+    #[arg(long, value_name = "LIST")]
+    pub find: Option<String>,
+    /// Write to this file, ending in .csv
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
 }
 
 /// As many steps as a table in memory may have: a hundred columns of ten million rows are eight gigabytes.

@@ -4,6 +4,7 @@
 //! ours.
 
 mod args;
+mod batch;
 mod files;
 mod sweep;
 mod tables;
@@ -31,6 +32,7 @@ pub fn main() -> ExitCode {
         Command::Plan(a) => plan(a),
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
+        Command::Batch(a) => batch::batch(a),
         Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),

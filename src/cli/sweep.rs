@@ -54,7 +54,7 @@ pub fn limits(a: Limits) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-fn unknown_driver(scene: &Scene, name: &str) -> Faults {
+pub fn unknown_driver(scene: &Scene, name: &str) -> Faults {
     let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
     Diagnostic::error("no-driver", format!("the scene has no driver `{name}`")).help(format!("its drivers are {}", names.join(", "))).into()
 }
@@ -99,7 +99,7 @@ fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {
 }
 
 /// A driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` count.
-fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
+pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
     (0..scene.drivers.len()).find(|&d| sweep::driver_name(scene, d).0 == name || name == format!("driver{}", d + 1))
 }
 

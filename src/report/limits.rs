@@ -132,11 +132,12 @@ impl<'a> Words<'a> {
 
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let word = if names.len() == 1 { tr(self.lang, "link", "构件") } else { tr(self.lang, "links", "构件") };
         let names = names.join(", ");
         match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
             (Some(p), true) => p.to_owned(),
-            (Some(p), false) => format!("{} {names} {} {p}", tr(self.lang, "links", "构件"), tr(self.lang, "at", "在")),
-            (None, _) => format!("{} {names}", tr(self.lang, "link", "构件")),
+            (Some(p), false) => format!("{word} {names} {} {p}", tr(self.lang, "at", "在")),
+            (None, _) => format!("{word} {names}"),
         }
     }
 
@@ -203,8 +204,8 @@ fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
 }
 
 fn degrees(rad: f64) -> String {
-    // A zero that was found to rounding is zero.
-    let d = if rad.abs() < 1e-13 { 0.0 } else { rad.to_degrees() };
+    // A zero that was found to rounding is zero; a crossing angle is the root of what was found.
+    let d = if rad.abs() < 1e-7 { 0.0 } else { rad.to_degrees() };
     format!("{}°", significant(d, 6))
 }
 

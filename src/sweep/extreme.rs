@@ -93,6 +93,9 @@ pub struct Limits {
 /// Samples over the whole motion, between which a rate changes its sign at most once.
 const SAMPLES: usize = 720;
 
+/// An angle of 90° to what rounding leaves of its sine.
+const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
+
 /// The limits of a scene for one of its drivers; the others stand.
 ///
 /// # Errors
@@ -120,7 +123,8 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let probe = Probe::of(program.clone(), &placed, driver);
     let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
     let transmission = joints
-        .filter(|(_, (at, _))| at.is_finite())
+        // A lever is pushed squarely everywhere.
+        .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
         .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
         .collect();
     let grashof = grashof(&placed, driver);
@@ -184,17 +188,20 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         }
     }
     let x = &stations.values;
-    let mut extremes = Vec::new();
+    let full = range.full() && (x[x.len() - 1] - x[0] - TAU).abs() < 1e-9;
     let rounding = 1e-12 * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
-    for i in 1..x.len() {
-        // A sample that meets the zero itself counts with the step that leads to it.
-        if there(i)
-            && there(i - 1)
-            && v[i - 1].abs() > rounding
-            && (v[i - 1] > 0.0) != (v[i] > 0.0)
-            && v[i - 1] * v[i] <= rounding * rounding
-        {
-            let driver = zero(x[i - 1], x[i], v[i - 1], at);
+    // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
+    let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
+    if full && let Some(&(first, i)) = moving.first() {
+        moving.push((first + TAU, i));
+    }
+    let mut extremes: Vec<Extreme> = Vec::new();
+    for pair in moving.windows(2) {
+        let ((a, i), (b, k)) = (pair[0], pair[1]);
+        // A row that is missing in between parts the motion.
+        let joined = k < i || (i..=k).all(there);
+        if joined && (v[i] > 0.0) != (v[k] > 0.0) {
+            let driver = zero(a, b, v[i], at);
             let Some([here, ..]) = at(driver) else { continue };
             let output = match output {
                 Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
@@ -204,7 +211,7 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         }
     }
     let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
-    let time_ratio = match (&extremes[..], range.full() && stations.len() > 1 && (x[x.len() - 1] - x[0] - TAU).abs() < 1e-9) {
+    let time_ratio = match (&extremes[..], full) {
         ([a, b], true) => {
             let first = (b.driver - a.driver).rem_euclid(TAU);
             Some(first.max(TAU - first) / first.min(TAU - first))

@@ -7,7 +7,7 @@ use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
 use super::{Placed, Rows};
 use crate::accuracy::toggle::with_driver_at;
-use crate::analytic;
+use crate::analytic::{self, Solution};
 use crate::answer::{Value, evaluate};
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration, newton};
@@ -25,20 +25,26 @@ impl<'a> General<'a> {
         General { placed, driver }
     }
 
-    /// One row by the position solver, with the closures of the instant, and the loop equations.
-    pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<f64>, Faults> {
+    /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
+    /// each way on.
+    pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let scene = with_driver_at(p.scene, self.driver, stations.values[row]);
         let at = position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?;
         self.answers(&scene, &at)
     }
 
-    fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<f64>, Faults> {
+    fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let solution = analytic::solve(scene, p.mechanism, at, &p.demand)?;
+        let others = solution.singular.iter().filter_map(|s| s.other.as_deref());
+        std::iter::once(&solution).chain(others).map(|s| self.row(scene, at, s)).collect()
+    }
+
+    fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         for f in &scene.find {
-            let value = evaluate(scene, at, &solution, &f.what)
+            let value = evaluate(scene, at, solution, &f.what)
                 .ok_or_else(|| Diagnostic::error("cannot-answer", format!("{} cannot be answered here", f.text)).at(f.span))?;
             match value {
                 Value::Scalar(s) => row.push(s),
@@ -55,12 +61,7 @@ impl<'a> General<'a> {
     pub fn follow(&self, stations: &Stations) -> Rows {
         let p = self.placed;
         let n = stations.len();
-        let mut names = Vec::new();
-        for f in &p.scene.find {
-            let unit = ask::unit(&f.what);
-            let components: &[&str] = if ask::is_vector(&f.what) { &[".x", ".y", ""] } else { &[""] };
-            names.extend(components.iter().map(|c| (format!("{}{c}", f.text), unit)));
-        }
+        let names: Vec<_> = p.scene.find.iter().flat_map(ask::names).collect();
         let mut columns: Vec<Vec<f64>> = names.iter().map(|_| vec![f64::NAN; n]).collect();
         let mut missing: Vec<Option<Faults>> = vec![None; n];
         let start = position_now(p.scene, &p.at, self.driver);
@@ -77,7 +78,7 @@ impl<'a> General<'a> {
                 }
                 let scene = with_driver_at(p.scene, self.driver, stations.values[i]);
                 match stopped.clone().map_or_else(|| self.answers(&scene, &last), Err) {
-                    Ok(row) => columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
+                    Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
                     Err(why) => missing[i] = Some(why),
                 }
             }

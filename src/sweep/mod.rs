@@ -9,6 +9,7 @@
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
 
+pub mod batch;
 pub mod carry;
 pub mod closure;
 pub mod compile;
@@ -80,14 +81,13 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
     let general = General::new(placed, driver);
     let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
         Ok(program) => {
-            let (parts, changes) = branches(program, placed, driver, stations);
+            let (parts, changes) = branches(program.clone(), placed, driver, stations);
             notes.extend(changes);
             let mut rows = run_parts(&parts, placed, driver, stations, width);
-            rows.complete(&general, stations);
-            if rows.missing.iter().any(Option::is_some)
-                && let Some((program, _)) = parts.first()
-            {
-                notes.extend(ends(program, placed, driver, stations));
+            rows.complete(&general, stations, &|row| beside(&program, placed, driver, stations.values[row]));
+            rows.explain(&general, stations);
+            if rows.missing.iter().any(Option::is_some) {
+                notes.extend(ends(&program, placed, driver, stations));
             }
             rows
         }
@@ -110,15 +110,26 @@ pub(crate) struct Rows {
 }
 
 impl Rows {
-    /// Hands the rows whose numbers are not all finite to the general solver.
-    fn complete(&mut self, general: &General, stations: &Stations) {
+    /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
+    /// with what is `near` is meant.
+    fn complete(&mut self, general: &General, stations: &Stations, near: &(dyn Fn(usize) -> Option<Vec<f64>> + Sync)) {
         let open: Vec<usize> =
             (0..stations.len()).filter(|&i| self.missing[i].is_none() && self.columns.iter().any(|c| !c[i].is_finite())).collect();
-        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i)).collect();
+        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)))).collect();
         for (i, row) in open.into_iter().zip(solved) {
             match row {
                 Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
                 Err(why) => self.missing[i] = Some(why),
+            }
+        }
+    }
+
+    /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.
+    fn explain(&mut self, general: &General, stations: &Stations) {
+        for i in 0..stations.len() {
+            let silent = self.missing[i].as_ref().is_some_and(|why| why.list.is_empty());
+            if silent && (i == 0 || self.missing[i - 1].is_none()) {
+                self.missing[i] = Some(general.solve(stations, i).err().unwrap_or_default());
             }
         }
     }
@@ -135,6 +146,27 @@ impl Rows {
         notes.extend(general::gaps(&words, &self.missing));
         Table { columns, notes }
     }
+}
+
+/// The way on that is nearest to a row; the first where there is but one, or nothing to compare with.
+fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec<f64> {
+    if ways.len() > 1
+        && let Some(near) = near()
+    {
+        let off = |row: &Vec<f64>| row.iter().zip(&near).map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE)).sum::<f64>();
+        ways.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    }
+    ways.swap_remove(0)
+}
+
+/// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
+fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
+    let off = 1e-3 * Probe::of(program.clone(), placed, driver).reach();
+    let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
+    let (parts, _) = branches(program.clone(), placed, driver, &sides);
+    let rows = run_parts(&parts, placed, driver, &sides, Width::One);
+    let mean: Vec<f64> = rows.columns.iter().map(|c| 0.5 * (c[0] + c[1])).collect();
+    mean.iter().all(|v| v.is_finite()).then_some(mean)
 }
 
 /// Lowest and highest of the stations and of where the driver stands.
@@ -242,18 +274,25 @@ fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Sta
             }
         }
         program.run(buffer, width);
-        program.columns.iter().map(|c| buffer.numbers(c.reg, rows.len()).to_vec()).collect::<Vec<_>>()
+        let numbers: Vec<Vec<f64>> = program.columns.iter().map(|c| buffer.numbers(c.reg, rows.len()).to_vec()).collect();
+        // What misses by more than rounding needs nobody's second opinion.
+        let lost = |row: &usize| numbers.iter().any(|c| !c[*row].is_finite()) && program.misses(buffer, *row);
+        let missed: Vec<usize> = (0..rows.len()).filter(lost).collect();
+        (numbers, missed)
     };
     let chunks = n.div_ceil(CHUNK);
-    let filled: Vec<Vec<Vec<f64>>> = if n <= ALONE {
+    let filled: Vec<(Vec<Vec<f64>>, Vec<usize>)> = if n <= ALONE {
         let mut buffer = program.buffer();
         (0..chunks).map(|c| one_chunk(&mut buffer, c)).collect()
     } else {
         (0..chunks).into_par_iter().map_init(|| program.buffer(), |buffer, c| one_chunk(buffer, c)).collect()
     };
-    for (chunk, parts) in filled.into_iter().enumerate() {
+    for (chunk, (parts, missed)) in filled.into_iter().enumerate() {
         for (column, part) in columns.iter_mut().zip(parts) {
             column[chunk * CHUNK..][..part.len()].copy_from_slice(&part);
+        }
+        for row in missed {
+            missing[chunk * CHUNK + row].get_or_insert_default();
         }
     }
     Rows { names, columns, missing }

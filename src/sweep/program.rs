@@ -261,6 +261,16 @@ impl Program {
         run_all(std::iter::once(&self.steps[0][steps]), &mut Single { registers });
     }
 
+    /// Whether at a row of a chunk that was run some closure misses by more than rounding may explain.
+    pub fn misses(&self, buffer: &Buffer, row: usize) -> bool {
+        // As much as a hundred roundings of the terms: nearer to a touch the general solver decides.
+        const SURE: f64 = -100.0 * f64::EPSILON;
+        self.joints.iter().any(|j| {
+            let margin = self.margin(j, &|r| buffer.get(r, row));
+            margin.is_some_and(|m| m.outer < m.terms * SURE || m.inner < m.terms * SURE)
+        })
+    }
+
     /// The margin of a joint, from the registers that `read` reads.
     pub fn margin<N: Lane>(&self, joint: &Joint, read: &impl Fn(Reg) -> N) -> Option<Margin<N>> {
         fn of<N: Lane, const IN: usize, const OUT: usize, K: Kernel<IN, OUT> + Closure<IN>>(k: &K, read: &impl Fn(Reg) -> N) -> Margin<N> {

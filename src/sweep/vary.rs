@@ -278,7 +278,7 @@ fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
-            rows.complete(&general, stations);
+            rows.complete(&general, stations, &|_| None);
             rows
         }
         Err(_) => general.follow(stations),

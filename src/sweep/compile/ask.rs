@@ -181,15 +181,21 @@ impl Compiler<'_> {
 }
 
 /// The SI unit of a column.
-pub(in crate::sweep) fn unit(what: &scene::Asked) -> &'static str {
+fn unit(what: &scene::Asked) -> &'static str {
     match what {
         scene::Asked::LinkAngle(_) => "rad",
         _ => answers::unit(what),
     }
 }
 
+/// The columns of a question: name and unit of each.
+pub(in crate::sweep) fn names(find: &Find) -> Vec<(String, &'static str)> {
+    let components: &[&str] = if is_vector(&find.what) { &[".x", ".y", ""] } else { &[""] };
+    components.iter().map(|c| (format!("{}{c}", find.text), unit(&find.what))).collect()
+}
+
 /// Whether a question asks for a vector: three columns.
-pub(in crate::sweep) fn is_vector(what: &scene::Asked) -> bool {
+fn is_vector(what: &scene::Asked) -> bool {
     use scene::Asked::*;
     !matches!(what, Coordinate(..) | LinkAngle(_) | Distance(..) | Omega(_) | Alpha(_) | RelativeOmega(..) | RelativeAlpha(..))
 }
