@@ -38,6 +38,8 @@
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
 //!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
+//! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
+//!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
@@ -75,6 +77,7 @@ pub mod quantity;
 pub mod render;
 pub mod report;
 pub mod scene;
+pub mod sweep;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

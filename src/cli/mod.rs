@@ -4,8 +4,11 @@
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres).
 
 mod args;
+mod batch;
 mod draw;
 mod files;
+mod sweep;
+mod tables;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
@@ -32,6 +35,9 @@ pub fn main() -> ExitCode {
         Command::Plan(a) => plan(a),
         Command::Worksheet(a) => worksheet::run(a),
         Command::Accuracy(a) => accuracy(a),
+        Command::Sweep(a) => sweep::sweep(a),
+        Command::Batch(a) => batch::batch(a),
+        Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
