@@ -9,13 +9,18 @@ mod worksheet;
 
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::mechanism::{Overlay, Track};
+use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
+use hodograph::figure::steps as steps_of;
+use hodograph::figure::style::Style;
 use hodograph::lesson;
+use hodograph::lesson::sweep::Follower;
+use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, construction, drafting, plan, plan_json};
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, Lang, PointId, templates};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 
@@ -187,4 +192,59 @@ fn templates_look_as_accepted() {
         }
     }
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// One picture of every kind of figure: an inset, styles, single figures, steps, vectors, positions and a path.
+#[test]
+fn kinds_of_figures_look_as_accepted() {
+    let mut failures = Vec::new();
+    let style = |name: &str| Style::named(name).unwrap();
+    for (name, kind, style) in [
+        ("class-iii-six-bar", "inset", style("print")),
+        ("shaper", "slides", style("slides")),
+        ("jansen-leg", "dark", style("dark")),
+        ("offset-slider-crank", "overlay", style("slides")),
+        ("slotted-lever", "step", style("print")),
+        ("crank-rocker", "equations", style("print")),
+    ] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let options = Options { style, ..Options::of_language(Lang::En) };
+        let figure = match kind {
+            "inset" => single(&scene, &worked, &options, Single::Polygon(Level::Acceleration)).unwrap(),
+            "equations" => single(&scene, &worked, &options, Single::Equations).unwrap(),
+            "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
+            "overlay" => {
+                let sweep = Follower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(72);
+                let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
+                let places = sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect();
+                let overlay = Overlay {
+                    vectors: Some(Level::Velocity),
+                    poses: sweep.poses.iter().step_by(12).map(|p| p.configuration.clone()).collect(),
+                    paths: vec![Track { point, places, closed: sweep.full }],
+                };
+                diagram(&scene, &worked, &options, &overlay)
+            }
+            _ => sheet(&scene, &worked, &options).unwrap(),
+        };
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name).join(format!("{kind}.png"));
+        let drawn = svg::write(&figure).unwrap().value;
+        check_png(&path, &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// The gallery shows every template there is.
+#[test]
+fn the_gallery_is_current() {
+    let mut failures = Vec::new();
+    let mut page = String::from(
+        "# Gallery\n\nEvery template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --test golden` makes the pictures and this page anew; the same test\n\
+         without it checks that they are current. Any of them: `hodograph new NAME > scene.json && hodograph draw scene.json -o out/`.\n",
+    );
+    for t in templates::list() {
+        page += &format!("\n## {}\n`{}` · {}\n\n![{}](../golden/{}/sheet.en.png)\n", t.title.en, t.name, t.title.zh, t.title.en, t.name);
+    }
+    check_text(&Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery.md"), &page, &mut failures);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -82,6 +82,18 @@ pub struct Draw {
     /// Which figures, each with files of its own: the whole sheet, or parts of it
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
     pub figure: Vec<Picture>,
+    /// With the mechanism: vectors of this kind at its points
+    #[arg(long, value_enum, conflicts_with = "steps")]
+    pub vectors: Option<Vectors>,
+    /// With the mechanism: so many other positions of its first driver behind it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
+    pub poses: u16,
+    /// With the mechanism: the paths of these points through the travel of the first driver
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
+    pub path: Vec<String>,
+    /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
+    #[arg(long, value_enum, default_value_t = Text::Outlines)]
+    pub text: Text,
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
@@ -229,6 +241,24 @@ impl Format {
             Format::Pdf => "pdf",
         }
     }
+}
+
+/// How the letters of an SVG are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Text {
+    /// Outlines
+    Outlines,
+    /// Text, for drawing programs
+    Editable,
+}
+
+/// Vectors at the points of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Vectors {
+    /// Velocities
+    Velocity,
+    /// Accelerations
+    Acceleration,
 }
 
 /// A figure that `draw` makes.

@@ -211,7 +211,7 @@ fn every_step_reveals_what_it_names() {
             let Some(p) = worked.construction.polygon(level) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
             let items = polygon::polygon(&Style::default(), &w, p).items;
-            let said = sentences(&w, &worked.construction, p, None);
+            let said = sentences(&w, &worked.construction, p, &hodograph::accuracy::steps(&scene, &worked, None));
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
             for (n, phrase) in said.iter().enumerate() {

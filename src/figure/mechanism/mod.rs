@@ -2,14 +2,14 @@
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
 //! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
-//! that tables call t,
-//! [`letters`] numbers and letters.
+//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
 //! Links and points without a place are left out.
 
 mod directions;
 mod form;
 mod letters;
 mod marks;
+mod overlay;
 mod slides;
 mod special;
 
@@ -24,6 +24,7 @@ use super::item::Shape;
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
+pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
@@ -68,19 +69,7 @@ impl Course {
 /// The same before its labels are placed.
 pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &Course) -> Drawing {
     let mut draft = Draft::new(style, scene, worked, notation, course);
-    draft.ground_guides();
-    draft.plates(true);
-    draft.carriers();
-    draft.blocks();
-    draft.plates(false);
-    draft.bars();
-    draft.cylinders();
-    draft.joints();
-    draft.drivers();
-    draft.special_points();
-    draft.directions();
-    draft.numbers();
-    draft.letters();
+    draft.everything();
     draft.d
 }
 
@@ -108,6 +97,23 @@ impl<'a> Draft<'a> {
         let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched, course };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
+    }
+
+    /// Draws the mechanism, from back to front.
+    fn everything(&mut self) {
+        self.ground_guides();
+        self.plates(true);
+        self.carriers();
+        self.blocks();
+        self.plates(false);
+        self.bars();
+        self.cylinders();
+        self.joints();
+        self.drivers();
+        self.special_points();
+        self.directions();
+        self.numbers();
+        self.letters();
     }
 
     /// From the plane (m) to paper (mm).
