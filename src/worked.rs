@@ -173,7 +173,8 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
         regular(scene, &mechanism, &asked, &configuration, std::slice::from_ref(find))?.values[0]
     };
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
-        let computed = match &written {
+        // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
+        let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
             None => evaluate(scene, &configuration, &solution, &find.what).or_else(|| beside(find)),
         };
