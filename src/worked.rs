@@ -188,7 +188,8 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         regular(scene, &mechanism, &asked, &configuration, std::slice::from_ref(find))?.values[0]
     };
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
-        let computed = match &written {
+        // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
+        let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
             None => evaluate(scene, &configuration, &solution, &find.what).or_else(|| beside(find)),
         };
