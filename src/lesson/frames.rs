@@ -48,7 +48,7 @@ const OFF_PAPER: f64 = 2.5;
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
 const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
-const ADDED: f64 = 0.5;
+const ADDED: f64 = 0.4;
 /// How much larger than on a sheet a polygon may be: it has to be read in the poses too in which it is small.
 const LARGER: f64 = 1.5;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.

@@ -52,7 +52,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "title": LANGS.map(title),
         "statement": LANGS.map(|lang| statement(scene, lang)),
         "driver": driver(scene, options.driver),
-        "travel": frames.list.iter().map(|f| f.travel).collect::<Vec<_>>(),
+        "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
         "full": frames.full,
         "limits": limits(scene, sweep, frames),
@@ -75,6 +75,11 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
         .replace("{{data}}", &data)
         .replace("{{script}}", SCRIPT))
+}
+
+/// A number in ten significant digits: more than any screen shows.
+fn ten_digits(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
 }
 
 fn tag(lang: Lang) -> &'static str {

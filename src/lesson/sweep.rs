@@ -6,7 +6,6 @@
 use std::f64::consts::TAU;
 
 use crate::accuracy::toggle::{driver_position, with_driver_at};
-use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, Pose as Frame, newton};
@@ -59,10 +58,6 @@ const HALVINGS: usize = 14;
 /// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
 /// parallel send their crossing beyond all bounds.
 const FAR: f64 = 3.0;
-/// Rounds of refining groups without a closed form; each squares the error.
-const REFINED: usize = 12;
-/// A pose that changes less than this, as a part of the mechanism's size, is found.
-const CONVERGED: f64 = 4e-15;
 /// Parts of steps in a walk, for each of its steps: a mechanism that needs more has no motion that could be shown.
 const PARTS: usize = 20;
 /// Fewest steps between two limits.
@@ -178,20 +173,11 @@ impl<'a> Follower<'a> {
     }
 
     fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
-        let refined = self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II"));
-        let later = |meant: &Configuration| {
-            let mut found = position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel)?;
-            // Closed forms are exact at once; other groups are only refined from what is meant, which was foretold.
-            for _ in 0..if refined { REFINED } else { 0 } {
-                let next = position::later(&self.scene, self.mechanism, self.demand, &found, self.base, travel)?;
-                let done = self.stray(&next, &found) < CONVERGED;
-                found = next;
-                if done {
-                    break;
-                }
-            }
-            Ok::<_, Faults>(found)
-        };
+        // Closed forms are exact; other groups have to be found from the guess.
+        if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
+            return self.by_newton(guess, travel);
+        }
+        let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
         let mut best = match later(guess) {
             Ok(found) => found,
             Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
