@@ -23,6 +23,18 @@ fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Documen
     worksheet(scene, worked, &Options { sides, ..Options::of_language(lang) })
 }
 
+/// A text with what stands between two marks left out: drawings have golden files of their own, and a label that finds a
+/// better place changes no worksheet.
+fn without(text: &str, from: &str, to: &str) -> String {
+    let mut parts = text.split(from);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        out += from;
+        out += part.split_once(to).map_or("", |(_, rest)| rest);
+    }
+    out
+}
+
 #[test]
 fn worksheets_read_as_accepted() {
     let mut failures = Vec::new();
@@ -33,8 +45,8 @@ fn worksheets_read_as_accepted() {
             let d = document(&scene, &worked, lang, Sides::Both);
             let file = |ending: &str| folder.join(format!("worksheet.{suffix}.{ending}"));
             check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
-            check_text(&file("typ"), &typst::typst(&d, name).unwrap().0, &mut failures);
-            check_text(&file("html"), &super::folded(&html::html(&d).unwrap()), &mut failures);
+            check_text(&file("typ"), &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"), &mut failures);
+            check_text(&file("html"), &without(&html::html(&d).unwrap(), "<svg", "</svg>"), &mut failures);
         }
     }
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
