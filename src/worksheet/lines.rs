@@ -12,8 +12,8 @@ use crate::figure::label::Label;
 use crate::figure::text;
 use crate::report::phrase::{Phrase, Piece};
 
-/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. What has no place to break sticks
-/// out.
+/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
+/// breaks anywhere; a formula that is, sticks out.
 pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label> {
     // A formula is one thing among the words; before its relations it may break too.
     const THING: char = '\u{FFFC}';
@@ -47,8 +47,12 @@ pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label
     let wide = |l: &Label| text::set(l).width_em * size_mm;
     let mut lines = Vec::new();
     let mut here: Option<Label> = None;
-    for ends in breaks.windows(2) {
-        let segment = &plain[ends[0]..ends[1]];
+    let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
+    let pieces = whole.flat_map(|segment| {
+        let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end())) > width_mm;
+        if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
+    });
+    for segment in pieces {
         // The space at a line's end takes no room.
         let things = segment.matches(THING).count();
         let mut own: VecDeque<String> = formulas.drain(..things).collect();
@@ -105,6 +109,12 @@ mod tests {
         let joined: String = lines.iter().map(Label::plain).collect();
         assert_eq!(joined, Phrase::new(source).label().plain());
         assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
+    }
+
+    #[test]
+    fn a_word_longer_than_a_line_breaks_anywhere() {
+        let lines = texts(&format!("see https://example.org/{}.", "path".repeat(40)), 50.0);
+        assert!(lines.len() > 5 && lines.iter().all(|l| text::set(&Label::text(l.as_str())).width_em * 4.0 <= 51.0), "{lines:?}");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 //! shows Markdown seldom shows drawings inside it).
 
 use super::math::{tex, tex_display};
-use super::{Beside, Block, Document, Table, picture_names};
+use super::{Beside, Block, Document, Table, guarded, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::render::svg;
@@ -21,7 +21,7 @@ pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Beside>)
         out.push('\n');
         match block {
             Block::Heading(level, text) => out += &format!("{} {}\n", "#".repeat(usize::from(*level) + 1), escaped(text)),
-            Block::Paragraph(p) => out += &format!("{}\n", inline(p)),
+            Block::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
             Block::List { numbered, members } => {
                 for (k, m) in members.iter().enumerate() {
                     let mark = if *numbered { format!("{}.", k + 1) } else { "-".into() };

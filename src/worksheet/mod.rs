@@ -212,6 +212,13 @@ impl Maker<'_> {
     }
 }
 
+/// A paragraph whose beginning Markdown and Typst would take for a list or a heading, so that they do not.
+fn guarded(line: String) -> String {
+    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
+    let mark = if digits > 0 { &[".", ")"][..] } else { &["-", "+", "="][..] };
+    if mark.iter().any(|m| line[digits..].starts_with(m)) { format!("{}\\{}", &line[..digits], &line[digits..]) } else { line }
+}
+
 /// The pictures of a document under one stem: `shaper-mechanism.svg`; the second of a word gets a number.
 fn picture_names<'a>(document: &'a Document, stem: &str) -> Vec<(String, &'a Figure)> {
     let mut all: Vec<(String, &Figure)> = Vec::new();

@@ -12,7 +12,14 @@ impl Maker<'_> {
     pub(super) fn problem(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(1, "Problem", "题目"));
         match self.scene.statement.as_ref().map(|s| s.get(self.lang())).filter(|s| !s.is_empty()) {
-            Some(words) => blocks.push(Block::Paragraph(Phrase::new(&words.replace('$', "")))),
+            // Words as they stand: a dollar sign begins no formula here. Each line is a paragraph.
+            Some(words) => blocks.extend(
+                words
+                    .lines()
+                    .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ").replace('$', ""))
+                    .filter(|line| !line.is_empty())
+                    .map(|line| Block::Paragraph(Phrase::new(&line))),
+            ),
             None => blocks.push(self.paragraph(
                 "The figure shows a planar mechanism to scale. Solve it by vector polygons.",
                 "图示平面机构已按比例画出，试用矢量多边形图解法求解。",

@@ -1,11 +1,12 @@
 //! The results with their senses, and how the drawing compares with the loop equations.
 
 use super::{Block, Maker, Math, Table, TableKind};
+use crate::accuracy::ladder::Why;
 use crate::answer::Value;
 use crate::figure::label::Label;
 use crate::figure::remarks::remarks;
 use crate::figure::results::{Answers, amount, measured, number, sense, symbol};
-use crate::report::answers::worst;
+use crate::report::answers::{Line, lines, reason, verdict, worst};
 use crate::report::phrase::Phrase;
 use crate::scene::Lang;
 use crate::worked::Outcome;
@@ -20,11 +21,27 @@ impl Maker<'_> {
         let head =
             [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
-        for (r, c) in self.worked.results.iter().zip(self.certified) {
+        let mut said = Vec::new();
+        for line in lines(self.worked, self.certified) {
+            let (r, c) = match line {
+                Line::Answer(r, c) => (r, c),
+                Line::None(u) => {
+                    let name = math(&symbol(&scene.find[u.find], self.notation()));
+                    let none = Phrase::new(verdict(u.refused.why, self.lang()));
+                    said.push(Phrase::new(&reason(scene, u, self.lang())));
+                    rows.push(vec![name, Phrase::default(), none, Phrase::default()]);
+                    continue;
+                }
+            };
             let find = &scene.find[r.find];
             let value = r.value();
+            let name = symbol(find, self.notation());
+            // A singular pose is told once for all, among the remarks.
+            if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
+                said.push(Phrase::new(&words.uncertain.replace("{}", &format!("${name}$")).replace("{why}", &why.words(self.lang()))));
+            }
             rows.push(vec![
-                math(&symbol(find, self.notation())),
+                math(&name),
                 measured(r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
                 math(&amount(find, value, c, digits)),
                 of_label(&sense(find, value, c, words, digits)),
@@ -32,7 +49,8 @@ impl Maker<'_> {
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
         let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
-        let said = remarks(&answers);
+        said.extend(remarks(&answers));
+        said.dedup();
         if !said.is_empty() {
             blocks.push(Block::List { numbered: false, members: said });
         }

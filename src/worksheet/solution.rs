@@ -85,7 +85,9 @@ impl Maker<'_> {
         }
         members.push(mu_l);
         for (level, unit, letter) in [(Level::Velocity, "m/s", "v"), (Level::Acceleration, "m/s^2", "a")] {
-            members.extend(paper.polygon(level).map(|p| format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))));
+            members.extend(
+                paper.polygon(level).filter(|_| !paper.is_empty(level)).map(|p| format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))),
+            );
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(

@@ -1,7 +1,7 @@
 //! A worksheet as Typst source: native formulas and tables, drawings as SVG files beside it.
 
 use super::math::{typst as formula, typst_display};
-use super::{Beside, Block, Document, Table, TableKind, picture_names};
+use super::{Beside, Block, Document, Table, TableKind, guarded, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::words::words;
@@ -39,7 +39,7 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), F
                 }
                 out += &format!("{} {}\n", "=".repeat(usize::from(*level)), escaped(text));
             }
-            Block::Paragraph(p) => out += &format!("{}\n", inline(p)),
+            Block::Paragraph(p) => out += &format!("{}\n", guarded(inline(p))),
             Block::List { numbered, members } => {
                 let mark = if *numbered { '+' } else { '-' };
                 for m in members {
