@@ -220,6 +220,7 @@ fn kinds_of_figures_look_as_accepted() {
                 let places = sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect();
                 let overlay = Overlay {
                     vectors: Some(Level::Velocity),
+                    dimensions: false,
                     poses: sweep.poses.iter().step_by(12).map(|p| p.configuration.clone()).collect(),
                     paths: vec![Track { point, places, closed: sweep.full }],
                 };

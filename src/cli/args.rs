@@ -36,6 +36,8 @@ pub enum Command {
     Sweep(Sweep),
     /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table
     Batch(Batch),
+    /// Line diagrams: displacement, velocity, acceleration against the position of the driver, extremes marked
+    Curves(Curves),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
     /// Write a template's scene, with other parameters if wanted
@@ -91,6 +93,9 @@ pub struct Draw {
     /// With the mechanism: the paths of these points through the travel of the first driver
     #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
     pub path: Vec<String>,
+    /// With the mechanism: the given lengths as dimensions, in mm
+    #[arg(long, conflicts_with = "steps")]
+    pub dimensions: bool,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
     #[arg(long, value_enum, default_value_t = Text::Outlines)]
     pub text: Text,
@@ -218,6 +223,33 @@ pub struct Sweep {
     /// Write to this file, ending in .csv or .json, instead of standard output (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Curves {
+    #[command(flatten)]
+    pub common: Common,
+    /// Which driver: `driver`, `driver2`, `phi_1`, `s_B`, `l_BC`
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Where it begins, with a unit (default: 0, or where it stands)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where it ends (default: a full turn)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Equal steps from one to the other
+    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
+    pub steps: usize,
+    /// Quantities instead of the scene's, such as x_C,v_C,a_C
+    #[arg(long, value_name = "LIST")]
+    pub find: Option<String>,
+    /// Style, as for `draw`
+    #[arg(long, value_name = "STYLE", default_value = "print")]
+    pub style: String,
+    /// The file, ending in .svg, .png or .pdf
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -59,7 +59,7 @@ pub fn run(a: args::Draw) -> Run {
 }
 
 /// A bundled style by its name, or a style file.
-fn read_style(name: &str) -> Result<Style, Failure> {
+pub fn read_style(name: &str) -> Result<Style, Failure> {
     if let Some(style) = Style::named(name) {
         return Ok(style);
     }
@@ -118,7 +118,7 @@ fn overlay(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Option<Over
         Vectors::Velocity => Level::Velocity,
         Vectors::Acceleration => Level::Acceleration,
     });
-    if vectors.is_none() && a.poses == 0 && a.path.is_empty() {
+    if vectors.is_none() && a.poses == 0 && a.path.is_empty() && !a.dimensions {
         return Ok(None);
     }
     let mut faults = Faults::default();
@@ -143,7 +143,7 @@ fn overlay(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Option<Over
     if faults.has_errors() {
         return Err(faults);
     }
-    let mut overlay = Overlay { vectors, ..Overlay::default() };
+    let mut overlay = Overlay { vectors, dimensions: a.dimensions, ..Overlay::default() };
     if a.poses > 0 || !points.is_empty() {
         let sweep = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(PATH_STEPS);
         let at = |k: usize| sweep.poses[k].configuration.clone();

@@ -64,7 +64,7 @@ pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
     Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
 }
 
-/// Writes one figure to a file ending in .svg or .png (at 200 dpi).
+/// Writes one figure to a file ending in .svg, .png (at 200 dpi) or .pdf.
 pub fn figure(figure: &crate::figure::item::Figure, path: &str) -> Result<(), Failure> {
     let input = |d: crate::diag::Faults| Failure::Input(d, path.to_string(), String::new());
     let svg = crate::render::svg::write(figure).map_err(input)?.value;
@@ -72,9 +72,10 @@ pub fn figure(figure: &crate::figure::item::Figure, path: &str) -> Result<(), Fa
     match out.extension().and_then(|e| e.to_str()) {
         Some("svg") => write(out, svg.as_bytes()),
         Some("png") => write(out, &crate::render::png::render(&svg, 200.0).map_err(|d| input(d.into()))?),
+        Some("pdf") => write(out, &crate::render::pdf::pdf(std::slice::from_ref(figure)).map_err(input)?.value),
         _ => Err(input(
-            Diagnostic::error("output", format!("{path} is neither a .svg nor a .png file"))
-                .help("write -o costs.svg or -o costs.png")
+            Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"))
+                .help("write -o figure.svg, -o figure.png or -o figure.pdf")
                 .into(),
         )),
     }

@@ -5,6 +5,7 @@
 
 mod args;
 mod batch;
+mod curves;
 mod draw;
 mod files;
 mod sweep;
@@ -37,6 +38,7 @@ pub fn main() -> ExitCode {
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
         Command::Batch(a) => batch::batch(a),
+        Command::Curves(a) => curves::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),

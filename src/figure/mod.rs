@@ -4,6 +4,7 @@
 
 mod arrange;
 pub mod arrow;
+pub mod curves;
 pub mod drawing;
 pub mod extent;
 pub mod font;

@@ -20,7 +20,7 @@ use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Throu
 use crate::worked::Worked;
 
 use super::drawing::{Drawing, Part};
-use super::item::Shape;
+use super::item::{Colour, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
@@ -36,6 +36,12 @@ const LINK_COST: f64 = 4.0;
 const PLATE_COST: f64 = 3.0;
 const ANGLE_COST: f64 = 2.0;
 const OTHER_COST: f64 = 1.0;
+
+/// Where a bar crosses another, this much of the lower one is left out beside the upper one.
+const GAP_MM: f64 = 0.9;
+/// Bars that cross more flatly than this (sine), or nearer to one of their ends, have no gap: it would reach the joint.
+const CROSSING_SINE: f64 = 0.25;
+const CROSSING_FREE_MM: f64 = 5.0;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
@@ -262,15 +268,40 @@ impl<'a> Draft<'a> {
         for l in 0..self.forms.len() {
             let Some(form) = self.forms[l].clone() else { continue };
             let id = self.link_id(l);
-            self.d.of_link(Some(l));
-            for (a, b) in &form.bars {
-                self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
+            for bar in &form.bars {
+                self.gaps(l, *bar);
+                self.d.of_link(Some(l));
+                self.d.draw(&id, "", sym::link(self.style, &[bar.0, bar.1]));
             }
+            self.d.of_link(Some(l));
             for (corner, one, other) in &form.corners {
                 self.d.draw(&format!("{id}-corner"), "", sym::weld(self.style, *corner, *one, *other));
             }
         }
         self.d.of_link(None);
+    }
+
+    /// Interrupts the bars of earlier links where a bar passes over them, as two bars that only cross are not joined.
+    fn gaps(&mut self, l: usize, (a, b): (Point, Point)) {
+        let Some(u) = (b - a).unit() else { return };
+        let width = self.style.link.width_mm;
+        let mut gaps = Vec::new();
+        for (c, d) in self.forms[..l].iter().flatten().flat_map(|f| f.bars.iter().chain(&f.guide_bars)) {
+            let Some(v) = (*d - *c).unit() else { continue };
+            let crossing = crate::geom::cross_lines(a, u, *c, v);
+            let free = |p: Point, q: Point| crossing.at.distance(p).min(crossing.at.distance(q)) > CROSSING_FREE_MM;
+            let on = |p: Point, q: Point| form::on_segment(crossing.at, p, q, SAME_MM);
+            let clear = !self.forms.iter().flatten().any(|f| form::inside(crossing.at, &f.plate));
+            if crossing.sine.abs() > CROSSING_SINE && on(a, b) && on(*c, *d) && free(a, b) && free(*c, *d) && clear {
+                let half = v * ((width / 2.0 + GAP_MM) / crossing.sine.abs());
+                gaps.push((crossing.at - half, crossing.at + half));
+            }
+        }
+        self.d.of_link(None);
+        for (from, to) in gaps {
+            let stroke = Stroke::new(width * 1.5).coloured(Colour::WHITE);
+            self.d.frame(&format!("{}-over", self.link_id(l)), "link gap", Shape::Line { from, to, stroke });
+        }
     }
 
     fn link_id(&self, l: usize) -> String {

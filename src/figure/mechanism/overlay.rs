@@ -6,11 +6,13 @@ use crate::figure::item::{Colour, Dash, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::style::Style;
+use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
+use crate::quantity::shortest;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
@@ -20,6 +22,8 @@ use super::{Course, Draft};
 const VECTOR_MM: f64 = 45.0;
 /// A vector shorter than this has neither head nor direction for the eye.
 const SHORTEST_MM: f64 = 0.4;
+/// From a link to its dimension line: clear of the joints' letters.
+const DIMENSION_MM: f64 = 10.0;
 /// How far other positions and paths stand back.
 const BEHIND: Colour = Colour::grey(150);
 
@@ -30,6 +34,8 @@ pub struct Overlay {
     pub vectors: Option<Level>,
     /// Other positions of everything.
     pub poses: Vec<Configuration>,
+    /// The given lengths as dimensions.
+    pub dimensions: bool,
     /// Where points go (m), and whether they come back to where they began.
     pub paths: Vec<Track>,
 }
@@ -71,6 +77,9 @@ pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overl
     draft.behind(overlay);
     draft.everything();
     draft.vectors(w, overlay);
+    if overlay.dimensions {
+        draft.dimensions();
+    }
     draft.d.finish()
 }
 
@@ -99,6 +108,24 @@ impl Draft<'_> {
             let stroke = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
             let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
             self.d.frame(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
+        }
+    }
+
+    /// The given lengths in millimetres, on the side away from the mechanism's middle.
+    fn dimensions(&mut self) {
+        let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
+        let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
+        for length in &self.scene.lengths {
+            let (Some(a), Some(b)) = (self.point(length.a), self.point(length.b)) else { continue };
+            let left = (b - a).cross(middle - a) < 0.0;
+            let offset_mm = if left { DIMENSION_MM } else { -DIMENSION_MM };
+            let name = format!("dimension-{}{}", self.scene.point_name(length.a), self.scene.point_name(length.b));
+            let owner = self.d.draw(&name, "", sym::dimension(self.style, a, b, offset_mm));
+            // Millimetres to the micrometre, as they are written.
+            let text = shortest((length.value.value * 1e6).round() / 1e3);
+            let (from, to) = sym::dimension_line(a, b, offset_mm);
+            let request = LabelRequest::along(Label::math(text), self.style.small_mm, from, to, self.style.thin.width_mm / 2.0);
+            self.d.label(&name, "dimension", request.owned(owner));
         }
     }
 
