@@ -36,7 +36,7 @@
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
-//!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
+//!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps()`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG (the one door between y up and y down), PNG.
