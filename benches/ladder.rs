@@ -2,7 +2,7 @@
 //! whole of `certify` against the plain `f64` solution. Ratios of one run: `cargo bench --bench ladder`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use hodograph::accuracy::certify;
+use hodograph::accuracy::{certify, steps};
 use hodograph::answer::evaluate;
 use hodograph::number::{Ball, Big, Dd, Real, within};
 use hodograph::scene::{Scene, read, templates};
@@ -27,6 +27,8 @@ fn ladder(c: &mut Criterion) {
         g.bench_function("4 double-double", |b| b.iter(|| solved::<Dd>(&scene, &w)));
         g.bench_function("5 double-double with its error", |b| b.iter(|| solved::<Ball<Dd>>(&scene, &w)));
         g.bench_function("6 192 bit with its error", |b| b.iter(|| within(192, || solved::<Ball<Big>>(&scene, &w))));
+        g.bench_function("7 certify to 14 digits", |b| b.iter(|| certify(&scene, &w, 14)));
+        g.bench_function("8 certify the steps", |b| b.iter(|| steps(&scene, &w, None)));
         g.finish();
     }
 }

@@ -52,12 +52,21 @@ fn command(c: &mut Criterion) {
     let file = folder.path().join("shaper.json");
     std::fs::write(&file, templates::get("shaper").unwrap()).unwrap();
     let mut g = c.benchmark_group("whole command, shaper");
-    for (name, extra) in [("svg", vec!["--format", "svg"]), ("png 150 dpi", vec!["--format", "png", "--dpi", "150"])] {
+    for (name, extra) in [
+        ("svg", vec!["draw", "--format", "svg", "-o", "."]),
+        ("png 150 dpi", vec!["draw", "--format", "png", "--dpi", "150", "-o", "."]),
+        ("pdf", vec!["draw", "--format", "pdf", "-o", "."]),
+        ("lesson, 72 positions", vec!["lesson", "-o", "lesson.html"]),
+        ("worksheet pdf", vec!["worksheet", "-o", "worksheet.pdf"]),
+    ] {
         g.bench_function(name, |b| {
             b.iter(|| {
                 let status = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
-                    .args(["draw", file.to_str().unwrap(), "-o", folder.path().to_str().unwrap()])
-                    .args(&extra)
+                    .current_dir(folder.path())
+                    .arg(extra[0])
+                    .arg(&file)
+                    .args(&extra[1..])
+                    .stdout(std::process::Stdio::null())
                     .stderr(std::process::Stdio::null())
                     .status()
                     .unwrap();
@@ -66,6 +75,9 @@ fn command(c: &mut Criterion) {
         });
     }
     g.finish();
+    for name in ["shaper.svg", "shaper.png", "shaper.pdf", "lesson.html", "worksheet.pdf"] {
+        println!("{name}: {:.0} kB", std::fs::metadata(folder.path().join(name)).map_or(0.0, |m| m.len() as f64 / 1000.0));
+    }
 }
 
 criterion_group!(benches, stages, command);

@@ -5,7 +5,7 @@
 //! the names there. Nothing here knows of tolerances: parallel lines are judged by the sine that [`cross_lines`]
 //! hands back, not by a test inside.
 
-use crate::number::Real;
+use crate::number::{Real, Ring};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// A place in the plane.
@@ -82,6 +82,39 @@ impl<N: Copy> Vec2<N> {
     }
 }
 
+// Inlined always: the lanes of a sweep are kept in wide registers only within one function.
+impl<N: Ring> Vec2<N> {
+    /// Scalar product.
+    #[inline(always)]
+    pub fn dot(self, other: Vec2<N>) -> N {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// Cross product's z component: positive when `other` lies counter-clockwise of `self`.
+    #[inline(always)]
+    pub fn cross(self, other: Vec2<N>) -> N {
+        self.x * other.y - self.y * other.x
+    }
+
+    /// Square of the length.
+    #[inline(always)]
+    pub fn norm2(self) -> N {
+        self.dot(self)
+    }
+
+    /// Turned by +90° (counter-clockwise): ω k × r = ω · r.perp().
+    #[inline(always)]
+    pub fn perp(self) -> Vec2<N> {
+        Vec2::new(-self.y, self.x)
+    }
+
+    /// Turned by the angle of the unit vector `by`, scaled by its length (complex product).
+    #[inline(always)]
+    pub fn rotate_by(self, by: Vec2<N>) -> Vec2<N> {
+        Vec2::new(self.x * by.x - self.y * by.y, self.x * by.y + self.y * by.x)
+    }
+}
+
 impl<N: Real> Vec2<N> {
     /// The zero vector.
     pub fn zero() -> Self {
@@ -99,31 +132,9 @@ impl<N: Real> Vec2<N> {
         Vec2::new(c, s)
     }
 
-    /// Scalar product.
-    #[inline]
-    pub fn dot(self, other: Vec2<N>) -> N {
-        self.x * other.x + self.y * other.y
-    }
-
-    /// Cross product's z component: positive when `other` lies counter-clockwise of `self`.
-    #[inline]
-    pub fn cross(self, other: Vec2<N>) -> N {
-        self.x * other.y - self.y * other.x
-    }
-
     /// Length, without overflow for large components.
     pub fn norm(self) -> N {
         self.x.hypot(self.y)
-    }
-
-    /// Square of the length.
-    pub fn norm2(self) -> N {
-        self.dot(self)
-    }
-
-    /// Turned by +90° (counter-clockwise): ω k × r = ω · r.perp().
-    pub fn perp(self) -> Vec2<N> {
-        Vec2::new(-self.y, self.x)
     }
 
     /// Angle from the x axis, in (−π, π].
@@ -135,12 +146,6 @@ impl<N: Real> Vec2<N> {
     pub fn unit(self) -> Option<Vec2<N>> {
         let n = self.norm();
         (n.approx() > 0.0 && n.is_decided()).then(|| Vec2::new(self.x / n, self.y / n))
-    }
-
-    /// Turned by the angle of the unit vector `by`, scaled by its length (complex product).
-    #[inline]
-    pub fn rotate_by(self, by: Vec2<N>) -> Vec2<N> {
-        Vec2::new(self.x * by.x - self.y * by.y, self.x * by.y + self.y * by.x)
     }
 
     /// Complex quotient self / by: the turn and stretch that takes `by` to `self`.
@@ -174,49 +179,57 @@ impl Point {
     }
 }
 
-impl<N: Real> Sub for Point<N> {
+impl<N: Ring> Sub for Point<N> {
     type Output = Vec2<N>;
+    #[inline(always)]
     fn sub(self, o: Point<N>) -> Vec2<N> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
 }
-impl<N: Real> Add<Vec2<N>> for Point<N> {
+impl<N: Ring> Add<Vec2<N>> for Point<N> {
     type Output = Point<N>;
+    #[inline(always)]
     fn add(self, v: Vec2<N>) -> Point<N> {
         Point::new(self.x + v.x, self.y + v.y)
     }
 }
-impl<N: Real> Sub<Vec2<N>> for Point<N> {
+impl<N: Ring> Sub<Vec2<N>> for Point<N> {
     type Output = Point<N>;
+    #[inline(always)]
     fn sub(self, v: Vec2<N>) -> Point<N> {
         Point::new(self.x - v.x, self.y - v.y)
     }
 }
-impl<N: Real> Add for Vec2<N> {
+impl<N: Ring> Add for Vec2<N> {
     type Output = Vec2<N>;
+    #[inline(always)]
     fn add(self, o: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x + o.x, self.y + o.y)
     }
 }
-impl<N: Real> AddAssign for Vec2<N> {
+impl<N: Ring> AddAssign for Vec2<N> {
+    #[inline(always)]
     fn add_assign(&mut self, o: Vec2<N>) {
         *self = *self + o;
     }
 }
-impl<N: Real> Sub for Vec2<N> {
+impl<N: Ring> Sub for Vec2<N> {
     type Output = Vec2<N>;
+    #[inline(always)]
     fn sub(self, o: Vec2<N>) -> Vec2<N> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
 }
-impl<N: Real> Neg for Vec2<N> {
+impl<N: Ring> Neg for Vec2<N> {
     type Output = Vec2<N>;
+    #[inline(always)]
     fn neg(self) -> Vec2<N> {
         Vec2::new(-self.x, -self.y)
     }
 }
-impl<N: Real> Mul<N> for Vec2<N> {
+impl<N: Ring> Mul<N> for Vec2<N> {
     type Output = Vec2<N>;
+    #[inline(always)]
     fn mul(self, k: N) -> Vec2<N> {
         Vec2::new(self.x * k, self.y * k)
     }

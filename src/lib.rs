@@ -36,10 +36,13 @@
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
-//!   true ([`accuracy::ladder`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
+//!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
+//! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
+//!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
+//! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
@@ -74,6 +77,7 @@ pub mod quantity;
 pub mod render;
 pub mod report;
 pub mod scene;
+pub mod sweep;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::plan::{self, Plan};
 use crate::position::{self, Configuration};
-use crate::scene::{LinkId, Place, PointId, Scene};
+use crate::scene::{Find, LinkId, Place, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -169,9 +169,9 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
     let singular = singular_groups(&mechanism, &solution);
     let by_lengths = |g: &usize| mechanism.groups[*g].links.iter().flat_map(|l| &scene.links[l.0].points).any(|p| !is_given(scene, *p));
-    let regular = if singular.iter().any(by_lengths) { regular(scene, &mechanism, &demand, &configuration) } else { None };
-    if let Some(regular) = &regular {
-        solution.taken_for_singular(|words| near_singular(words, regular));
+    let written = if singular.iter().any(by_lengths) { regular(scene, &mechanism, &demand, &configuration, &scene.find) } else { None };
+    if let Some(written) = &written {
+        solution.taken_for_singular(|words| near_singular(words, written));
     }
     notes.extend(solution.notes.iter().cloned());
     let plan = plan::plan_without(scene, &mechanism, &demand, &singular);
@@ -179,19 +179,28 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     let blur = blur_of(&solution);
     let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
     let (mut results, mut unanswered) = (Vec::new(), Vec::new());
+    // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
+    let beside = |find: &Find| {
+        let asked = Demand::of_questions(scene, &mechanism, [find]);
+        if solution.refused.is_empty() || singular.iter().any(|g| asked.groups[*g].is_some()) {
+            return None;
+        }
+        regular(scene, &mechanism, &asked, &configuration, std::slice::from_ref(find))?.values[0]
+    };
     for (i, (find, drawn)) in scene.find.iter().zip(drawn).enumerate() {
-        let computed = match &regular {
-            Some(regular) => regular.values[i],
-            None => evaluate(scene, &configuration, &solution, &find.what),
+        // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
+        let computed = match written.as_ref().filter(|_| drawn.is_none()) {
+            Some(written) => written.values[i],
+            None => evaluate(scene, &configuration, &solution, &find.what).or_else(|| beside(find)),
         };
         let Some(computed) = computed else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
             let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
-            let Some(refused) = solution.refused.iter().find(rests_on) else {
-                return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
-            };
-            unanswered.push(Unanswered { find: i, refused: refused.clone() });
-            continue;
+            if let Some(refused) = solution.refused.iter().find(rests_on) {
+                unanswered.push(Unanswered { find: i, refused: refused.clone() });
+                continue;
+            }
+            return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
         };
         let level = level_of(&find.what);
         let scale = match level {
@@ -208,7 +217,7 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
-            (_, None) if regular.is_some() => 0.0,
+            (_, None) if written.is_some() => 0.0,
             (_, Some(a)) => a.noise,
             (_, None) => noise_of(&solution, &computed),
         };
@@ -217,7 +226,7 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
             let value = evaluate(scene, &configuration, other, &find.what);
             others.extend(value.map(|v| above(noise_of(other, &v), v)));
         }
-        let longer = regular.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
+        let longer = written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
         let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;
         let next_order = by_next_order.then(|| (-libm::log10(blur)).floor().max(1.0) as usize);
         results.push(Outcome { find: i, drawn, computed, agreement, scale, others, noise, next_order, longer });

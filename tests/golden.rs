@@ -9,12 +9,18 @@ mod worksheet;
 
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
-use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::mechanism::{Overlay, Track};
+use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
+use hodograph::figure::steps as steps_of;
+use hodograph::figure::style::Style;
+use hodograph::lesson;
+use hodograph::lesson::sweep::Follower;
+use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, construction, drafting, plan, plan_json};
-use hodograph::scene::{self, Lang, templates};
+use hodograph::scene::{self, Lang, PointId, templates};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 
@@ -27,10 +33,13 @@ fn accept() -> bool {
     std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
 }
 
+/// FNV-1a: any stable hash will do.
+fn hash(text: &str) -> String {
+    format!("#{:016x}", text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3)))
+}
+
 /// Outlines, and the letters of a label, as `#` and a hash: a changed letter still shows, and the file stays readable.
 fn folded(svg: &str) -> String {
-    // FNV-1a: any stable hash will do.
-    let hash = |text: &str| text.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3));
     let mut out = String::with_capacity(svg.len() / 3);
     let mut rest = svg;
     loop {
@@ -41,7 +50,7 @@ fn folded(svg: &str) -> String {
         let text = &rest[start..start + length];
         out.push_str(&rest[..start]);
         out.push_str(mark);
-        out.push_str(&if length > 80 || !mark.is_empty() { format!("#{:016x}", hash(text)) } else { text.to_owned() });
+        out.push_str(&if length > 80 || !mark.is_empty() { hash(text) } else { text.to_owned() });
         rest = &rest[start + length..];
     }
     out.push_str(rest);
@@ -105,6 +114,41 @@ fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
     }
 }
 
+/// A lesson: its markup with outlines folded, its data with what is packed folded; style and script are files of their own.
+fn lesson_text(page: &str) -> String {
+    fn fold(value: &mut serde_json::Value) {
+        match value {
+            serde_json::Value::String(s) if s.len() > 80 => *s = format!("{} {}", s.len(), hash(s)),
+            serde_json::Value::Array(list) => list.iter_mut().for_each(fold),
+            serde_json::Value::Object(fields) => fields.values_mut().for_each(fold),
+            _ => {}
+        }
+    }
+    let between = |from: &str, to: &str| page.split(from).nth(1).unwrap().split(to).next().unwrap();
+    let mut data: serde_json::Value = serde_json::from_str(between("id=\"data\">", "</script>")).unwrap();
+    data["words"] = "…".into();
+    fold(&mut data);
+    let lines: Vec<String> = data.as_object().unwrap().iter().map(|(key, value)| format!("{key}: {value}")).collect();
+    let markup = folded(&page.replace(between("<style>", "</style>"), ""));
+    format!("{}\n{}\n", markup.split("<script").next().unwrap(), lines.join("\n").replace("],[\"", "],\n[\""))
+}
+
+/// A crank that turns fully, and one that is stopped.
+#[test]
+fn lessons_stay_as_accepted() {
+    let mut failures = Vec::new();
+    for name in ["crank-rocker", "five-bar"] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let page = lesson::lesson(&scene, &lesson::Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name).join("lesson.html.txt");
+        check_text(&path, &lesson_text(&page), &mut failures);
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let fragment = lesson::reveal(&scene, &worked, &Options::of_language(Lang::En)).unwrap().value;
+        check_text(&path.with_file_name("reveal.html.txt"), &folded(&fragment), &mut failures);
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
 #[test]
 fn templates_look_as_accepted() {
     let mut failures = Vec::new();
@@ -129,7 +173,7 @@ fn templates_look_as_accepted() {
                 let text = format!(
                     "{}\n{}",
                     answers::text(&scene, &asked, &certify(&scene, &asked, answers::DIGITS), answers::DIGITS, lang),
-                    drafting::text(&w, &asked)
+                    drafting::text(&w, &asked, &steps(&scene, &asked, asked.drafting.as_ref().map(|d| d.pencil_mm)))
                 );
                 check_text(&folder.join(format!("drafting.{suffix}.txt")), &text, &mut failures);
             }
@@ -148,4 +192,59 @@ fn templates_look_as_accepted() {
         }
     }
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// One picture of every kind of figure: an inset, styles, single figures, steps, vectors, positions and a path.
+#[test]
+fn kinds_of_figures_look_as_accepted() {
+    let mut failures = Vec::new();
+    let style = |name: &str| Style::named(name).unwrap();
+    for (name, kind, style) in [
+        ("class-iii-six-bar", "inset", style("print")),
+        ("shaper", "slides", style("slides")),
+        ("jansen-leg", "dark", style("dark")),
+        ("offset-slider-crank", "overlay", style("slides")),
+        ("slotted-lever", "step", style("print")),
+        ("crank-rocker", "equations", style("print")),
+    ] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let options = Options { style, ..Options::of_language(Lang::En) };
+        let figure = match kind {
+            "inset" => single(&scene, &worked, &options, Single::Polygon(Level::Acceleration)).unwrap(),
+            "equations" => single(&scene, &worked, &options, Single::Equations).unwrap(),
+            "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
+            "overlay" => {
+                let sweep = Follower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(72);
+                let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
+                let places = sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect();
+                let overlay = Overlay {
+                    vectors: Some(Level::Velocity),
+                    poses: sweep.poses.iter().step_by(12).map(|p| p.configuration.clone()).collect(),
+                    paths: vec![Track { point, places, closed: sweep.full }],
+                };
+                diagram(&scene, &worked, &options, &overlay)
+            }
+            _ => sheet(&scene, &worked, &options).unwrap(),
+        };
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name).join(format!("{kind}.png"));
+        let drawn = svg::write(&figure).unwrap().value;
+        check_png(&path, &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// The gallery shows every template there is.
+#[test]
+fn the_gallery_is_current() {
+    let mut failures = Vec::new();
+    let mut page = String::from(
+        "# Gallery\n\nEvery template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --test golden` makes the pictures and this page anew; the same test\n\
+         without it checks that they are current. Any of them: `hodograph new NAME > scene.json && hodograph draw scene.json -o out/`.\n",
+    );
+    for t in templates::list() {
+        page += &format!("\n## {}\n`{}` · {}\n\n![{}](../golden/{}/sheet.en.png)\n", t.title.en, t.name, t.title.zh, t.title.en, t.name);
+    }
+    check_text(&Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/gallery.md"), &page, &mut failures);
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -18,7 +18,7 @@ use crate::position::Configuration;
 use crate::scene::{Asked, Scene};
 
 /// The drawings: diagram, velocity polygon, acceleration polygon.
-pub(super) const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
+pub const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
 
 /// A finished construction with all that is needed to draw it again.
 #[derive(Clone, Debug)]

@@ -27,6 +27,8 @@ pub enum What {
     Angle,
     /// How far a pencil error moves a crossing (mm).
     Moved,
+    /// The same through μ, in SI.
+    Off,
     /// The arm by which a measured rate is divided (m).
     Arm,
     /// A turning rate (rad/s, rad/s²).
@@ -39,12 +41,13 @@ impl What {
         match self {
             What::Length(_) | What::Arm | What::Rate => READING_DIGITS,
             What::Angle => 3,
-            What::Moved => 2,
+            What::Moved | What::Off => 2,
         }
     }
 }
 
-/// One number of a construction: the level of its polygon, the action (its index there) or the vertex, and which.
+/// One number of a construction: the level of its polygon, the action (its index there; on the diagram, which counts no
+/// actions, the crossing) or the vertex, and which.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Step(Level, usize, What),
@@ -81,6 +84,16 @@ impl Steps {
     /// A number of an action of a level's polygon; `None` where not even its first digit is certain.
     pub fn text(&self, level: Level, action: usize, what: What) -> Option<String> {
         Some(self.number(level, action, what)?.text(what.digits())?.0)
+    }
+
+    /// What is told of each crossing of a drawing, in the order of [`Construction::crossings`].
+    pub fn crossings<'a>(&'a self, paper: &Construction, level: Level) -> Vec<impl Fn(What) -> Option<String> + 'a> {
+        let crossed = |(i, a): (usize, &Action)| matches!(a, Action::Cross { .. }).then_some(i);
+        let at: Vec<usize> = match paper.polygon(level) {
+            Some(p) => p.actions.iter().enumerate().filter_map(crossed).collect(),
+            None => (0..paper.crossings(level).len()).collect(),
+        };
+        at.into_iter().map(move |i| move |what| self.text(level, i, what)).collect()
     }
 
     /// The number itself.
@@ -154,6 +167,10 @@ impl Climb for Redrawn<'_> {
 /// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
 fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
+    for (i, c) in paper.diagram.crossed.iter().enumerate() {
+        let told = crossing(c.sine, paper.diagram.mu_l, pencil_mm);
+        out.extend(told.into_iter().map(|(what, n)| (Key::Step(Level::Position, i, what), n)));
+    }
     for level in [Level::Velocity, Level::Acceleration] {
         let Some(p) = paper.polygon(level) else { continue };
         let rates = paper.rates.iter().filter(|r| r.level == level);
@@ -174,10 +191,7 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
                     for (k, e) in edges.iter().enumerate() {
                         tell(What::Length(k), length(span(&p.edges[*e])));
                     }
-                    tell(What::Angle, some(angle_deg(*sine)));
-                    if let Some(e) = pencil_mm {
-                        tell(What::Moved, some(scale::number::<N>(e) / absolute(*sine)));
-                    }
+                    crossing(*sine, p.mu, pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
                 }
                 Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),
                 Action::Rate(r) => {
@@ -200,6 +214,16 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
         }
     }
     out
+}
+
+/// What is told of a crossing of this sine, on a drawing to this scale.
+fn crossing<N: Certain>(sine: N, mu: f64, pencil_mm: Option<f64>) -> Vec<(What, Option<Number>)> {
+    let mut told = vec![(What::Angle, some(angle_deg(sine)))];
+    if let Some(e) = pencil_mm {
+        let moved = scale::number::<N>(e) / absolute(sine);
+        told.extend([(What::Moved, some(moved)), (What::Off, some(moved * scale::number(mu)))]);
+    }
+    told
 }
 
 fn span<N: Real>(e: &Edge<N>) -> Vec2<N> {

@@ -206,6 +206,11 @@ fn asked<N: Real>(scene: &Scene, worked: &Worked, at: &Configuration<N>, source:
     worked.results.iter().map(|r| evaluate(scene, at, source, &scene.find[r.find].what)).collect()
 }
 
+/// What is read question by question, for those that have an answer in the pose.
+fn of_results(worked: &Worked, read: Answers<f64>) -> Answers<f64> {
+    worked.results.iter().map(|r| read[r.find]).collect()
+}
+
 /// Runs a way for `patience` and takes the median of the times of its runs.
 fn timed<T>(patience: Duration, mut run: impl FnMut() -> T) -> (T, f64) {
     let begin = Instant::now();
@@ -232,21 +237,23 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
             let drawn = worked.drawn(scene);
             let errors = simulate(&drawn, mm, DRAWINGS, 1);
             let of = |pick: fn(&super::Errors) -> f64| {
-                by_level(scene, worked, |i| errors[i].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY))
+                by_level(scene, worked, |i| {
+                    errors[worked.results[i].find].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY)
+                })
             };
             within_95 = of(|e| e.within_95);
             (of(|e| e.median), None)
         }
         Way::DrawingSingle => {
             let drawn = worked.drawn(scene);
-            in_double(&|| drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok())
+            in_double(&|| Some(of_results(worked, drawn.read_with(&Layout::of(&worked.construction), &mut Single).ok()?)))
         }
         Way::Drawing => in_double(&|| {
             let at = position::recompute::<f64>(scene, &worked.mechanism, &worked.demand, &worked.configuration).ok()?;
             let boxes = Boxes::of(&scene.paper, &worked.plan);
             let paper = construct::construct(scene, &worked.mechanism, &at, &worked.plan, &boxes).ok()?;
             let read = construct::read(scene, &worked.mechanism, &at, &worked.plan, &paper);
-            Some(read.into_iter().map(|a| a.map(|a| a.value)).collect())
+            Some(of_results(worked, read.into_iter().map(|a| a.map(|a| a.value)).collect()))
         }),
         Way::ClosedSingle => {
             let (answers, seconds) = timed(patience, || closed::<f32>(scene, worked).ok());

@@ -11,7 +11,7 @@ use crate::mechanism::{Demand, Mechanism};
 use crate::motion;
 use crate::number::decimal::Certain;
 use crate::position::{self, Configuration};
-use crate::scene::Scene;
+use crate::scene::{Find, Scene};
 
 /// A pose that is not singular as written.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,10 +22,10 @@ pub struct Regular {
     pub rung: Rung,
 }
 
-/// The answers of a pose that `f64` takes for singular, if on some rung every group surely has one motion; `None` where the
+/// The answers to some questions, whose demand is given, in a pose that `f64` takes for singular, if on some rung every group surely has one motion; `None` where the
 /// pose is singular as written, or does not close.
-pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration) -> Option<Regular> {
-    let written = Written { scene, m, demand, at };
+pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
+    let written = Written { scene, m, demand, at, questions };
     Rung::LADDER.into_iter().find_map(|rung| Some(Regular { values: rung.climb(&written)?, rung }))
 }
 
@@ -34,6 +34,7 @@ struct Written<'a> {
     m: &'a Mechanism,
     demand: &'a Demand,
     at: &'a Configuration,
+    questions: &'a [Find],
 }
 
 impl Climb for Written<'_> {
@@ -46,7 +47,7 @@ impl Climb for Written<'_> {
             Value::Scalar(s) => Value::Scalar(s.approx()),
             Value::Vector(v) => Value::Vector(Vec2::approx(v)),
         };
-        let answer = |find: &crate::scene::Find| evaluate(self.scene, &at, &motion, &find.what).map(value);
-        motion.singular.is_empty().then(|| self.scene.find.iter().map(answer).collect())
+        let answer = |find: &Find| evaluate(self.scene, &at, &motion, &find.what).map(value);
+        motion.singular.is_empty().then(|| self.questions.iter().map(answer).collect())
     }
 }

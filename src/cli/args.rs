@@ -32,6 +32,12 @@ pub enum Command {
     Worksheet(Worksheet),
     /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
     Accuracy(Accuracy),
+    /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON)
+    Sweep(Sweep),
+    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table
+    Batch(Batch),
+    /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
+    Limits(Limits),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -76,6 +82,18 @@ pub struct Draw {
     /// Which figures, each with files of its own: the whole sheet, or parts of it
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
     pub figure: Vec<Picture>,
+    /// With the mechanism: vectors of this kind at its points
+    #[arg(long, value_enum, conflicts_with = "steps")]
+    pub vectors: Option<Vectors>,
+    /// With the mechanism: so many other positions of its first driver behind it
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
+    pub poses: u16,
+    /// With the mechanism: the paths of these points through the travel of the first driver
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
+    pub path: Vec<String>,
+    /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
+    #[arg(long, value_enum, default_value_t = Text::Outlines)]
+    pub text: Text,
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
@@ -178,6 +196,30 @@ pub struct Accuracy {
     pub patience: u64,
 }
 
+#[derive(ClapArgs, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub common: Common,
+    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`) or a parameter of the scene
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Where it begins, with a unit (default: 0, or as far as the driver goes)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where it ends (default: a full turn, or as far as the driver goes)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Equal steps from one to the other; both ends are rows
+    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
+    pub steps: usize,
+    /// Other questions than the scene's, such as v_E,a_E,omega_3
+    #[arg(long, value_name = "LIST")]
+    pub find: Option<String>,
+    /// Write to this file, ending in .csv or .json, instead of standard output (CSV)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+}
+
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     Svg,
@@ -199,6 +241,24 @@ impl Format {
             Format::Pdf => "pdf",
         }
     }
+}
+
+/// How the letters of an SVG are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Text {
+    /// Outlines
+    Outlines,
+    /// Text, for drawing programs
+    Editable,
+}
+
+/// Vectors at the points of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Vectors {
+    /// Velocities
+    Velocity,
+    /// Accelerations
+    Acceleration,
 }
 
 /// A figure that `draw` makes.
@@ -247,6 +307,59 @@ fn length(s: &str) -> Result<String, String> {
         None => Ok(String::new()),
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
         Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
+    }
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Limits {
+    #[command(flatten)]
+    pub common: Common,
+    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Batch {
+    #[command(flatten)]
+    pub common: Common,
+    /// A parameter and its values: NAME=FROM..TO:N; bare numbers keep the unit
+    #[arg(long, value_name = "NAME=FROM..TO:N", required = true)]
+    pub vary: Vec<String>,
+    /// So many mechanisms at random instead of every combination
+    #[arg(long, value_name = "N")]
+    pub random: Option<u64>,
+    /// Another seed gives other random mechanisms
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u64,
+    /// Which driver is swept for each mechanism, by its name
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Where the driver's positions begin (default: 0)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub from: Option<String>,
+    /// Where they end (default: a full turn)
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    pub to: Option<String>,
+    /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
+    #[arg(long, value_parser = steps)]
+    pub steps: Option<usize>,
+    /// Other questions than the scene's, such as v_E,a_E
+    #[arg(long, value_name = "LIST")]
+    pub find: Option<String>,
+    /// Write to this file, ending in .csv
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
+}
+
+/// As many steps as a table in memory may have: a hundred columns of ten million rows are eight gigabytes.
+fn steps(s: &str) -> Result<usize, String> {
+    match s.parse::<usize>() {
+        Ok(n) if n <= 10_000_000 => Ok(n),
+        _ => Err("not a whole number from 0 to 10000000".into()),
     }
 }
 

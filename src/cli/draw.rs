@@ -1,17 +1,23 @@
 //! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
 
-use super::args::{self, Format, Picture};
+use super::args::{self, Format, Picture, Text, Vectors};
 use super::{Failure, Input, Run, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::item::Figure;
-use crate::figure::sheet::{Options, Single, sheet, single};
+use crate::figure::mechanism::{Overlay, Track};
+use crate::figure::sheet::{Options, Single, diagram, sheet, single};
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
+use crate::json::fields::suggest;
+use crate::lesson::sweep::Follower;
 use crate::mechanism::Level;
 use crate::render::{pdf, png, svg};
-use crate::scene::Scene;
+use crate::scene::{PointId, Scene};
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
+
+/// Positions along a path: a chord of a full turn's circle is then off it by less than a thousandth of its radius.
+const PATH_STEPS: usize = 180;
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
@@ -28,7 +34,8 @@ pub fn run(a: args::Draw) -> Run {
     let figures = if a.steps {
         steps::figures(&input.scene, &worked, &options).into_iter().enumerate().map(|(k, f)| (format!("step-{:02}", k + 1), f)).collect()
     } else {
-        pictures(&input.scene, &worked, &options, &a.figure).map_err(failed)?
+        let overlay = overlay(&input.scene, &worked, &a).map_err(failed)?;
+        pictures(&input.scene, &worked, &options, &a.figure, overlay.as_ref()).map_err(failed)?
     };
     if files::ending(&a.output) == Some(Format::Pdf.ending()) {
         // A document holds them all, a page each.
@@ -70,7 +77,15 @@ fn read_style(name: &str) -> Result<Style, Failure> {
 }
 
 /// The figures asked for, each with the word that its file is named after.
-fn pictures(scene: &Scene, worked: &Worked, options: &Options, which: &[Picture]) -> Result<Vec<(String, Figure)>, Faults> {
+fn pictures(
+    scene: &Scene,
+    worked: &Worked,
+    options: &Options,
+    which: &[Picture],
+    overlay: Option<&Overlay>,
+) -> Result<Vec<(String, Figure)>, Faults> {
+    // What goes with the mechanism asks for it.
+    let which = if overlay.is_some() && !which.contains(&Picture::Mechanism) { &[Picture::Mechanism] } else { which };
     let mut out = Vec::new();
     let mut missing = Faults::default();
     for (k, p) in which.iter().enumerate() {
@@ -79,6 +94,7 @@ fn pictures(scene: &Scene, worked: &Worked, options: &Options, which: &[Picture]
         }
         let (word, figure) = match p {
             Picture::Sheet => ("", Some(sheet(scene, worked, options)?)),
+            Picture::Mechanism if overlay.is_some() => ("mechanism", overlay.map(|o| diagram(scene, worked, options, o))),
             Picture::Mechanism => ("mechanism", single(scene, worked, options, Single::Mechanism)),
             Picture::Velocity => ("velocity", single(scene, worked, options, Single::Polygon(Level::Velocity))),
             Picture::Acceleration => ("acceleration", single(scene, worked, options, Single::Polygon(Level::Acceleration))),
@@ -94,6 +110,57 @@ fn pictures(scene: &Scene, worked: &Worked, options: &Options, which: &[Picture]
         }
     }
     if missing.has_errors() { Err(missing) } else { Ok(out) }
+}
+
+/// What is drawn with the mechanism, if anything.
+fn overlay(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Option<Overlay>, Faults> {
+    let vectors = a.vectors.map(|v| match v {
+        Vectors::Velocity => Level::Velocity,
+        Vectors::Acceleration => Level::Acceleration,
+    });
+    if vectors.is_none() && a.poses == 0 && a.path.is_empty() {
+        return Ok(None);
+    }
+    let mut faults = Faults::default();
+    if let Some(level) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
+        let kind = if level == Level::Acceleration { "accelerations" } else { "velocities" };
+        faults.push(Diagnostic::error("no-figure", format!("the scene's questions call for no {kind}")).help("ask for one in \"find\""));
+    }
+    let mut points = Vec::new();
+    for name in &a.path {
+        match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == name) {
+            Some(p) => points.push(p),
+            None => {
+                let names: Vec<&str> = (0..scene.points.len()).map(|p| scene.point_name(PointId(p))).collect();
+                faults.push(Diagnostic::error("unknown-point", format!("the scene has no point `{name}`")).help(suggest(
+                    name,
+                    names.into_iter(),
+                    "the points are",
+                )));
+            }
+        }
+    }
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    let mut overlay = Overlay { vectors, ..Overlay::default() };
+    if a.poses > 0 || !points.is_empty() {
+        let sweep = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(PATH_STEPS);
+        let at = |k: usize| sweep.poses[k].configuration.clone();
+        let n = usize::from(a.poses);
+        // Evenly through the travel; the ends of a bounded one are positions too.
+        let last = if sweep.full { sweep.poses.len() } else { sweep.poses.len() - 1 };
+        overlay.poses = (0..n).map(|k| at(k * last / if sweep.full { n } else { (n - 1).max(1) })).collect();
+        overlay.paths = points
+            .iter()
+            .map(|&point| Track {
+                point,
+                places: sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect(),
+                closed: sweep.full,
+            })
+            .collect();
+    }
+    Ok(Some(overlay))
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
@@ -122,10 +189,12 @@ enum Unwritten {
 
 fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw) -> Result<(), Unwritten> {
     let svg = svg::write(figure).map_err(Unwritten::Faults)?.value;
+    let editable = (a.text == Text::Editable).then(|| svg::write_editable(figure)).transpose().map_err(Unwritten::Faults)?;
+    let shown = editable.as_ref().map_or(&svg, |w| &w.value);
     for (format, path) in targets {
         let picture;
         let bytes = match format {
-            Format::Svg => svg.as_bytes(),
+            Format::Svg => shown.as_bytes(),
             Format::Png => {
                 picture = png::render(&svg, a.dpi).map_err(|d| Unwritten::Faults(d.into()))?;
                 &picture

@@ -1,5 +1,6 @@
 //! Carries a plan out on paper.
 
+use super::choices::SPECIAL_LEGS;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
 use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateReading};
@@ -63,59 +64,10 @@ pub(super) struct Board<'a, N, P> {
 /// A line on paper: a point of it, and its direction.
 type Line<N> = (Point<N>, Vec2<N>);
 
-/// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
-const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
-
 /// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
 /// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
 /// such units keep exact dead centres (sine 0 or a few units) on this side and poses 1e-9 rad away on the other.
 const PARALLEL_UNITS: f64 = 8.0;
-
-/// What is chosen before anything is drawn: in `f64`, whatever the numbers of the drawing.
-impl<P: Pencil> Board<'_, f64, P> {
-    /// The pair of constraint lines that cross most squarely and closest to the link.
-    fn best_alternative(&self, group: usize) -> Result<usize, Faults> {
-        let Core::Link { legs, link } = &self.m.groups[group].core else { return Ok(0) };
-        let nears: Vec<Point> = legs.iter().filter_map(|l| self.constraint_line(l)).map(|(p, _)| p).collect();
-        let centre = nears.iter().fold(Vec2::ZERO, |s, p| s + p.to_vec2()) * (1.0 / nears.len().max(1) as f64);
-        let size = nears.iter().map(|p| (p.to_vec2() - centre).norm()).fold(0.0, f64::max);
-        let score = |pair: (usize, usize)| -> f64 {
-            match self.constraint_lines(group, pair).map(|((p, u), (q, w))| cross_lines(p, u, q, w)) {
-                Some(c) if c.at.is_finite() => c.sine.abs() / (1.0 + (c.at.to_vec2() - centre).norm() / size),
-                _ => 0.0,
-            }
-        };
-        let scores = SPECIAL_LEGS.map(score);
-        let best = (0..3).fold(0, |b, i| if scores[i] > scores[b] { i } else { b });
-        if scores[best] > 0.0 {
-            return Ok(best);
-        }
-        Err(Diagnostic::error(
-            "dead-centre",
-            format!("the three legs of link {} are parallel: it is at a dead centre", self.scene.link_name(*link)),
-        )
-        .at(self.scene.links[link.0].span)
-        .into())
-    }
-
-    /// A scale for the trial drawing: of the order of the vectors, so that no square overflows.
-    fn trial_scale(&self, level: Level) -> f64 {
-        let rate = self.scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
-        let size = self.at.extent().max(f64::MIN_POSITIVE);
-        let v = self.scene.drivers.iter().fold(0.0f64, |v, d| {
-            v.max(match d.kind {
-                DriverKind::Turn { .. } => d.rate.value.abs() * size,
-                _ => d.rate.value.abs(),
-            })
-        });
-        let s = match level {
-            Level::Acceleration => v * (v / size).max(rate),
-            _ => v,
-        };
-        let s = s / 100.0;
-        if s.is_normal() { s } else { 1.0 }
-    }
-}
 
 impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     pub(super) fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration<N>, plan: &'a Plan, mu_l: f64, pencil: &'a mut P) -> Self {
@@ -204,7 +156,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     /// The line (on paper) on which a leg gives a locus for every point of the core.
-    fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
+    pub(super) fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
         let point = |p: crate::scene::PointId| self.joint(p);
         match *leg {
             Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
@@ -225,7 +177,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {
+    pub(super) fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {
         let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
         Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
     }

@@ -6,6 +6,7 @@
 //! ([`by_hand`]), which shows what the drawing is worth.
 
 mod board;
+mod choices;
 mod hand;
 pub mod pencil;
 mod readings;

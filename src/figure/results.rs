@@ -100,7 +100,9 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
-        let measured = measured(r, c, find, words);
+        // Where nothing moves there is no polygon to measure.
+        let nothing = worked.construction.is_empty(level_of(&find.what));
+        let measured = if nothing { None } else { measured(r, c, find, words) };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],

@@ -16,6 +16,7 @@ use super::arrange::{Pieces, arrange, column};
 use super::drawing::Part;
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::label::Label;
+use super::mechanism::Overlay;
 use super::results::Answers;
 use super::style::Style;
 use super::tables::Tables;
@@ -83,15 +84,24 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
 pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) -> Option<Figure> {
     let certified = certify(scene, worked, options.digits);
     let maker = Maker { scene, worked, options, certified };
-    let mut part = match which {
+    let part = match which {
         Single::Mechanism => maker.captioned(maker.mechanism(), "", which),
         Single::Polygon(level) => maker.captioned(maker.polygon(worked.construction.polygon(level)?), "", which),
         Single::Equations => column(maker.equations())?,
         Single::Results => results::results(&options.style, &maker.answers()),
     };
-    let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
-    part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
-    Some(maker.figure(part.items, size))
+    Some(maker.alone(part))
+}
+
+/// The mechanism with vectors at its points, other positions behind it, or paths of points.
+pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
+    let (words, mut mu) = maker.caption(Single::Mechanism);
+    if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(worked)) {
+        mu = format!("{mu},\\quad {}", of_level(level, of_vectors));
+    }
+    maker.alone(maker.titled(part, "", words, &mu))
 }
 
 /// Makes the parts of a sheet.
@@ -160,16 +170,25 @@ impl Maker<'_> {
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
         match which {
             Single::Mechanism => (self.words().diagram, format!("\\mu_l = {} m/mm", scale(paper.diagram.mu_l))),
-            Single::Polygon(Level::Acceleration) => {
-                (self.words().acceleration_polygon, format!("\\mu_a = {} (m/s^2)/mm", scale(mu(Level::Acceleration))))
-            }
             Single::Equations | Single::Results => ("", String::new()),
-            Single::Polygon(_) => (self.words().velocity_polygon, format!("\\mu_v = {} (m/s)/mm", scale(mu(Level::Velocity)))),
+            Single::Polygon(level) => (self.words().polygon(level), of_level(level, mu(level))),
         }
     }
 
-    pub fn captioned(&self, mut part: Part, letter: &str, which: Single) -> Part {
+    /// A part alone on its paper.
+    fn alone(&self, mut part: Part) -> Figure {
+        let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
+        part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
+        self.figure(part.items, size)
+    }
+
+    pub fn captioned(&self, part: Part, letter: &str, which: Single) -> Part {
         let (words, mu) = self.caption(which);
+        self.titled(part, letter, words, &mu)
+    }
+
+    /// A part with its name and its scales below.
+    fn titled(&self, mut part: Part, letter: &str, words: &str, mu: &str) -> Part {
         let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
         let name = mu.chars().skip(1).take_while(|c| *c != ' ').collect::<String>();
@@ -178,7 +197,7 @@ impl Maker<'_> {
             Item::new(what, shape).with_id(format!("{what}-{name}"))
         };
         part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), self.options.style.caption_mm, "caption"));
-        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu.as_str()), self.options.style.small_mm, "scale"));
+        part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), self.options.style.small_mm, "scale"));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }
     }
@@ -215,6 +234,14 @@ impl Maker<'_> {
         };
         self.options.style.palette.paint(&mut figure);
         figure
+    }
+}
+
+/// The scale of a level: `\mu_v = 0.01 (m/s)/mm`.
+pub fn of_level(level: Level, mu: f64) -> String {
+    match level {
+        Level::Acceleration => format!("\\mu_a = {} (m/s^2)/mm", scale(mu)),
+        _ => format!("\\mu_v = {} (m/s)/mm", scale(mu)),
     }
 }
 

@@ -4,16 +4,37 @@ use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, Piece};
 
 use super::mathml;
 
+/// Formulas without changing numbers, each once: they come again and again.
+#[derive(Default)]
+pub struct Formulas {
+    /// As MathML.
+    pub list: Vec<String>,
+    known: HashMap<String, usize>,
+}
+
+impl Formulas {
+    fn index(&mut self, markup: String) -> usize {
+        let next = self.list.len();
+        let index = *self.known.entry(markup.clone()).or_insert(next);
+        if index == next {
+            self.list.push(markup);
+        }
+        index
+    }
+}
+
+/// Before and after the index of a formula.
+const FORMULA: [char; 2] = ['\u{E001}', '\u{E002}'];
 /// Stands for a changing number in what the page is told (a private character).
 const HOLE: char = '\u{E000}';
 
 /// One sentence over the frames, in label language with formulas between dollar signs; `None` where nothing is said. For the
 /// page: forms with holes, which form each frame has, and the numbers in its holes.
-pub fn told(frames: &[Option<String>]) -> Value {
+pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
     let mut forms: Vec<(Vec<String>, Vec<Vec<&str>>)> = Vec::new();
     let mut index: HashMap<Vec<&str>, usize> = HashMap::new();
     let mut which: Vec<Option<(usize, usize)>> = Vec::new();
@@ -33,7 +54,7 @@ pub fn told(frames: &[Option<String>]) -> Value {
     // Numbers that never change belong to the form.
     let open: Vec<Vec<bool>> =
         forms.iter().map(|(_, uses)| (0..uses[0].len()).map(|n| uses.iter().any(|u| u[n] != uses[0][n])).collect()).collect();
-    let markup: Vec<String> = forms.iter().zip(&open).map(|((words, uses), open)| form(words, &uses[0], open)).collect();
+    let markup: Vec<String> = forms.iter().zip(&open).map(|((words, uses), open)| form(words, &uses[0], open, formulas)).collect();
     let mut sequence: Vec<i64> = Vec::new();
     let mut numbers: Vec<String> = Vec::new();
     for w in &which {
@@ -64,7 +85,7 @@ fn runs(list: &[i64]) -> Vec<i64> {
 }
 
 /// The form as HTML, with holes for the changing numbers.
-fn form(words: &[String], numbers: &[&str], open: &[bool]) -> String {
+fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formulas) -> String {
     // A number that no sentence has keeps the hole's place through the formulas' grammar.
     let keeper = |n: usize| format!("{}", 90_000_001 + n);
     let mut text = words[0].clone();
@@ -72,9 +93,21 @@ fn form(words: &[String], numbers: &[&str], open: &[bool]) -> String {
         text.push_str(&if open[n] { keeper(n) } else { numbers[n].to_owned() });
         text.push_str(word);
     }
-    let mut html = mathml::sentence(&Phrase::new(&text));
-    for n in (0..open.len()).filter(|n| open[*n]) {
-        html = html.replace(&keeper(n), &HOLE.to_string());
+    let mut html = String::new();
+    for piece in Phrase::new(&text).pieces() {
+        let mut markup = match piece {
+            Piece::Words(words) => mathml::escaped(words),
+            Piece::Formula(source) => mathml::formula(source),
+        };
+        for n in (0..open.len()).filter(|n| open[*n]) {
+            markup = markup.replace(&keeper(n), &HOLE.to_string());
+        }
+        match piece {
+            Piece::Formula(_) if !markup.contains(HOLE) => {
+                html.push_str(&format!("{}{}{}", FORMULA[0], formulas.index(markup), FORMULA[1]));
+            }
+            _ => html.push_str(&markup),
+        }
     }
     html
 }
@@ -108,15 +141,16 @@ mod tests {
     #[test]
     fn only_what_changes_is_a_hole() {
         let said = |mm: &str| Some(format!("From $b_2$ lay off {mm} mm, $v = {mm} m/s$."));
-        let told = told(&[said("36.2"), said("7"), None, said("7.25")]);
+        let mut formulas = Formulas::default();
+        let told = told(&[said("36.2"), said("7"), None, said("7.25")], &mut formulas);
         assert_eq!(told[0][0].as_str().unwrap().matches(HOLE).count(), 2, "{told}");
-        assert!(told[0][0].as_str().unwrap().contains("<mn>2</mn>"));
+        assert!(formulas.list.len() == 1 && formulas.list[0].contains("<mn>2</mn>"), "b₂ is a formula that stays: {:?}", formulas.list);
         assert_eq!((&told[1], &told[2]), (&json!([0, 2, -1, 1, 0, 1]), &json!("36.2 36.2 7 7 7.25 7.25")));
     }
 
     #[test]
     fn other_words_are_another_form() {
-        let told = told(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())]);
+        let told = told(&[Some("3 up".into()), Some("4 down".into()), Some("5 up".into())], &mut Formulas::default());
         assert_eq!(told, json!([[format!("{HOLE} up"), "4 down"], [0, 1, 1, 1, 0, 1], "3 5"]));
     }
 }

@@ -4,7 +4,7 @@
 //! poses the page needs to show those between them true to a hundredth of a millimetre.
 
 use crate::construct::scale::{self, Boxes};
-use crate::diag::Faults;
+use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
@@ -24,6 +24,8 @@ pub struct Frame {
     pub worked: Worked,
     /// Whether the polygon of velocities, and that of accelerations, is on the paper.
     pub shown: [bool; 2],
+    /// Whether the driver can go no farther here: nothing is said of the motion.
+    pub end: bool,
 }
 
 /// All frames of a lesson.
@@ -41,18 +43,20 @@ pub struct Frames {
 /// The two levels that have polygons.
 pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
 
-/// A polygon next to a limit leaves the paper when it is so many times as large as three quarters of all.
-const OFF_PAPER: f64 = 4.0;
+/// A polygon next to a limit leaves the paper when it is so many times as large as half of all, unless it is the scene's own.
+const OFF_PAPER: f64 = 2.5;
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
 const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
-const ADDED: f64 = 0.5;
+const ADDED: f64 = 0.4;
 /// How much larger than on a sheet a polygon may be: it has to be read in the poses too in which it is small.
 const LARGER: f64 = 1.5;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
 const ROUNDS: usize = 4;
-/// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it.
-const ASIDE: f64 = 0.05;
+/// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it: a change point from where its
+/// polygons can be read, a limit from as near as anything can be drawn.
+const ASIDE: [f64; 1] = [0.05];
+const BEFORE: [f64; 4] = [1e-9, 1e-7, 1e-5, 1e-3];
 
 /// A pose under way: with the scales of its own pose.
 struct Trial {
@@ -78,14 +82,13 @@ impl Maker<'_> {
     /// Works all poses of a sweep, and more between them.
     ///
     /// # Errors
-    /// Those of the scene's own pose.
+    /// `no-motion` where no pose can be drawn.
     pub fn frames(&self, sweep: &Sweep) -> Result<Frames, Faults> {
         let mut trials: Vec<Trial> = Vec::with_capacity(2 * sweep.poses.len());
         for (k, pose) in sweep.poses.iter().enumerate() {
             match self.trial(pose) {
                 Some(trial) => trials.push(trial),
-                None if pose.travel == 0.0 => drop(self.work(self.scene, &pose.configuration)?),
-                None => trials.extend(self.beside(sweep, k)),
+                None => trials.extend(self.beside(sweep, k, if sweep.is_limit(k) { &BEFORE } else { &ASIDE })),
             }
         }
         if sweep.full
@@ -114,14 +117,12 @@ impl Maker<'_> {
     }
 
     /// The poses beside a singular one.
-    fn beside(&self, sweep: &Sweep, k: usize) -> Vec<Trial> {
+    fn beside(&self, sweep: &Sweep, k: usize, parts: &[f64]) -> Vec<Trial> {
         let here = &sweep.poses[k];
         let neighbours = [k.checked_sub(1), Some(k + 1)].map(|n| n.and_then(|n| sweep.poses.get(n)));
-        let aside = neighbours.into_iter().flatten().filter_map(|n| {
-            let travel = here.travel + (n.travel - here.travel) * ASIDE;
-            self.trial(&Pose { travel, configuration: self.follower.at(&here.configuration, travel)? })
-        });
-        aside.collect()
+        let at = |travel: f64| self.trial(&Pose { travel, configuration: self.follower.at(&here.configuration, travel)? });
+        let aside = |n: &Pose| parts.iter().find_map(|part| at(here.travel + (n.travel - here.travel) * part));
+        neighbours.into_iter().flatten().filter_map(aside).collect()
     }
 
     /// Adds frames where the page could not tell what lies between.
@@ -190,17 +191,14 @@ impl Maker<'_> {
         let boxes = self.boxes(trials);
         let places = trials.iter().flat_map(|t| t.worked.configuration.points.iter().flatten().copied());
         let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
-        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2] };
+        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
         for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
-            let size = |t: &Trial| {
-                let [w, h] = t.worked.construction.polygon(level)?.extent();
-                Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
-            };
+            let size = |t: &Trial| size(&t.worked, level, &boxes);
             let mut sizes: Vec<f64> = trials.iter().filter_map(size).collect();
             sizes.sort_by(f64::total_cmp);
             let Some(largest) = sizes.last().copied() else { continue };
-            let usual = sizes[sizes.len() * 3 / 4];
-            let most = if full { largest } else { largest.min(OFF_PAPER * usual) };
+            let own = trials.iter().find(|t| t.travel == 0.0).and_then(size).unwrap_or(0.0);
+            let most = if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) };
             let fitting = trials.iter().filter(|t| size(t).is_some_and(|s| s <= most));
             let ends = fitting.filter_map(|t| t.worked.construction.polygon(level)).flat_map(|p| {
                 let mu = p.mu;
@@ -220,28 +218,24 @@ impl Maker<'_> {
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let scales = self.scales(&trials, sweep.full);
         let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
-        let boxes = self.boxes(&trials);
         for trial in trials {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
             scene.paper.mu_l = Some(scales.mu_l);
             scene.paper.mu_v = scales.mu[0];
             scene.paper.mu_a = scales.mu[1];
-            let shown = [0, 1].map(|i| {
-                trial.worked.construction.polygon(LEVELS[i]).is_some_and(|p| {
-                    let [w, h] = p.extent();
-                    (w / boxes.polygon[0]).max(h / boxes.polygon[1]) <= scales.most[i]
-                })
-            });
-            let worked = match self.work(&scene, &trial.worked.configuration) {
-                Ok(worked) => worked,
-                Err(faults) if trial.travel == 0.0 => return Err(faults),
-                Err(_) => continue,
-            };
+            let shown = [0, 1].map(|i| size(&trial.worked, LEVELS[i], &scales.boxes).is_some_and(|s| s <= scales.most[i]));
+            let Ok(worked) = self.work(&scene, &trial.worked.configuration) else { continue };
             frames.cut |= LEVELS.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
-            if trial.travel == 0.0 {
-                frames.base = frames.list.len();
-            }
-            frames.list.push(Frame { travel: trial.travel, scene, worked, shown });
+            let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
+            let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
+            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), end });
+        }
+        // A scene in a singular pose begins beside it.
+        let from_own = |k: &usize| frames.list[*k].travel.abs();
+        frames.base = (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
+        if frames.list.is_empty() {
+            let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose: no pose beside it can be drawn");
+            return Err(d.help("give another pose, or move another driver with --driver").into());
         }
         Ok(frames)
     }
@@ -253,6 +247,13 @@ struct Scales {
     mu: [Option<f64>; 2],
     /// The largest polygons (in boxes, SI) that the paper holds.
     most: [f64; 2],
+    boxes: Boxes,
+}
+
+/// How large a polygon is (SI per mm of its box).
+fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
+    let [w, h] = worked.construction.polygon(level)?.extent();
+    Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
 }
 
 impl Scales {
@@ -260,10 +261,13 @@ impl Scales {
     fn marks(&self, worked: &Worked) -> Vec<Option<Point>> {
         let mut marks: Vec<Option<Point>> =
             worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / self.mu_l)).to_point())).collect();
-        for (level, mu) in LEVELS.into_iter().zip(self.mu) {
+        for ((level, mu), most) in LEVELS.into_iter().zip(self.mu).zip(self.most) {
             if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
-                marks.extend(p.images.iter().map(|q| q.map(|q| (q.to_vec2() * (p.mu / mu)).to_point())));
-                marks.extend(p.edges.iter().map(|e| Some((e.to.1.to_vec2() * (p.mu / mu)).to_point())));
+                // What is not shown need not be true.
+                let on_paper = size(worked, level, &self.boxes).is_some_and(|s| s <= most);
+                let mark = |q: Point| on_paper.then(|| (q.to_vec2() * (p.mu / mu)).to_point());
+                marks.extend(p.images.iter().map(|q| q.and_then(mark)));
+                marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
             }
         }
         marks

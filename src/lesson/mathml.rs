@@ -1,22 +1,9 @@
-//! Formulas of the label language as MathML, sentences as HTML.
+//! Formulas of the label language as MathML, words for HTML.
 
 use std::fmt::Write as _;
 
 use crate::figure::font::Slant;
 use crate::figure::label::{Label, Node, Role};
-use crate::report::phrase::{Phrase, Piece};
-
-/// A sentence: its words escaped, its formulas as `<math>`.
-pub fn sentence(phrase: &Phrase) -> String {
-    let mut out = String::new();
-    for piece in phrase.pieces() {
-        match piece {
-            Piece::Words(words) => out.push_str(&escaped(words)),
-            Piece::Formula(source) => out.push_str(&formula(source)),
-        }
-    }
-    out
-}
 
 /// A formula.
 pub fn formula(source: &str) -> String {
@@ -57,9 +44,14 @@ fn atom(node: &Node, out: &mut String) {
     if !element.is_empty() {
         let _ = write!(out, "<{element}>");
     }
-    base(node, out);
     if sub {
+        // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
+        out.push_str("<mpadded depth=\"0\">");
+        base(node, out);
+        out.push_str("</mpadded>");
         script(&node.sub, out);
+    } else {
+        base(node, out);
     }
     if sup {
         out.push_str("<mrow>");
@@ -97,15 +89,18 @@ mod tests {
     fn scripts_numbers_and_units() {
         assert_eq!(
             formula("v_{B3}^r = 2.5 m/s"),
-            "<math><msubsup><mi>v</mi><mrow><mi>B</mi><mn>3</mn></mrow><mrow><mi>r</mi></mrow></msubsup><mo>=</mo><mn>2.5</mn>\
+            "<math><msubsup><mpadded depth=\"0\"><mi>v</mi></mpadded><mrow><mi>B</mi><mn>3</mn></mrow><mrow><mi>r</mi></mrow></msubsup><mo>=</mo><mn>2.5</mn>\
              <mspace width=\"0.2em\"/><mtext>m/s</mtext></math>"
                 .replace("0.2em", &format!("{}em", Label::math("2.5 m").row().iter().map(|n| n.space_em).fold(0.0, f64::max)))
         );
-        assert_eq!(formula("b'_2"), "<math><msubsup><mi>b</mi><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>");
+        assert_eq!(
+            formula("b'_2"),
+            "<math><msubsup><mpadded depth=\"0\"><mi>b</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mo>′</mo></mrow></msubsup></math>"
+        );
     }
 
     #[test]
     fn words_are_escaped() {
-        assert_eq!(sentence(&Phrase::new("a < b & $c$")), "a &lt; b &amp; <math><mi>c</mi></math>");
+        assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
     }
 }

@@ -7,6 +7,7 @@
 //! Not decided here: how anything is drawn or solved.
 
 mod bank;
+mod course;
 mod curve;
 mod frames;
 mod limit;

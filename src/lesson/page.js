@@ -44,12 +44,12 @@
   /** A column of the frames in which something is seen, spread over all frames. */
   function spread(values, seen) {
     let i = 0;
-    return seen.map((s) => (s ? values[i++] / 1000 : NaN));
+    return seen.map((s) => (s ? values[i++] / data.unit : NaN));
   }
 
   /** The frame before or after, round the turn where it is closed. */
-  const frame = (k) => (data.full ? (k + count) % count : k);
-  const time = (k) => (data.full ? times[(k + count) % count] + TURN * Math.floor(k / count) : times[k]);
+  const frame = (k) => (data.full ? ((k % count) + count) % count : k);
+  const time = (k) => (data.full ? times[frame(k)] + TURN * Math.floor(k / count) : times[k]);
   const inside = (k) => data.full || (k >= 0 && k < count);
 
   /** Where a travel lies: between which frames, and how far (0 to 1). */
@@ -104,15 +104,10 @@
     return parts;
   }
 
-  const drawings = data.drawings.map(({ key, moving, labels, shown }) => {
+  const drawings = data.drawings.map(({ key, moving, shown }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
-    for (const [index, triples] of labels) {
-      let d = "";
-      for (let i = 0; i < triples.length; i += 3) d += `m${triples[i]} ${triples[i + 1]}${data.outlines[triples[i + 2]]}`;
-      elements[index].setAttribute("d", d);
-    }
     const movers = moving.map(([index, runs, places, packed]) => {
       const element = elements[index];
       const seen = flags(runs);
@@ -169,7 +164,8 @@
   /** A sentence of a frame; see bank.rs. */
   function sayer([en, zh]) {
     const open = (told, numbers) => {
-      const [forms, sequence] = told;
+      const [written, sequence] = told;
+      const forms = written.map((f) => f.replace(/\uE001(\d+)\uE002/g, (_, n) => data.formulas[n]));
       const holes = forms.map((f) => f.split("\uE000").length - 1);
       const runs = sequence === 0 ? [0, count] : sequence;
       const list = numbers === "" ? [] : numbers.split(" ");
@@ -289,7 +285,7 @@
   const svg = document.querySelector("#mechanism svg");
   const gripAt = (() => {
     const read = reader(data.handle);
-    const [x, y] = [read(count), read(count)].map((v) => v.map((n) => n / 1000));
+    const [x, y] = [read(count), read(count)].map((v) => v.map((n) => n / data.unit));
     return (where) => [value(x, where), value(y, where)];
   })();
   const grip = document.createElementNS(svg.namespaceURI, "g");
@@ -308,6 +304,7 @@
     const [x, y] = gripAt(where);
     grip.setAttribute("transform", `translate(${Math.round(x * 1000) / 1000} ${Math.round(y * 1000) / 1000})`);
     const shown = start + travel * data.driver.factor;
+    grip.dataset.travel = travel;
     grip.setAttribute("aria-valuenow", Math.round(shown * 10) / 10);
     grip.setAttribute("aria-valuetext", `${data.driver.plain} = ${shownValue(travel)}`);
   }
@@ -319,7 +316,7 @@
       return (gx - x) ** 2 + (gy - y) ** 2;
     };
     const here = locate(travel).k;
-    const reach = data.full ? count : Math.ceil(count / 4);
+    const reach = Math.ceil(data.full ? count / 2 : count / 4);
     let best = here;
     let least = Infinity;
     for (let k = here - reach; k <= here + reach; k++) {

@@ -10,14 +10,16 @@ use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::render::svg::Elements;
 use crate::scene::{DriverKind, Lang, Scene};
 
+use super::bank::Formulas;
 use super::frames::{Frame, Frames};
 use super::mathml::{escaped, formula};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::sweep::Sweep;
-use super::track::{Outlines, Told, runs};
+use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
 use super::{Options, limit, pack};
 
@@ -31,8 +33,7 @@ const SCRIPT: &str = include_str!("page.js");
 /// Those of the SVG writer.
 pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Result<String, Faults> {
     let drawings = scenery(frames, &options.notation)?;
-    let mut outlines = Outlines::default();
-    let told: Vec<Told> = drawings.iter().map(|d| d.track.told(&mut outlines)).collect();
+    let told: Vec<Told> = drawings.iter().map(|d| d.track.told()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let mechanism = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
@@ -40,23 +41,27 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
     };
+    let mut formulas = Formulas::default();
+    let steps = steps(frames, &options.notation, &mut formulas);
+    let answers = answers(frames, options.driver, &options.notation, &mut formulas);
     let data = json!({
         "digits": pack::alphabet(),
+        "unit": UNIT,
         "lang": tag(options.lang),
         "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
         "title": LANGS.map(title),
         "statement": LANGS.map(|lang| statement(scene, lang)),
         "driver": driver(scene, options.driver),
-        "travel": frames.list.iter().map(|f| f.travel).collect::<Vec<_>>(),
+        "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
         "full": frames.full,
         "limits": limits(scene, sweep, frames),
         "cut": frames.cut,
         "handle": handle(frames, options.driver, &drawings[0]),
         "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
-        "outlines": outlines.list,
-        "steps": steps(frames, &options.notation),
-        "answers": answers(frames, options.driver, &options.notation),
+        "steps": steps,
+        "answers": answers,
+        "formulas": formulas.list,
     });
     // Inside a script element only `</` could end it.
     let data = data.to_string().replace("</", "<\\/");
@@ -64,11 +69,17 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         .replace("{{lang}}", tag(options.lang))
         .replace("{{title}}", &escaped(&title(options.lang)))
         .replace("{{style}}", STYLE)
+        .replace("{{letters}}", &Elements::letters(drawings.iter().map(|d| &d.track.elements_of)))
         .replace("{{mechanism}}", &mechanism)
         .replace("{{polygons}}", &polygons)
         .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
         .replace("{{data}}", &data)
         .replace("{{script}}", SCRIPT))
+}
+
+/// A number in ten significant digits: more than any screen shows.
+fn ten_digits(value: f64) -> f64 {
+    format!("{value:.9e}").parse().unwrap_or(value)
 }
 
 fn tag(lang: Lang) -> &'static str {
@@ -77,7 +88,7 @@ fn tag(lang: Lang) -> &'static str {
 
 /// What the page is told of a drawing.
 fn drawing(d: &Scenery, told: &Told) -> Value {
-    json!({"key": d.shows.key(), "moving": told.moving, "labels": told.labels, "shown": runs(d.shown.iter().copied())})
+    json!({"key": d.shows.key(), "moving": told.moving, "shown": runs(d.shown.iter().copied())})
 }
 
 /// A drawing with its caption; its scale is said below.
@@ -85,18 +96,20 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
     let paper = &frames.list[frames.base].worked.construction;
-    let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
-    let (caption, scale): (fn(Lang) -> &'static str, String) = match d.shows {
-        Shows::Mechanism => (|l| figure_words::words(l).diagram, format!("\\mu_l = {} m/mm", sheet::scale(paper.diagram.mu_l))),
-        Shows::Polygon(level @ Level::Acceleration) => {
-            (|l| figure_words::words(l).acceleration_polygon, format!("\\mu_a = {} (m/s^2)/mm", sheet::scale(mu(level))))
-        }
-        Shows::Polygon(level) => (|l| figure_words::words(l).velocity_polygon, format!("\\mu_v = {} (m/s)/mm", sheet::scale(mu(level)))),
+    let mu = match d.shows {
+        Shows::Mechanism => paper.diagram.mu_l,
+        Shows::Polygon(level) => paper.polygon(level).map_or(0.0, |p| p.mu),
     };
+    let (caption, symbol, unit): (fn(Lang) -> &'static str, _, _) = match d.shows {
+        Shows::Mechanism => (|l| figure_words::words(l).diagram, "l", "m/mm"),
+        Shows::Polygon(Level::Acceleration) => (|l| figure_words::words(l).acceleration_polygon, "a", "(m/s^2)/mm"),
+        Shows::Polygon(_) => (|l| figure_words::words(l).velocity_polygon, "v", "(m/s)/mm"),
+    };
+    let scale = format!("\\mu_{symbol} = {} {unit}", sheet::scale(mu));
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
     format!(
-        "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
+        "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" data-mu=\"{mu}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> {}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
@@ -145,13 +158,13 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
     said.collect()
 }
 
-/// The point by which the driver is dragged, over the frames: two packed columns of thousandths of a millimetre on the
+/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) on the
 /// mechanism's paper, y down.
 fn handle(frames: &Frames, driver: usize, paper: &Scenery) -> Value {
     let places: Vec<Point> =
         frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
     let mut packed = String::new();
-    let whole = |v: f64| (v * 1000.0).round() as i64;
+    let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
     pack::column(&places.iter().map(|p| whole(paper.size_mm[1] - p.y)).collect::<Vec<_>>(), &mut packed);
     json!(packed)

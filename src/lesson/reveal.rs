@@ -6,12 +6,13 @@ use crate::figure::item::Item;
 use crate::figure::sheet::{self, Single};
 use crate::geom::Point;
 use crate::render::number::mm;
-use crate::render::svg;
+use crate::render::svg::Elements;
 use crate::scene::Scene;
 use crate::worked::Worked;
 
 use super::frames::LEVELS;
 use super::mathml::escaped;
+use super::scenery::lead;
 
 /// Between two drawings.
 const GAP_MM: f64 = 6.0;
@@ -27,20 +28,22 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
     let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
     let mut x = 0.0;
     let mut body = String::new();
+    let mut elements = Elements::new(height);
     let mut done = 0;
     for (which, figure) in &mut figures {
         // All stand on one line, their captions at the bottom.
         crate::figure::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
         x += figure.width_mm + GAP_MM;
         let level = match which {
-            Single::Mechanism | Single::Equations | Single::Results => None,
             Single::Polygon(level) => Some(*level),
+            _ => None,
         };
-        let elements = svg::elements(&figure.items, height)?;
+        lead(&mut figure.items);
+        let list = elements.of(&figure.items)?;
         let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| step(i))).collect();
         let most = of.iter().flatten().max().map_or(0, |n| n + 1);
         // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
-        for (element, of) in elements.iter().zip(&of) {
+        for (element, of) in list.iter().zip(&of) {
             match of {
                 Some(n) => {
                     let index = done + n;
@@ -55,8 +58,9 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
     let title = scene.title.get(options.lang);
     let (w, h) = (mm(paper.width_mm()), mm(paper.height_mm()));
     let value = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:#fff\">\n{body}</svg>\n",
-        escaped(title)
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:#fff\">\n{}\n{body}</svg>\n",
+        escaped(title),
+        Elements::letters([&elements])
     );
     Ok(Warned { value, notes: Vec::new() })
 }

@@ -3,27 +3,27 @@
 //! Decided here: the paper (what holds all poses) and the order in which labels are placed, each where it stood in the frame
 //! before if it can.
 
-use std::sync::LazyLock;
+use std::collections::HashMap;
 
 use crate::diag::Faults;
 use crate::figure::drawing::{Habits, Part};
 use crate::figure::extent::Rect;
+use crate::figure::item::Item;
+use crate::figure::mechanism::{self, Course};
+use crate::figure::polygon;
 use crate::figure::style::Style;
-use crate::figure::{mechanism, polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::Lang;
 
+use super::course::courses;
 use super::frames::{Frame, Frames, LEVELS};
 use super::track::Track;
 
 /// Around all ink of all poses.
 const MARGIN_MM: f64 = 3.0;
-/// Weights and sizes.
-static STYLE: LazyLock<Style> = LazyLock::new(Style::default);
-
 /// What a drawing shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shows {
@@ -74,18 +74,22 @@ pub fn scenery(frames: &Frames, notation: &Notation) -> Result<Vec<Scenery>, Fau
 }
 
 fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Faults> {
+    // Black on white: the page gives it the colours of its light or dark theme.
+    let style = Style::default();
+    let courses = if shows == Shows::Mechanism { courses(frames, &style, notation) } else { Vec::new() };
+    let looks = Looks { notation, style, courses };
     let mut parts: Vec<Option<Part>> = frames.list.iter().map(|_| None).collect();
     let mut at_base = Habits::new();
-    parts[frames.base] = part(frames, frames.base, notation, shows, &mut at_base);
+    parts[frames.base] = part(frames, frames.base, &looks, shows, &mut at_base);
     // On from the scene's pose, and where the turn is not closed also back from it.
     let mut habits = at_base.clone();
     let ahead = frames.base + 1..frames.list.len();
     let (round, back) = if frames.full { (0..frames.base, 0..0) } else { (0..0, 0..frames.base) };
     for k in ahead.chain(round) {
-        parts[k] = part(frames, k, notation, shows, &mut habits);
+        parts[k] = part(frames, k, &looks, shows, &mut habits);
     }
     for k in back.rev() {
-        parts[k] = part(frames, k, notation, shows, &mut at_base);
+        parts[k] = part(frames, k, &looks, shows, &mut at_base);
     }
     let all = parts.iter().flatten().map(|p| p.bounds).reduce(Rect::union);
     let paper = all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(MARGIN_MM);
@@ -95,16 +99,25 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     for (k, part) in parts.into_iter().enumerate() {
         let Some(mut part) = part else { continue };
         part.translate(shift);
+        lead(&mut part.items);
         track.add(k, &part.items)?;
     }
     Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
 }
 
-fn part(frames: &Frames, k: usize, notation: &Notation, shows: Shows, habits: &mut Habits) -> Option<Part> {
+/// What the drawings of all frames have in common.
+struct Looks<'a> {
+    notation: &'a Notation,
+    style: Style,
+    courses: Vec<Course>,
+}
+
+fn part(frames: &Frames, k: usize, looks: &Looks, shows: Shows, habits: &mut Habits) -> Option<Part> {
     let frame = &frames.list[k];
+    let Looks { notation, style, courses } = looks;
     match shows {
         Shows::Mechanism => {
-            let mut part = mechanism::drawing(&STYLE, &frame.scene, &frame.worked, notation).finish_after(habits);
+            let mut part = mechanism::drawing(style, &frame.scene, &frame.worked, notation, &courses[k]).finish_after(habits);
             part.translate(stray(frames, frame));
             Some(part)
         }
@@ -113,7 +126,18 @@ fn part(frames: &Frames, k: usize, notation: &Notation, shows: Shows, habits: &m
             let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
             // Letters only: the language does not matter.
             let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };
-            Some(polygon::drawing(&STYLE, &w, p).finish_after(habits))
+            Some(polygon::drawing(style, &w, p).finish_after(habits))
+        }
+    }
+}
+
+/// Gives leader lines the steps of their labels, so that they come with them.
+pub fn lead(items: &mut [Item]) {
+    let labels: HashMap<String, String> = items.iter().map(|i| (format!("{}-leader", i.id), i.class.clone())).collect();
+    for item in items {
+        let Some(class) = labels.get(&item.id) else { continue };
+        for step in class.split(' ').filter(|w| w.starts_with("step-")) {
+            item.class.push_str(&format!(" {step}"));
         }
     }
 }

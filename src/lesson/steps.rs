@@ -13,21 +13,21 @@ use crate::report::construction::sentences;
 use crate::report::phrase::{Phrase, Piece};
 use crate::scene::Lang;
 
-use super::bank;
+use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames, LEVELS};
 
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 
 /// The steps after the mechanism's own: level, index of the action (−1 for the pole), and what is said, English and Chinese.
-pub fn steps(frames: &Frames, notation: &Notation) -> Vec<Value> {
+pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     for level in LEVELS {
         let said = LANGS.map(|lang| frames.list.iter().map(|f| of_level(f, level, notation, lang)).collect::<Vec<_>>());
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
         let key = if level == Level::Acceleration { "acceleration" } else { "velocity" };
         for n in 0..count {
-            let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect());
+            let [en, zh] = in_both(|l| said[l].iter().map(|s| s.get(n).cloned()).collect(), formulas);
             steps.push(json!([key, n as i64 - 1, en, zh]));
         }
     }
@@ -35,8 +35,8 @@ pub fn steps(frames: &Frames, notation: &Notation) -> Vec<Value> {
 }
 
 /// What is said in English and in Chinese; numbers that are the same in both are told once.
-fn in_both(said: impl Fn(usize) -> Vec<Option<String>>) -> [Value; 2] {
-    let [en, mut zh] = [0, 1].map(|l| bank::told(&said(l)));
+fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas) -> [Value; 2] {
+    let [en, mut zh] = [0, 1].map(|l| bank::told(&said(l), formulas));
     if en[2] == zh[2] {
         zh[2] = json!(0);
     }
@@ -44,7 +44,7 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>) -> [Value; 2] {
 }
 
 fn of_level(frame: &Frame, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
-    let Some(p) = frame.worked.construction.polygon(level) else { return Vec::new() };
+    let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
     sentences(&w, &frame.worked.construction, p, &certified_steps(&frame.scene, &frame.worked, None)).iter().map(source).collect()
 }
@@ -59,13 +59,13 @@ fn source(phrase: &Phrase) -> String {
 }
 
 /// The answers: for each question its value in all frames, English and Chinese.
-pub fn answers(frames: &Frames, driver: usize, notation: &Notation) -> Vec<Value> {
+pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let certified: Vec<Vec<Certified>> = frames.list.iter().map(|f| certified(f, driver)).collect();
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {
             let said = |l: usize| frames.list.iter().zip(&certified).map(|(f, c)| answer(f, c, i, notation, LANGS[l])).collect();
-            let [en, zh] = in_both(said);
+            let [en, zh] = in_both(said, formulas);
             json!([en, zh])
         })
         .collect()
@@ -74,6 +74,9 @@ pub fn answers(frames: &Frames, driver: usize, notation: &Notation) -> Vec<Value
 /// The digits that are certain. A pose given by coordinates is not written anywhere else than in the scene: there nothing
 /// certifies the others.
 fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
+    if frame.end {
+        return Vec::new();
+    }
     let told = frame.travel == 0.0 || toggle::driver_position(&frame.scene, driver).is_some();
     let mut list = certify(&frame.scene, &frame.worked, DIGITS);
     if !told {

@@ -32,6 +32,17 @@ pub struct Sweep {
 }
 
 impl Sweep {
+    /// Whether the driver can go no farther than a pose.
+    pub fn is_limit(&self, k: usize) -> bool {
+        k == 0 && self.limits[0].is_some() || k + 1 == self.poses.len() && self.limits[1].is_some()
+    }
+
+    /// From a pose to its neighbour.
+    pub fn step(&self, k: usize) -> f64 {
+        let neighbour = if k > 0 { self.poses.get(k - 1) } else { self.poses.get(1) };
+        neighbour.map_or(0.0, |n| (n.travel - self.poses[k].travel).abs())
+    }
+
     /// Whether a pose is an end because a joint leaves the paper there.
     pub fn far(&self, pose: &Pose) -> bool {
         let Some(base) = self.poses.iter().find(|p| p.travel == 0.0) else { return false };
@@ -47,6 +58,8 @@ const HALVINGS: usize = 14;
 /// A joint that has gone so many times the mechanism's size from its place has left the paper: two lines that become
 /// parallel send their crossing beyond all bounds.
 const FAR: f64 = 3.0;
+/// Parts of steps in a walk, for each of its steps: a mechanism that needs more has no motion that could be shown.
+const PARTS: usize = 20;
 /// Fewest steps between two limits.
 const STEPS_LEAST: usize = 48;
 
@@ -102,10 +115,12 @@ impl<'a> Follower<'a> {
         let start = Pose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
         let mut poses = Vec::new();
+        let mut left = PARTS * count;
         for k in 1..=count {
             let target = step * k as f64;
             while now.travel != target {
-                match self.next(before.as_ref(), &now, target) {
+                left = left.saturating_sub(1);
+                match self.next(before.as_ref(), &now, target).filter(|_| left > 0) {
                     Some(next) => before = Some(std::mem::replace(&mut now, next)),
                     None => {
                         let end = self.end(&now, target);
@@ -158,6 +173,10 @@ impl<'a> Follower<'a> {
     }
 
     fn closed(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
+        // Closed forms are exact; other groups have to be found from the guess.
+        if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
+            return self.by_newton(guess, travel);
+        }
         let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
         let mut best = match later(guess) {
             Ok(found) => found,

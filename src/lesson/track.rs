@@ -8,14 +8,15 @@ use std::collections::HashMap;
 use crate::diag::Faults;
 use crate::figure::item::{Item, Shape};
 use crate::figure::label::Label;
-use crate::render::svg;
+use crate::render::svg::Elements;
 
 use super::pack;
 
 /// Attributes whose numbers are coordinates.
 const GEOMETRY: [&str; 9] = ["x1", "y1", "x2", "y2", "cx", "cy", "r", "d", "transform"];
-/// What the numbers are told in: thousandths of a millimetre, as the SVG writer rounds.
-const UNIT: f64 = 1000.0;
+/// What the numbers are told in, as a part of a millimetre: rounding to it is a quarter of the hundredth that the page may be
+/// off, and a smooth column's third differences are one character each.
+pub const UNIT: f64 = 200.0;
 
 /// An element.
 struct Element {
@@ -29,7 +30,8 @@ struct Element {
 
 /// A drawing in the making.
 pub struct Track {
-    height_mm: f64,
+    /// What wrote the elements: it knows which letters they use.
+    pub elements_of: Elements,
     base: usize,
     count: usize,
     order: Vec<usize>,
@@ -44,42 +46,12 @@ pub struct Told {
     /// For each element that changes: its index, where it is seen (runs of frames: seen, not seen, seen …), which numbers of which
     /// attributes of which part change, and those numbers.
     pub moving: Vec<serde_json::Value>,
-    /// For each label that is not seen at first: its index, and its contours as triples (where each begins, seen from the one
-    /// before, and which of [`Outlines`] it is).
-    pub labels: Vec<serde_json::Value>,
-}
-
-/// Contours of letters, each once.
-#[derive(Default)]
-pub struct Outlines {
-    /// Path data after the first move.
-    pub list: Vec<String>,
-    known: HashMap<String, usize>,
-}
-
-impl Outlines {
-    /// Path data of a label as triples.
-    fn told(&mut self, data: &str) -> Vec<i64> {
-        let mut triples = Vec::new();
-        for contour in data.split('m').skip(1) {
-            let end = contour.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(contour.len());
-            let (from, body) = contour.split_at(end);
-            triples.extend(numerals(from).iter().map(|(a, b)| from[*a..*b].parse::<i64>().unwrap_or(0)));
-            let next = self.list.len();
-            let index = *self.known.entry(body.to_owned()).or_insert(next);
-            if index == next {
-                self.list.push(body.to_owned());
-            }
-            triples.push(index as i64);
-        }
-        triples
-    }
 }
 
 impl Track {
     /// Of a drawing on a paper so high, over so many frames; `base` is the frame of the scene's own pose.
     pub fn new(height_mm: f64, base: usize, count: usize) -> Track {
-        Track { height_mm, base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
+        Track { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
     }
 
     /// Adds the items of a frame; frames may come in any order.
@@ -90,7 +62,7 @@ impl Track {
         // The outlines of letters are not wanted again and again: blank labels have the same places.
         let blank: Vec<Item> = items.iter().map(blank).collect();
         let mut after = None;
-        for (item, text) in items.iter().zip(svg::elements(&blank, self.height_mm)?) {
+        for (item, text) in items.iter().zip(self.elements_of.of(&blank)?) {
             let (form, numbers) = taken_apart(&text);
             let key = (item.id.clone(), source(item).to_owned(), form);
             let index = match self.known.get(&key) {
@@ -115,19 +87,16 @@ impl Track {
         Ok(())
     }
 
-    fn markup(&self, item: &Item) -> Result<String, Faults> {
-        Ok(svg::elements(std::slice::from_ref(item), self.height_mm)?.concat())
+    fn markup(&mut self, item: &Item) -> Result<String, Faults> {
+        Ok(self.elements_of.of(std::slice::from_ref(item))?.concat())
     }
 
     /// The drawing for the page.
-    pub fn told(&self, outlines: &mut Outlines) -> Told {
-        let mut told = Told { markup: String::new(), moving: Vec::new(), labels: Vec::new() };
+    pub fn told(&self) -> Told {
+        let mut told = Told { markup: String::new(), moving: Vec::new() };
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
             if element.at_base {
                 told.markup.push_str(&element.markup);
-            } else if let Some(data) = outline(&element.markup) {
-                told.labels.push(serde_json::json!([place, outlines.told(data)]));
-                told.markup.push_str(&hidden(&element.markup.replacen(data, "", 1)));
             } else {
                 told.markup.push_str(&hidden(&element.markup));
             }
@@ -179,18 +148,6 @@ fn blank(item: &Item) -> Item {
         *label = Label::text("");
     }
     item
-}
-
-/// The path data of a label.
-fn outline(markup: &str) -> Option<&str> {
-    if !is_label(markup) {
-        return None;
-    }
-    attributes(markup).into_iter().find(|a| a.name == "d").map(|a| a.value)
-}
-
-fn is_label(markup: &str) -> bool {
-    markup.contains(" data-text=")
 }
 
 fn hidden(markup: &str) -> String {
@@ -268,7 +225,6 @@ fn taken_apart(markup: &str) -> (String, Vec<i64>) {
         for (start, end) in numerals(a.value) {
             form.push_str(&a.value[from..start]);
             form.push('#');
-            // The writer's numbers have three places: they read back exactly.
             numbers.push((a.value[start..end].parse::<f64>().unwrap_or(0.0) * UNIT).round() as i64);
             from = end;
         }
@@ -281,10 +237,8 @@ fn taken_apart(markup: &str) -> (String, Vec<i64>) {
 fn places(markup: &str, changing: &[usize]) -> Vec<String> {
     let mut list: Vec<String> = Vec::new();
     let mut n = 0;
-    let label = is_label(markup);
     for a in attributes(markup).iter().filter(|a| GEOMETRY.contains(&a.name)) {
-        // The outline of a label has no numbers in the frames.
-        let count = if label && a.name == "d" { 0 } else { numerals(a.value).len() };
+        let count = numerals(a.value).len();
         let mine: Vec<String> = (0..count).filter(|k| changing.contains(&(n + k))).map(|k| k.to_string()).collect();
         if !mine.is_empty() {
             list.push(format!("{} {} {}", a.part, a.name, mine.join(" ")));
@@ -304,14 +258,7 @@ mod tests {
     fn markup_is_taken_apart() {
         let (form, numbers) = taken_apart("<g id=\"v3\"><line x1=\"-1.5\" y1=\"2\"/>\n<path d=\"M0 1A3 3 0 0 1 4 5.25Z\"/></g>");
         assert_eq!(form, "0 id=v31 x1=#1 y1=#2 d=M# #A# # 0 0 1 # #Z");
-        assert_eq!(numbers, [-1500, 2000, 0, 1000, 3000, 3000, 4000, 5250]);
-    }
-
-    #[test]
-    fn contours_are_told_once() {
-        let mut outlines = Outlines::default();
-        assert_eq!(outlines.told("m10 -5l3 4zm-20-6q1 2 3 4zm0 1l3 4z"), [10, -5, 0, -20, -6, 1, 0, 1, 0]);
-        assert_eq!(outlines.list, ["l3 4z", "q1 2 3 4z"]);
+        assert_eq!(numbers, [-300, 400, 0, 200, 600, 600, 800, 1050]);
     }
 
     #[test]
@@ -323,7 +270,7 @@ mod tests {
         track.add(0, &[line("a", 1.0), line("c", 1.0)]).unwrap();
         track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)]).unwrap();
         track.add(2, &[line("a", 3.0), line("c", 1.0)]).unwrap();
-        let told = track.told(&mut Outlines::default());
+        let told = track.told();
         let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
         assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);
         assert_eq!(told.moving.len(), 2);

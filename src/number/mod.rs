@@ -19,13 +19,16 @@ pub use dd::Dd;
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// What can be added and multiplied: all that vectors need of their components.
+pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {}
+
+impl<T: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>> Ring for T {}
+
 /// A number that the formulas of positions and motions are written over.
 ///
 /// Values are `Copy`, so that formulas read as on paper. An operation without a value (a root of what is surely negative,
 /// a quotient by what may be zero) gives an *undecided* number, for which [`Real::is_decided`] is false and stays false.
-pub trait Real:
-    Copy + Debug + PartialEq + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
-{
+pub trait Real: Ring + Debug + PartialEq + Div<Output = Self> {
     /// The number itself: every binary fraction is exact in every type but `f32`.
     fn from_f64(x: f64) -> Self;
 

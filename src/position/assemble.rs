@@ -255,14 +255,21 @@ impl<'a, N: Real> Assembly<'a, N> {
             }
         };
         let pick = match self.meant {
-            Some(meant) => meant.closures[index].min(trials.len() - 1),
+            // Where `f64` could not see which closure is which, these numbers choose again, by the same rules.
+            Some(meant) => {
+                let again = N::refines() && branch::alike(&trials, meant.extent());
+                let chosen = if again { branch::choose(self.scene, &self.points, &trials, &self.names_of(group)).ok() } else { None };
+                chosen.map_or(meant.closures[index], |(pick, _)| pick)
+            }
             None => {
                 let (pick, note) = branch::choose(self.scene, &self.points, &trials, &self.names_of(group))?;
                 self.notes.extend(note);
                 pick
             }
         };
-        self.closures[index] = self.meant.map_or(pick, |m| m.closures[index]);
+        self.closures[index] = pick;
+        // Coordinates may have left one of several closures only.
+        let pick = pick.min(trials.len() - 1);
         let chosen = trials.into_iter().nth(pick).expect("the chosen closure is one of the trials");
         for (l, pose) in chosen.poses {
             self.poses[l.0] = Some(pose);

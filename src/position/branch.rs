@@ -17,9 +17,17 @@ pub(super) struct Trial<N> {
 }
 
 impl<N: Real> Trial<N> {
-    fn at(&self, p: PointId) -> Option<Point> {
-        self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| at.approx())
+    fn at(&self, p: PointId) -> Option<Point<N>> {
+        self.points.iter().find(|(q, _)| *q == p).map(|(_, at)| *at)
     }
+}
+
+/// Whether all closures lie so close together, relative to the size of the mechanism, that rounding may have hidden from
+/// `f64` which is which: near a limit they differ by the root of the distance from it, and `f64` leaves of that root some 1e-8 in doubt.
+pub(super) fn alike<N: Real>(trials: &[Trial<N>], extent: f64) -> bool {
+    const CLOSE: f64 = 1e-7;
+    let near = |t: &Trial<N>| t.points.iter().zip(&trials[0].points).all(|(a, b)| (a.1 - b.1).approx().norm() <= CLOSE * extent);
+    trials.len() > 1 && trials.iter().all(near)
 }
 
 /// Picks one of several closures. `placed` are the points known before the group. The note tells when nothing in the
@@ -36,7 +44,7 @@ pub(super) fn choose<N: Real>(
     }
     let mut decided = false;
     for side in &scene.sides {
-        let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0].map(Point::approx));
+        let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
         let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
         let known = |t: &Trial<N>| Some((mine(t, side.point)?, mine(t, side.from)?, mine(t, side.to)?));
         if !concerns || known(&trials[0]).is_none() {
@@ -45,7 +53,9 @@ pub(super) fn choose<N: Real>(
         let kept: Vec<usize> = left
             .iter()
             .copied()
-            .filter(|&i| known(&trials[i]).is_some_and(|(p, a, b)| (b - a).cross(p - a) * if side.left { 1.0 } else { -1.0 } > 0.0))
+            .filter(|&i| {
+                known(&trials[i]).is_some_and(|(p, a, b)| (b - a).cross(p - a).approx() * if side.left { 1.0 } else { -1.0 } > 0.0)
+            })
             .collect();
         if kept.is_empty() {
             return Err(Diagnostic::error(
@@ -68,15 +78,18 @@ pub(super) fn choose<N: Real>(
     let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p));
     if left.len() > 1 {
         // The sum of squared distances to all sketched points of the group.
-        let cost = |i: usize| trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s - at.approx()).norm2())).sum::<f64>();
+        let cost = |i: usize| {
+            let off = trials[i].points.iter().filter_map(|(p, at)| sketch(*p).map(|s| (s.lift() - *at).norm2()));
+            off.fold(N::from_f64(0.0), |sum, x| sum + x)
+        };
         if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
-            let best = left.iter().copied().min_by(|a, b| cost(*a).total_cmp(&cost(*b))).expect("at least two are left");
+            let best = left.iter().copied().min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0)).expect("at least two are left");
             return Ok((best, None));
         }
     }
     let note = (!decided && left.len() > 1).then(|| {
         let moved = trials[left[0]].points.iter().find_map(|(p, at)| {
-            let other = trials[left[1]].at(*p).filter(|o| *o != at.approx())?;
+            let other = trials[left[1]].at(*p).map(Point::approx).filter(|o| *o != at.approx())?;
             Some((scene.point_name(*p), at.approx(), other))
         });
         let (which, hint) = match moved {

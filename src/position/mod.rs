@@ -18,7 +18,7 @@ pub mod newton;
 mod pins;
 mod proof;
 mod shape;
-mod triad;
+pub(crate) mod triad;
 
 pub use assemble::{configure, later, recompute};
 

@@ -12,7 +12,7 @@ use crate::number::Real;
 
 /// A leg of the link: where a point of the link must lie, as a function of the link's angle.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum TriadLeg<N = f64> {
+pub(crate) enum TriadLeg<N = f64> {
     /// Local point `near` at `radius` from `far`.
     Circle { near: Point<N>, far: Point<N>, radius: N },
     /// Local point `near` on a line of the plane.
@@ -47,7 +47,7 @@ impl<N: Real> TriadLeg<N> {
     }
 
     /// Signed distance by which the leg is missed.
-    fn miss(&self, origin: Point<N>, axis: Vec2<N>) -> N {
+    pub fn miss(&self, origin: Point<N>, axis: Vec2<N>) -> N {
         match self.locus(axis) {
             Locus::Circle { centre, radius } => origin.distance(centre) - radius,
             Locus::Line { through, direction } => direction.cross(origin - through),
@@ -55,7 +55,7 @@ impl<N: Real> TriadLeg<N> {
     }
 
     /// Derivatives of [`TriadLeg::miss`] by the origin's x and y and by the angle times `scale` (so that all three compare).
-    fn gradient(&self, origin: Point<N>, axis: Vec2<N>, scale: f64) -> [N; 3] {
+    pub fn gradient(&self, origin: Point<N>, axis: Vec2<N>, scale: f64) -> [N; 3] {
         let (by_origin, by_angle) = match *self {
             TriadLeg::Circle { near, far, .. } => {
                 let arm = near.to_vec2().rotate_by(axis);
@@ -188,18 +188,7 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64)
     for _ in 0..12 {
         let rows = legs.map(|l| l.gradient(origin, axis, scale));
         let rhs = legs.map(|l| -l.miss(origin, axis));
-        let det = |c: [[f64; 3]; 3]| {
-            c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
-                + c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0])
-        };
-        let whole = det(rows);
-        let step = [0, 1, 2].map(|k| {
-            let mut c = rows;
-            for (row, r) in c.iter_mut().zip(rhs) {
-                row[k] = r;
-            }
-            det(c) / whole
-        });
+        let (step, _) = cramer(rows, rhs);
         let turn = step[2] / scale;
         let size = (step[0].abs() + step[1].abs()) / scale + turn.abs();
         if !size.is_finite() || size > longest {
@@ -213,6 +202,23 @@ fn polished(legs: &[TriadLeg; 3], from: (Point, Vec2), scale: f64, longest: f64)
     }
     let off = legs.iter().map(|l| l.miss(origin, axis).abs()).fold(0.0, f64::max);
     (off < 1e-9 * scale).then_some((origin, axis))
+}
+
+/// The solution of three linear equations, and their determinant.
+pub(crate) fn cramer(rows: [[f64; 3]; 3], rhs: [f64; 3]) -> ([f64; 3], f64) {
+    let det = |c: [[f64; 3]; 3]| {
+        c[0][0] * (c[1][1] * c[2][2] - c[1][2] * c[2][1]) - c[0][1] * (c[1][0] * c[2][2] - c[1][2] * c[2][0])
+            + c[0][2] * (c[1][0] * c[2][1] - c[1][1] * c[2][0])
+    };
+    let whole = det(rows);
+    let solution = [0, 1, 2].map(|k| {
+        let mut c = rows;
+        for (row, r) in c.iter_mut().zip(rhs) {
+            row[k] = r;
+        }
+        det(c) / whole
+    });
+    (solution, whole)
 }
 
 fn scale_of(legs: &[TriadLeg; 3]) -> f64 {

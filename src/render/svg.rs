@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use ::svg::Document;
-use ::svg::node::element::{Circle, Definitions, Description, Element, Group, Line, Path, Rectangle, Title};
+use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
 use ::svg::node::{Blob, Node, Text};
 
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -77,9 +77,7 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     }
     let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
     for item in &figure.items {
-        if let Some(node) = writer.finite(item) {
-            items.push(node);
-        }
+        items.extend(writer.finite(item));
     }
     if !writer.letters.is_empty() {
         document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
@@ -95,15 +93,31 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     Ok(Warned { value, notes: writer.faults.list })
 }
 
-/// Items as elements, one string each, as they stand in a document of this height: for pages that put documents together
-/// by themselves. A label is one path, whatever its letters.
-///
-/// # Errors
-/// As [`write`].
-pub fn elements(items: &[Item], height_mm: f64) -> Result<Vec<String>, Faults> {
-    let mut writer = Writer { height_mm, writing: Writing::Drawn, letters: BTreeMap::new(), faults: Faults::default() };
-    let list = items.iter().map(|item| writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
-    if writer.faults.has_errors() { Err(writer.faults) } else { Ok(list) }
+/// Items as elements, one string each, for pages that put documents together by themselves.
+pub struct Elements {
+    writer: Writer,
+}
+
+impl Elements {
+    /// For documents of this height.
+    pub fn new(height_mm: f64) -> Elements {
+        Elements { writer: Writer { height_mm, writing: Writing::Used, letters: BTreeMap::new(), faults: Faults::default() } }
+    }
+
+    /// The elements of these items, one for each.
+    ///
+    /// # Errors
+    /// As [`write`].
+    pub fn of(&mut self, items: &[Item]) -> Result<Vec<String>, Faults> {
+        let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
+        if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
+    }
+
+    /// The outlines that all these elements use.
+    pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
+        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(l, name)| (*l, name.clone())).collect();
+        Writer { height_mm: 0.0, writing: Writing::Used, letters, faults: Faults::default() }.definitions().to_string()
+    }
 }
 
 /// How the letters of a label get into a document.
@@ -111,8 +125,6 @@ pub fn elements(items: &[Item], height_mm: f64) -> Result<Vec<String>, Faults> {
 enum Writing {
     /// Each by its name; their outlines stand in `<defs>`.
     Used,
-    /// A label's outlines in one path.
-    Drawn,
     /// As text, in whatever fonts the reader has.
     Text,
 }
@@ -209,18 +221,13 @@ impl Writer {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
                 let place = format!("translate({} {})", mm(left), self.y(at.y));
-                let em = format!("{place}scale({})", scale(*size_mm));
-                let (name, content) = match self.writing {
-                    Writing::Used => ("g", self.used(&set)),
-                    Writing::Drawn => ("path", drawn(&set)),
-                    Writing::Text => ("g", editable(&set, *size_mm)),
+                let (transform, content) = match self.writing {
+                    Writing::Used => (format!("{place}scale({})", scale(*size_mm)), self.used(&set)),
+                    Writing::Text => (place, editable(&set, *size_mm)),
                 };
-                let mut node = Element::new(name);
-                node.assign("transform", if self.writing == Writing::Text { place } else { em });
-                match self.writing {
-                    Writing::Drawn => node.assign("d", content),
-                    Writing::Used | Writing::Text => node.append(Blob::new(content)),
-                }
+                let mut node = Group::new();
+                node.assign("transform", transform);
+                node.append(Blob::new(content));
                 node.assign("aria-label", label.plain());
                 node.assign("data-text", label.source());
                 named(&mut node, item);
@@ -253,7 +260,7 @@ impl Writer {
     fn definitions(&self) -> Definitions {
         let mut out = String::new();
         for (letter, name) in &self.letters {
-            let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(letter.contours([0, 0]).into_iter()));
+            let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(letter.contours()));
         }
         Definitions::new().add(Blob::new(out))
     }
@@ -325,11 +332,6 @@ fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
     out
 }
 
-/// A label as path data.
-fn drawn(set: &Typeset) -> String {
-    outline_data(letters(set).into_iter().flat_map(|(letter, at)| letter.contours(at)))
-}
-
 /// A label as text that a drawing program can change; sizes and places in mm.
 fn editable(set: &Typeset, size_mm: f64) -> String {
     let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(Face::Roman));
@@ -359,11 +361,10 @@ fn family(face: Face) -> &'static str {
 }
 
 impl Letter {
-    /// Its outline at a place, in 1/1000 em of the label.
-    fn contours(self, [dx, dy]: [i32; 2]) -> Vec<Segment<i32>> {
+    /// Its outline, in 1/1000 em of the label.
+    fn contours(self) -> Vec<Segment<i32>> {
         let size = f64::from(self.size) / 1000.0;
-        let outline = self.face.outline(self.glyph);
-        outline.segments.iter().map(|s| s.map(|[x, y]| [dx + milli(x * size), dy + milli(y * size)])).collect()
+        self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
     }
 
     fn name(self) -> String {
@@ -419,7 +420,7 @@ fn scale(size_mm: f64) -> String {
 }
 
 /// Path data of an outline in integers, relative commands, y turned over.
-fn outline_data(outline: impl Iterator<Item = Segment<i32>>) -> String {
+fn outline_data(outline: Vec<Segment<i32>>) -> String {
     let mut d = String::new();
     let mut digits = itoa::Buffer::new();
     let (mut here, mut start) = ([0, 0], [0, 0]);

@@ -2,7 +2,8 @@
 
 use super::answers::unit;
 use super::phrase::{formula, tr};
-use crate::accuracy::{CrossingTolerance, Drafting, Tolerance};
+use crate::accuracy::steps::What;
+use crate::accuracy::{CrossingTolerance, Drafting, LEVELS, Steps, Tolerance};
 use crate::mechanism::Level;
 use crate::plan::text::{Writer, vertex_name};
 use crate::quantity::{shortest, significant};
@@ -44,8 +45,9 @@ fn level_unit(level: Level) -> &'static str {
     ["m", "m/s", "m/s²"][level as usize]
 }
 
-/// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for.
-pub fn text(w: &Writer, worked: &Worked) -> String {
+/// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for. `steps` are the certified
+/// numbers of the construction for the same pencil.
+pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
     let Some(d) = &worked.drafting else { return String::new() };
     let lang = w.lang;
     let pencil = shortest(d.pencil_mm);
@@ -57,14 +59,14 @@ pub fn text(w: &Writer, worked: &Worked) -> String {
         let head = ["crossing", "angle", "moves by", ""];
         let zh = ["交点", "交角", "偏移", ""];
         let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
-        rows.extend(d.crossings.iter().map(|c| {
+        let certain = LEVELS.into_iter().flat_map(|level| steps.crossings(&worked.construction, level));
+        rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
+            let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {
-                Some(mm) => {
-                    [format!("{} mm", significant(mm, DIGITS)), format!("{} {}", significant(c.moves, DIGITS), level_unit(c.level))]
-                }
+                Some(mm) => [format!("{} mm", told(What::Moved, mm)), format!("{} {}", told(What::Off, c.moves), level_unit(c.level))],
                 None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
             };
-            [crossing_name(w, c), format!("{}°", significant(c.angle_deg(), 3)), moves, si]
+            [crossing_name(w, c), format!("{}°", told(What::Angle, c.angle_deg())), moves, si]
         }));
         out.push_str(&table(&rows));
     }

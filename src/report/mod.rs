@@ -4,6 +4,7 @@ pub mod answers;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;
+pub mod limits;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;

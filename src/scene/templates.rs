@@ -123,7 +123,7 @@ pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults
 }
 
 /// The new value; a bare number gets the unit of the old one.
-fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
+pub(crate) fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str]) -> Result<String, Diagnostic> {
     let new = new.trim();
     let is_number = |t: &str| expr::parse(t, &[]).is_ok_and(|e| expr::is_bare(&e));
     expr::parse(new, earlier)?;

@@ -35,7 +35,7 @@ td, th { padding: .15em .6em; text-align: left; font-weight: 400 }
 /// Writes the document.
 ///
 /// # Errors
-/// Those of [`svg::elements`] for a drawing.
+/// Those of [`svg::Elements::of`] for a drawing.
 pub fn html(document: &Document) -> Result<String, Faults> {
     let title = escaped(&document.title);
     let lang = words(document.lang).tag;
@@ -78,10 +78,12 @@ fn drawing(figure: &Figure) -> Result<String, Faults> {
     let items: Vec<Item> = figure.items.iter().map(nameless).collect();
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
+    let mut elements = svg::Elements::new(figure.height_mm);
+    let drawn = elements.of(&items)?.join("\n");
+    let letters = svg::Elements::letters([&elements]);
     Ok(format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
-         <title>{title}</title>\n<desc>{desc}</desc>\n{}\n</svg>\n",
-        svg::elements(&items, figure.height_mm)?.join("\n")
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
+         <title>{title}</title>\n<desc>{desc}</desc>\n{letters}\n{drawn}\n</svg>\n"
     ))
 }
 

@@ -4,7 +4,7 @@ use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::told::told;
-use hodograph::accuracy::ladder::{certify, parts};
+use hodograph::accuracy::ladder::{Part, certify, parts};
 use hodograph::accuracy::{steps, toggle, truth};
 use hodograph::answer::Value;
 use hodograph::geom::Vec2;
@@ -64,6 +64,17 @@ impl Tally {
                         };
                         self.printed += 1;
                         self.short += usize::from(certain < *digits);
+                        // Zero is said of what is surely less than this part of what it is measured against.
+                        let whole = if matches!(part, Part::Direction) {
+                            1e6
+                        } else if matches!(part, Part::Degrees) {
+                            360.0
+                        } else {
+                            r.scale
+                        };
+                        if n.zero && e.enclosure().largest() <= 10f64.powi(-(*digits as i32 + 10)) * whole {
+                            continue;
+                        }
                         let truth = e.text(certain).map_or_else(|| format!("{e:?}"), |t| t.0);
                         if truth != text {
                             self.wrong.push(format!(
@@ -101,7 +112,8 @@ impl Tally {
             self.told += 1;
             self.short += usize::from(certain < digits);
             if n.zero {
-                if t.value.approx().abs() > t.nothing {
+                // The differences themselves are true to some 80 digits.
+                if t.value.approx().abs() > t.nothing + 1e-60 {
                     self.wrong.push(format!("{} is told as zero, it is {:e}", place(), t.value.approx()));
                 }
                 continue;
@@ -184,6 +196,39 @@ fn printed_digits_are_true_next_to_a_toggle() {
             tally.toward(&format!("four-bar {seed}"), &scene.value);
         }
     }
+    tally.done(1500);
+}
+
+/// Poses by lengths so close to a dead point that `f64` cannot tell them from it: what is printed is true of what is written.
+#[test]
+fn printed_digits_are_true_closer_than_f64_can_tell() {
+    let mut tally = Tally::default();
+    let mut longer = 0;
+    for side in ["left", "right"] {
+        for nines in 4..=26 {
+            let text = format!(
+                r#"{{"links": {{"1": ["A","B"], "2": ["B","C","E"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4",
+                "lengths": {{"AB": "3 m", "BC": "2 m", "CD": "3 m", "AD": "4 m", "BE": "1 m", "CE": "1.5 m"}}, "side": {{"C": "{side} of BD"}},
+                "driver": {{"link": "1", "angle": "89.{} deg", "omega": "1.1 rad/s", "alpha": "0.3 rad/s^2"}}}}"#,
+                "9".repeat(nines)
+            );
+            let scene = read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+            assert!(worked.unanswered.is_empty(), "{text}");
+            longer += usize::from(worked.results.iter().any(|r| r.longer.is_some()));
+            tally.check(&format!("89.9({nines}) {side}"), &scene);
+        }
+        // At the limit as written there is nothing to tell.
+        let text = format!(
+            r#"{{"links": {{"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "4": ["A","D"]}}, "ground": "4", "find": ["omega_3", "v_B"],
+            "lengths": {{"AB": "3 m", "BC": "2 m", "CD": "3 m", "AD": "4 m"}}, "side": {{"C": "{side} of BD"}},
+            "driver": {{"link": "1", "angle": "90 deg", "omega": "1.1 rad/s"}}}}"#
+        );
+        let scene = read(&text).unwrap().value;
+        let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        assert_eq!((worked.results.len(), worked.unanswered.len()), (1, 1), "{text}");
+    }
+    assert!(longer > 20, "{longer}");
     tally.done(1500);
 }
 

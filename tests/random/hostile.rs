@@ -3,9 +3,13 @@
 use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
+use hodograph::accuracy::{certify, steps};
 use hodograph::answer::Value;
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
 use hodograph::report::diagnostics::render;
-use hodograph::scene::{self, templates};
+use hodograph::report::{answers, construction};
+use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -33,6 +37,22 @@ fn survive(input: &[u8], what: &str) -> bool {
                 };
                 assert!(finite, "{} is {v:?}", scene.find[o.find].text);
             }
+        }
+        // Everything that `solve --steps --drafting` prints.
+        let certified = certify(&scene, &done, answers::DIGITS);
+        let told = steps(&scene, &done, Some(0.1));
+        let notation = Notation::of_language(Lang::Zh);
+        let w = Writer { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::Zh };
+        let printed = [
+            answers::text(&scene, &done, &certified, answers::DIGITS, Lang::En),
+            construction::text(&w, &done.construction, &told),
+            answers::json(&scene, &done, &certified, answers::DIGITS, &[])["answers"].to_string(),
+        ];
+        for text in &printed {
+            let number = |w: &str| matches!(w.trim_matches(|c: char| !c.is_ascii_alphabetic()), "NaN" | "inf");
+            // A title may say what it likes.
+            let told = text.lines().filter(|l| l.contains('=') || l.starts_with('['));
+            assert!(!told.flat_map(str::split_whitespace).any(number), "{text}");
         }
         Ok(())
     };

@@ -5,6 +5,7 @@
 
 mod asked;
 mod bad;
+mod dead;
 mod digits;
 mod emit;
 mod groups;

@@ -36,6 +36,13 @@ const NOTHING_MM: f64 = 1.001e-9;
 pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> Vec<Told> {
     let o = Oracle { scene, w, d };
     let mut out = Vec::new();
+    for (action, c) in w.construction.diagram.crossed.iter().enumerate() {
+        let Spot::Special { group, legs } = w.plan.vertex(c.target).spot else { panic!("only special points are crossed on the diagram") };
+        let Core::Link { legs: all, .. } = &w.mechanism.groups[group].core else { panic!("a special point belongs to a link") };
+        let [u, v] = [legs.0, legs.1].map(|k| o.constraint_line(&all[k]).1);
+        let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu_l)), pencil_mm);
+        out.extend(crossing.map(|(what, value, nothing)| Told { level: Level::Position, action, what, value, nothing }));
+    }
     for level in [Level::Velocity, Level::Acceleration] {
         if let Some(p) = w.construction.polygon(level) {
             for action in 0..p.actions.len() {
@@ -64,10 +71,7 @@ impl Oracle<'_> {
             Action::Cross { edges, .. } => {
                 let mut all: Vec<_> = edges.iter().enumerate().map(|(k, i)| edge(k, *i)).collect();
                 let [u, w] = [0, 1].map(|k| self.direction(&p.edges[edges[k]].terms[0]));
-                let (sine, cosine) = (absolute(u.cross(w)), absolute(u.dot(w)));
-                all.push((What::Angle, sine.atan2(cosine) * Big::from_f64(180.0) / Big::pi(), 0.0));
-                let e = Big::from_decimal(&shortest(pencil_mm));
-                all.push((What::Moved, e * u.norm() * w.norm() / sine, 0.0));
+                all.extend(crossing(u, w, mu, pencil_mm));
                 all
             }
             Action::Reach(v) | Action::Copy { target: v, .. } => vec![(What::Length(0), self.vector(level, *v).norm() / mu, NOTHING_MM)],
@@ -210,6 +214,14 @@ impl Oracle<'_> {
         let inward = centre - self.place(t.of);
         inward * (v.norm2() / (radius * inward.norm()))
     }
+}
+
+/// What is told of two lines crossed.
+fn crossing(u: Vec2<Big>, w: Vec2<Big>, mu: Big, pencil_mm: f64) -> [(What, Big, f64); 3] {
+    let (sine, cosine) = (absolute(u.cross(w)), absolute(u.dot(w)));
+    let angle = sine.atan2(cosine) * Big::from_f64(180.0) / Big::pi();
+    let moved = Big::from_decimal(&shortest(pencil_mm)) * u.norm() * w.norm() / sine;
+    [(What::Angle, angle, 0.0), (What::Moved, moved, 0.0), (What::Off, moved * mu, 0.0)]
 }
 
 fn absolute(x: Big) -> Big {

@@ -123,17 +123,20 @@ impl Draft<'_> {
         }
         let reach = |sign: f64, own: f64| on_line.iter().map(|p| along(*p) * sign).fold(own, f64::max) * sign;
         if guide.slider.is_some() {
-            let own = self.style.block_length_mm / 2.0 + BEYOND_BLOCK_MM;
+            let [back, on] = self.travel(g);
+            let own = |sign: f64| self.style.block_length_mm / 2.0 + BEYOND_BLOCK_MM + if sign > 0.0 { on } else { -back };
             // A known end of the lever is its end; otherwise it goes on past the block.
             let far = |sign: f64| {
                 let ends_there = on_line.iter().any(|p| along(*p) * sign > self.style.block_length_mm / 2.0);
-                if ends_there { reach(sign, 0.0) } else { reach(sign, own) }
+                if ends_there { reach(sign, 0.0) } else { reach(sign, own(sign)) }
             };
             form.guide_bars.push((at + u * far(-1.0), at + u * far(1.0)));
         } else {
             let free = |sign: f64| {
                 let joint = on_line.iter().map(|p| along(*p) * sign).filter(|t| *t > SLOT_TO_JOINT_MM).fold(f64::INFINITY, f64::min);
-                SLOT_HALF_MM.min(joint - SLOT_TO_JOINT_MM).max(self.style.pin_radius_mm) * sign
+                let [back, on] = self.travel(g);
+                let goes = if sign > 0.0 { on } else { -back };
+                (SLOT_HALF_MM + goes).min(joint - SLOT_TO_JOINT_MM).max(self.style.pin_radius_mm + goes) * sign
             };
             let (lo, hi) = (free(-1.0), free(1.0));
             form.slots.push((at + u * lo, at + u * hi));
@@ -154,7 +157,8 @@ impl Draft<'_> {
         let Some((at, _)) = self.runner(g) else { return };
         let middle = (at - centre).angle();
         let half = (SLOT_HALF_MM / radius).min(std::f64::consts::FRAC_PI_2);
-        let angles = [middle - half, middle + half];
+        let [back, on] = self.travel(g).map(|t| t / radius);
+        let angles = [middle + back - half, middle + on + half];
         form.arcs.push((centre, radius, angles));
         let ends = angles.map(|a| centre + Vec2::from_angle(a) * radius);
         let pairs = points.iter().flat_map(|p| ends.map(|e| (*p, e)));

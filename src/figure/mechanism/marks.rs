@@ -136,7 +136,11 @@ impl Draft<'_> {
         let ahead = tangent * driver.rate.value.signum();
         let from = match guide.pin {
             // Beyond the end of a slot with hatching on both sides.
-            Some(p) if self.in_fixed_slot(p) => at + ahead * (super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM),
+            Some(p) if self.in_fixed_slot(p) => {
+                let [back, on] = self.travel(g);
+                let goes = if driver.rate.value > 0.0 { on } else { -back };
+                at + ahead * (goes + super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM)
+            }
             _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
         };
         self.straight_arrow(from, tangent, driver.rate.value, &symbol);

@@ -2,14 +2,14 @@
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
 //! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
-//! that tables call t,
-//! [`letters`] numbers and letters.
+//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
 //! Links and points without a place are left out.
 
 mod directions;
 mod form;
 mod letters;
 mod marks;
+mod overlay;
 mod slides;
 mod special;
 
@@ -24,6 +24,7 @@ use super::item::Shape;
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
+pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
@@ -38,25 +39,37 @@ const OTHER_COST: f64 = 1.0;
 
 /// Draws the mechanism; the diagram's origin lies in the origin.
 pub fn mechanism(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Part {
-    drawing(style, scene, worked, notation).finish()
+    drawing(style, scene, worked, notation, &Course::default()).finish()
+}
+
+/// What a drawing that is one of a series takes from all of them, so that the ground stands still and no link changes its
+/// form; each list may be empty.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Course {
+    /// For each guide, how far (mm) its runner goes on behind and ahead of where it is, along the guide: zero or less, zero or
+    /// more.
+    pub travel_mm: Vec<[f64; 2]>,
+    /// For each point, the side of its support.
+    pub supports: Vec<Vec2>,
+    /// For each guide on the ground with hatching at one side, that side.
+    pub hatched: Vec<Option<Vec2>>,
+}
+
+impl Course {
+    /// The sides that a drawing would choose by itself.
+    pub fn of_one(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Course {
+        let alone = Course::default();
+        let mut draft = Draft::new(style, scene, worked, notation, &alone);
+        draft.ground_guides();
+        let supports = (0..scene.points.len()).map(|p| draft.support_side(PointId(p))).collect();
+        Course { travel_mm: Vec::new(), supports, hatched: draft.hatched }
+    }
 }
 
 /// The same before its labels are placed.
-pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
-    let mut draft = Draft::new(style, scene, worked, notation);
-    draft.ground_guides();
-    draft.plates(true);
-    draft.carriers();
-    draft.blocks();
-    draft.plates(false);
-    draft.bars();
-    draft.cylinders();
-    draft.joints();
-    draft.drivers();
-    draft.special_points();
-    draft.directions();
-    draft.numbers();
-    draft.letters();
+pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation, course: &Course) -> Drawing {
+    let mut draft = Draft::new(style, scene, worked, notation, course);
+    draft.everything();
     draft.d
 }
 
@@ -73,15 +86,34 @@ struct Draft<'a> {
     number_at: Vec<Option<letters::NumberPlace>>,
     /// For each guide on the ground with hatching at one side, that side.
     hatched: Vec<Option<Vec2>>,
+    /// What is the same in a whole series.
+    course: &'a Course,
 }
 
 impl<'a> Draft<'a> {
-    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation) -> Self {
+    fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a Course) -> Self {
         let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
-        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched };
+        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched, course };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
+    }
+
+    /// Draws the mechanism, from back to front.
+    fn everything(&mut self) {
+        self.ground_guides();
+        self.plates(true);
+        self.carriers();
+        self.blocks();
+        self.plates(false);
+        self.bars();
+        self.cylinders();
+        self.joints();
+        self.drivers();
+        self.special_points();
+        self.directions();
+        self.numbers();
+        self.letters();
     }
 
     /// From the plane (m) to paper (mm).
@@ -102,6 +134,11 @@ impl<'a> Draft<'a> {
             Path::Line { through, direction } => Path::Line { through: self.paper(through), direction },
             Path::Arc { centre, radius } => Path::Arc { centre: self.paper(centre), radius: radius / mu },
         })
+    }
+
+    /// How far (mm) a guide's runner goes on behind and ahead of where it is, in a series.
+    fn travel(&self, g: GuideId) -> [f64; 2] {
+        self.course.travel_mm.get(g.0).copied().unwrap_or([0.0, 0.0])
     }
 
     /// Where a guide's pin or block stands, and the tangent there.
@@ -184,6 +221,9 @@ impl<'a> Draft<'a> {
 
     /// From a fixed pivot to its ground: down, unless something is in the way and another side is freer.
     fn support_side(&self, p: PointId) -> Vec2 {
+        if let Some(side) = self.course.supports.get(p.0) {
+            return *side;
+        }
         let down = Vec2::new(0.0, -1.0);
         let Some(at) = self.point(p) else { return down };
         let leaving = self.leaving(p);

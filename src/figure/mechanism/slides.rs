@@ -41,11 +41,13 @@ impl Draft<'_> {
             match (pin, slider, path) {
                 (Some(p), Some(_), Path::Line { direction, .. }) => self.hatched_line(g, p, direction),
                 (None, Some(_), Path::Line { direction, .. }) => self.bushing(g, direction),
-                (Some(p), None, Path::Line { direction, .. }) => self.fixed_slot(p, direction),
+                (Some(p), None, Path::Line { direction, .. }) => self.fixed_slot(g, p, direction),
                 (Some(p), _, Path::Arc { centre, radius }) => {
                     let Some(at) = self.point(p) else { continue };
                     let (middle, half) = ((at - centre).angle(), (FIXED_SLOT_HALF_MM / radius).min(1.5));
-                    let items = sym::slot_arc(self.style, centre, radius.max(self.style.slot_width_mm), middle - half, middle + half);
+                    let [back, on] = self.travel(g).map(|t| t / radius);
+                    let radius = radius.max(self.style.slot_width_mm);
+                    let items = sym::slot_arc(self.style, centre, radius, middle + back - half, middle + on + half);
                     self.d.draw(&format!("guide-{}", self.scene.point_name(p).to_owned()), "ground", items);
                 }
                 _ => {}
@@ -60,11 +62,17 @@ impl Draft<'_> {
         let rightward = direction.x > 1e-9 || direction.x.abs() <= 1e-9 && direction.y > 0.0;
         let mut u = if rightward { direction } else { -direction };
         let pull: f64 = self.leaving(p).iter().map(|v| u.cross(*v)).sum();
-        if pull < -STEEP {
+        let turned = match self.course.hatched.get(g.0).copied().flatten() {
+            Some(side) => side.dot(u.perp()) > 0.0,
+            None => pull < -STEEP,
+        };
+        if turned {
             u = -u;
         }
         self.hatched[g.0] = Some(-u.perp());
-        let items = sym::guide(self.style, at, u.angle(), GUIDE_MM, sym::Guide::OneSided);
+        let [back, on] = self.travel(g);
+        let middle = at + direction * ((back + on) / 2.0);
+        let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
 
@@ -76,13 +84,17 @@ impl Draft<'_> {
         if u.cross(direction).abs() > 1e-6 {
             return;
         }
-        let shape = Shape::Line { from, to: at + u * (GUIDE_MM / 2.0 + 4.0), stroke: self.style.thin.dashed(Dash::DashDot) };
+        let [back, on] = self.travel(g);
+        let ahead = if u.dot(direction) > 0.0 { on } else { -back };
+        let shape = Shape::Line { from, to: at + u * (ahead + GUIDE_MM / 2.0 + 4.0), stroke: self.style.thin.dashed(Dash::DashDot) };
         self.d.shape(&format!("axis-{}", self.scene.point_name(p)), "centre", shape);
     }
 
-    fn fixed_slot(&mut self, p: PointId, direction: Vec2) {
+    fn fixed_slot(&mut self, g: GuideId, p: PointId, direction: Vec2) {
         let Some(at) = self.point(p) else { return };
-        let (u, n) = (direction * (GUIDE_MM / 2.0), direction.perp() * (self.style.slot_width_mm / 2.0));
+        let [back, on] = self.travel(g);
+        let at = at + direction * ((back + on) / 2.0);
+        let (u, n) = (direction * ((GUIDE_MM + on - back) / 2.0), direction.perp() * (self.style.slot_width_mm / 2.0));
         let id = format!("guide-{}", self.scene.point_name(p));
         self.d.draw(&id, "", sym::ground_line(self.style, at - u - n, at + u - n));
         self.d.draw(&id, "", sym::ground_line(self.style, at + u + n, at - u + n));
@@ -94,10 +106,13 @@ impl Draft<'_> {
         let Some(root) = self.rod_root(slider.0, g, u) else { return };
         // Away from the fixed pivots, so that the crank does not run into the bushing.
         let pivots = (0..self.scene.points.len()).map(PointId).filter(|p| self.is_fixed_pivot(*p)).filter_map(|p| self.point(p));
-        let away: f64 = pivots.map(|p| (root - p).dot(u)).sum();
-        let u = if away < 0.0 { -u } else { u };
-        let centre = root + u * (BUSHING_MM + BUSHING_LENGTH_MM / 2.0);
-        let end = centre + u * (BUSHING_LENGTH_MM / 2.0 + 8.0);
+        let [back, on] = self.travel(g);
+        let middle = root + u * ((back + on) / 2.0);
+        let away: f64 = pivots.map(|p| (middle - p).dot(u)).sum();
+        let (u, ahead) = if away < 0.0 { (-u, -back) } else { (u, on) };
+        // The bushing stands where the yoke never comes; the rod reaches through it when the yoke is farthest off.
+        let centre = root + u * (ahead + BUSHING_MM + BUSHING_LENGTH_MM / 2.0);
+        let end = root + u * (on - back + BUSHING_MM + BUSHING_LENGTH_MM + 8.0);
         let name = self.scene.links[slider.0].name.clone();
         let items = sym::guide(self.style, centre, u.angle(), BUSHING_LENGTH_MM, sym::Guide::TwoSided);
         self.d.draw(&format!("guide-{name}"), "", items);

@@ -4,10 +4,9 @@ use crate::construct::scale;
 use crate::figure::drawing::Drawing;
 use crate::figure::item::{Anchor, Colour, Shape};
 use crate::figure::label::Label;
+use crate::figure::sheet::of_level;
 use crate::figure::style::Style;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Level;
-use crate::quantity::{inked, shortest};
 
 use super::{Draft, SAME_MM, ZERO_MM, middle};
 
@@ -160,10 +159,7 @@ impl Draft<'_> {
                 d.label_at(&name, &format!("inset {}", l.class(k)), &l.letters.join(", "), at, 0.3, (at - inner).unit());
             }
         }
-        let mu = match self.p.level {
-            Level::Acceleration => format!("\\mu_a = {} (m/s^2)/mm", inked(&shortest(inset.mu))),
-            _ => format!("\\mu_v = {} (m/s)/mm", inked(&shortest(inset.mu))),
-        };
+        let mu = of_level(self.p.level, inset.mu);
         let at = inset.at - Vec2::new(0.0, inset.outer_mm() + style.small_mm + 0.8);
         let label = Shape::Label { at, label: Label::math(mu), size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
         d.shape("inset-scale", &class, label);

@@ -1,0 +1,124 @@
+//! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
+
+use super::args::{Limits, Sweep};
+use super::tables::{self, Kind};
+use super::{Failure, Input, Run, files};
+use crate::diag::{Diagnostic, Faults, Warned};
+use crate::mechanism::Mechanism;
+use crate::report::limits as report;
+use crate::scene::{self, Angle, DriverKind, Scene, edit};
+use crate::sweep::extreme;
+use crate::sweep::vary::Variation;
+use crate::sweep::{self, Placed, Stations, Table, Width, station};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
+pub const STEPS: usize = 360;
+
+pub fn sweep(a: Sweep) -> Run {
+    let mut input = Input::read(&a.common.scene)?;
+    ask(&mut input, a.find.as_deref())?;
+    let failed = |faults: Faults, input: &Input| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mut table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
+    let notes = std::mem::take(&mut table.notes);
+    input.notes.extend(notes.iter().cloned());
+    table.notes = notes;
+    match a.output.as_deref() {
+        Some(path) => tables::write(&table, Path::new(path), &input.scene)?,
+        None => {
+            files::print(&tables::text(&table, Kind::Csv))?;
+        }
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The command `limits`: what the motion as a whole comes to.
+pub fn limits(a: Limits) -> Run {
+    let input = Input::read(&a.common.scene)?;
+    let (lang, _) = super::choices(&input.scene, &a.common);
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
+    let driver = match a.over.as_deref() {
+        None | Some("driver") => 0,
+        Some(name) => driver_named(&input.scene, name).ok_or_else(|| failed(unknown_driver(&input.scene, name)))?,
+    };
+    let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(failed)?;
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
+    } else {
+        files::print(&report::text(&input.scene, driver, &limits, lang))?;
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+pub fn unknown_driver(scene: &Scene, name: &str) -> Faults {
+    let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
+    Diagnostic::error("no-driver", format!("the scene has no driver `{name}`")).help(format!("its drivers are {}", names.join(", "))).into()
+}
+
+/// Puts other questions in the place of the scene's.
+pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
+    let Some(find) = find else { return Ok(()) };
+    let words: Vec<&str> = find.split(',').map(str::trim).filter(|w| !w.is_empty()).collect();
+    let (name, source) = (input.name.clone(), input.source.clone());
+    let text = edit::with_find(&source, &words).map_err(|f| Failure::Input(f, name, source))?;
+    match scene::read(&text) {
+        Ok(Warned { value, notes }) => {
+            (input.scene, input.notes, input.source) = (value, notes, text);
+            Ok(())
+        }
+        Err(faults) => Err(Failure::Input(faults, input.name.clone(), text)),
+    }
+}
+
+fn table(scene: &Scene, a: &Sweep) -> Result<Table, Faults> {
+    let mechanism = Mechanism::new(scene)?.value;
+    let parameter = a.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
+    if let Some(name) = parameter {
+        let (from, to) = (bound(a.from.as_deref(), "--from")?, bound(a.to.as_deref(), "--to")?);
+        let variation = Variation::new(scene, &[name])?;
+        let values = variation.range(scene, name, &from, &to, a.steps)?;
+        return sweep::vary::sweep(scene, &mechanism, &variation, &values);
+    }
+    let driver = a.over.as_deref().and_then(|o| driver_named(scene, o)).unwrap_or(0);
+    if driver >= scene.drivers.len() {
+        return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
+    }
+    let placed = Placed::new(scene, &mechanism)?;
+    let stations = stations(&placed, driver, a.from.as_deref(), a.to.as_deref(), a.steps)?;
+    sweep::run(&placed, driver, &stations, Width::Widest)
+}
+
+fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {
+    text.map(str::to_owned).ok_or_else(|| {
+        Diagnostic::error("range", format!("{name} is missing")).help("a parameter has no natural range: give --from and --to").into()
+    })
+}
+
+/// A driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` count.
+pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
+    (0..scene.drivers.len()).find(|&d| sweep::driver_name(scene, d).0 == name || name == format!("driver{}", d + 1))
+}
+
+/// The stations of a driver between two values as the scene would write them; a full turn where it turns.
+pub fn stations(placed: &Placed, driver: usize, from: Option<&str>, to: Option<&str>, steps: usize) -> Result<Stations, Faults> {
+    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
+    if let DriverKind::Turn { .. } = placed.scene.drivers[driver].kind {
+        let read = |text: Option<&str>, default: f64| match text {
+            Some(text) => scene::edit::angle(text),
+            None => Ok(Angle::Deg(default)),
+        };
+        return Ok(Stations::turned(read(from, 0.0)?, read(to, 360.0)?, steps));
+    }
+    match (from, to) {
+        (Some(from), Some(to)) => Ok(Stations::slid(edit::length(from)?, edit::length(to)?, steps, per_value)),
+        _ => {
+            let now = station::position_now(placed.scene, &placed.at, driver);
+            let given = |text: Option<&str>, default: f64| text.map_or(Ok(default), edit::length);
+            Ok(Stations::slid(given(from, now)?, given(to, now)?, steps, per_value))
+        }
+    }
+}

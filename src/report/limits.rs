@@ -1,0 +1,214 @@
+//! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
+
+use super::phrase::tr;
+use crate::quantity::{metres, significant};
+use crate::scene::{Lang, LinkId, PointId, Scene};
+use crate::sweep::driver_name;
+use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
+use crate::sweep::limit::{Event, Kind};
+use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
+
+/// A writer for one scene, driver and language.
+struct Words<'a> {
+    scene: &'a Scene,
+    limits: &'a Limits,
+    lang: Lang,
+    name: String,
+    angular: bool,
+}
+
+/// The report as text.
+pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String {
+    let w = Words::new(scene, driver, limits, lang);
+    let mut out = String::new();
+    let mut line = |text: String| {
+        out.push_str(&text);
+        out.push('\n');
+    };
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        line(title.to_owned());
+    }
+    line(w.range());
+    for e in limits.events() {
+        line(format!("  {}", w.event(e)));
+    }
+    if let Some((kind, [a, b, c, d])) = limits.grashof {
+        let sums = format!("{} {} {} {}", metres(a), metres(b), metres(c), metres(d));
+        let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
+        line(format!("{}{} ({of}: {sums})", tr(lang, "Grashof: ", "杆长条件："), grashof_words(kind, lang)));
+    }
+    for s in &limits.swings {
+        line(w.swing(s));
+        for e in &s.extremes {
+            line(format!("  {}", w.extreme(s, e)));
+        }
+    }
+    if let Some(worst) = limits.transmission.iter().min_by(|a, b| a.angle.total_cmp(&b.angle)) {
+        line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
+        for t in &limits.transmission {
+            let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 { tr(lang, "  (the worst)", "（最小）") } else { "" };
+            line(format!("  {} γ = {} {}{mark}", w.joint(&t.links, t.pin), degrees(t.angle), w.at(t.driver)));
+        }
+    }
+    out
+}
+
+/// The report as JSON, in SI.
+pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
+    let w = Words::new(scene, driver, limits, Lang::En);
+    let links = |l: &[LinkId]| l.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>();
+    let event = |e: &Event| {
+        json!({
+            "kind": if e.kind == Kind::Limit { "limit" } else { "change-point" },
+            "driver": e.value,
+            "links": links(&e.links),
+            "pin": e.pin.map(|p| scene.point_name(p)),
+        })
+    };
+    let swings: Vec<Json> = limits
+        .swings
+        .iter()
+        .map(|s| {
+            let extremes: Vec<Json> =
+                s.extremes.iter().map(|e| json!({"driver": w.wrapped(e.driver), "output": e.output, "at_limit": e.at_limit})).collect();
+            json!({"output": w.output(s.output), "extremes": extremes, "stroke": s.stroke, "time_ratio": s.time_ratio})
+        })
+        .collect();
+    let transmission: Vec<Json> = limits
+        .transmission
+        .iter()
+        .map(|t| json!({"links": links(&t.links), "pin": t.pin.map(|p| scene.point_name(p)), "angle": t.angle, "driver": w.wrapped(t.driver)}))
+        .collect();
+    json!({
+        "driver": w.name,
+        "now": limits.range.now,
+        "full_turn": w.angular && limits.range.full(),
+        "range": limits.range.ends.iter().map(|e| e.as_ref().map(event)).collect::<Vec<_>>(),
+        "change_points": limits.range.changes.iter().map(event).collect::<Vec<_>>(),
+        "outputs": swings,
+        "transmission": transmission,
+        "grashof": limits.grashof.map(|(kind, lengths)| json!({"type": grashof_words(kind, Lang::En), "lengths": lengths})),
+    })
+}
+
+impl<'a> Words<'a> {
+    fn new(scene: &'a Scene, driver: usize, limits: &'a Limits, lang: Lang) -> Self {
+        let (name, unit) = driver_name(scene, driver);
+        Words { scene, limits, lang, name, angular: unit == "rad" }
+    }
+
+    /// A crank's position in [0, 2π) where it turns fully.
+    fn wrapped(&self, value: f64) -> f64 {
+        if !(self.angular && self.limits.range.full()) {
+            return value;
+        }
+        let turned = value.rem_euclid(TAU);
+        // A hair below a full turn is the start.
+        if TAU - turned < 1e-12 { 0.0 } else { turned }
+    }
+
+    fn value(&self, value: f64) -> String {
+        if self.angular { degrees(self.wrapped(value)) } else { length(value) }
+    }
+
+    fn at(&self, value: f64) -> String {
+        format!("{} {} = {}", tr(self.lang, "at", "位于"), self.name, self.value(value))
+    }
+
+    fn range(&self) -> String {
+        let r = &self.limits.range;
+        match &r.ends {
+            [None, None] if self.angular => format!("{} {}", self.name, tr(self.lang, "turns fully", "可整周转动")),
+            [low, high] => {
+                let end = |e: &Option<Event>| {
+                    e.as_ref().map_or_else(|| tr(self.lang, "no limit found", "未见极限").to_owned(), |e| self.value(e.value))
+                };
+                format!("{} {} {} … {}", self.name, tr(self.lang, "goes", "的范围："), end(low), end(high))
+            }
+        }
+    }
+
+    fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {
+        let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let word = if names.len() == 1 { tr(self.lang, "link", "构件") } else { tr(self.lang, "links", "构件") };
+        let names = names.join(", ");
+        match (pin.map(|p| self.scene.point_name(p)), names.is_empty()) {
+            (Some(p), true) => p.to_owned(),
+            (Some(p), false) => format!("{word} {names} {} {p}", tr(self.lang, "at", "在")),
+            (None, _) => format!("{word} {names}"),
+        }
+    }
+
+    fn event(&self, e: &Event) -> String {
+        let what = match e.kind {
+            Kind::Limit => tr(self.lang, "limit", "极限位置"),
+            Kind::ChangePoint => tr(self.lang, "change point", "变点"),
+        };
+        let line = tr(self.lang, "in line", "共线");
+        format!("{what} {}: {} {line}", self.at(e.value), self.joint(&e.links, e.pin))
+    }
+
+    fn output(&self, output: Output) -> String {
+        match output {
+            Output::Turning(l) => format!("phi_{}", self.scene.link_name(l)),
+            Output::Sliding(g) => {
+                let guide = &self.scene.guides[g.0];
+                let point = guide.pin.map(|p| self.scene.point_name(p));
+                format!("s_{}", point.or(guide.slider.map(|l| self.scene.link_name(l))).unwrap_or_default())
+            }
+        }
+    }
+
+    fn size(output: Output, value: f64) -> String {
+        match output {
+            Output::Turning(_) => degrees(value),
+            Output::Sliding(_) => length(value),
+        }
+    }
+
+    fn swing(&self, s: &Swing) -> String {
+        let (lang, name) = (self.lang, self.output(s.output));
+        let Some(stroke) = s.stroke else { return format!("{name} {}", tr(lang, "has no extreme position", "无极限位置")) };
+        let word = match s.output {
+            Output::Turning(_) => tr(lang, "swings", "摆角"),
+            Output::Sliding(_) => tr(lang, "has a stroke of", "行程"),
+        };
+        let ratio = s.time_ratio.map_or(String::new(), |k| {
+            let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
+            format!(", {} K = {} (θ = {})", tr(lang, "time ratio", "行程速比系数"), significant(k, 6), degrees(theta))
+        });
+        format!("{name} {word} {}{ratio}", Self::size(s.output, stroke))
+    }
+
+    fn extreme(&self, s: &Swing, e: &Extreme) -> String {
+        let remark = match (e.at_limit, s.output) {
+            (true, _) => tr(self.lang, "  (the driver goes no farther)", "（原动件到达极限）").to_owned(),
+            (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
+            (false, _) => format!("  ({})", tr(self.lang, "a dead centre if it is driven from there", "若由此从动件驱动则为死点")),
+        };
+        format!("{} = {} {}{remark}", self.output(s.output), Self::size(s.output, e.output), self.at(e.driver))
+    }
+}
+
+fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
+    match kind {
+        Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
+        Grashof::RockerCrank => tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）"),
+        Grashof::DoubleCrank => tr(lang, "double crank (drag link)", "双曲柄机构"),
+        Grashof::DoubleRocker => tr(lang, "double rocker, the coupler turns fully", "双摇杆机构（连杆可整周转动）"),
+        Grashof::TripleRocker => tr(lang, "double rocker, no link turns fully", "双摇杆机构（不满足杆长条件）"),
+        Grashof::ChangePoint => tr(lang, "change-point mechanism", "变点机构"),
+    }
+}
+
+fn degrees(rad: f64) -> String {
+    // A zero that was found to rounding is zero; a crossing angle is the root of what was found.
+    let d = if rad.abs() < 1e-7 { 0.0 } else { rad.to_degrees() };
+    format!("{}°", significant(d, 6))
+}
+
+fn length(m: f64) -> String {
+    format!("{} mm", significant(m * 1e3, 6))
+}

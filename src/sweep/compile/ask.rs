@@ -1,0 +1,201 @@
+//! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`].
+
+use super::{Compiler, NoKernel, Spot};
+use crate::answer::guide_between;
+use crate::diag::Diagnostic;
+use crate::mechanism::Level;
+use crate::report::answers;
+use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
+use crate::sweep::carry::{Arm, Twist};
+use crate::sweep::extreme::Output;
+use crate::sweep::kernel::{Pair, Reg};
+use crate::sweep::program::Asked;
+use crate::sweep::reading::{Coriolis, Direction, Dot, Length, Part, Sum};
+
+const P: Level = Level::Position;
+const V: Level = Level::Velocity;
+const A: Level = Level::Acceleration;
+
+impl Compiler<'_> {
+    /// The columns of a question: a number one, a vector its two components and its length.
+    pub(super) fn answer(&mut self, find: &Find) -> Result<Vec<Asked>, NoKernel> {
+        use scene::Asked::*;
+        let one = |c: &Self, reg: Reg| vec![c.column(find, "", reg)];
+        let vector = |c: &mut Self, level: Level, v: Pair| {
+            let length = c.emit(level, Length { v }, 1);
+            vec![c.column(find, ".x", v.x), c.column(find, ".y", v.y), c.column(find, "", length)]
+        };
+        Ok(match find.what {
+            Coordinate(p, axis) => {
+                let at = self.point(p, P)?;
+                one(self, if axis == Axis::X { at.x } else { at.y })
+            }
+            LinkAngle(l) => {
+                let v = self.line_of(l)?;
+                let angle = self.emit(P, Direction { v }, 1);
+                one(self, angle)
+            }
+            Distance(a, b) => {
+                let v = self.line(a, b)?;
+                let length = self.emit(P, Length { v }, 1);
+                one(self, length)
+            }
+            Velocity(p) => {
+                let v = self.vector(&p, V)?;
+                vector(self, V, v)
+            }
+            Acceleration(p) => {
+                let v = self.vector(&p, A)?;
+                vector(self, A, v)
+            }
+            RelativeVelocity(a, b) | SlidingVelocity(a, b) => {
+                let v = self.relative(&a, &b, V)?;
+                vector(self, V, v)
+            }
+            RelativeAcceleration(a, b) => {
+                let v = self.relative(&a, &b, A)?;
+                vector(self, A, v)
+            }
+            NormalAcceleration(a, b) => {
+                let (u, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
+                let part = self.emit_pair(A, Part { u, v });
+                vector(self, A, part)
+            }
+            TangentialAcceleration(a, b) => {
+                let (d, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
+                let u = self.emit_pair(P, Twist { d, k: [0.0, 1.0] });
+                let part = self.emit_pair(A, Part { u, v });
+                vector(self, A, part)
+            }
+            Coriolis(a, b) => {
+                let v = self.coriolis(&a, &b, find)?;
+                vector(self, V, v)
+            }
+            SlidingAcceleration(a, b) => {
+                let (from, to) = (self.coriolis(&a, &b, find)?, self.relative(&a, &b, A)?);
+                let v = self.emit_pair(A, Arm { from, to });
+                vector(self, A, v)
+            }
+            Omega(l) => {
+                let reg = self.turning(l, V)?;
+                one(self, reg)
+            }
+            Alpha(l) => {
+                let reg = self.turning(l, A)?;
+                one(self, reg)
+            }
+            RelativeOmega(a, b) => {
+                let reg = self.relative_turning(a, b, V)?;
+                one(self, reg)
+            }
+            RelativeAlpha(a, b) => {
+                let reg = self.relative_turning(a, b, A)?;
+                one(self, reg)
+            }
+        })
+    }
+
+    /// Position, rate and acceleration of an output.
+    pub(super) fn output(&mut self, output: Output) -> Result<[Asked; 3], NoKernel> {
+        let regs = match output {
+            Output::Turning(l) => {
+                let v = self.line_of(l)?;
+                [self.emit(P, Direction { v }, 1), self.turning(l, V)?, self.turning(l, A)?]
+            }
+            Output::Sliding(g) => {
+                let guide = &self.scene.guides[g.0];
+                let (slot, runner) = match (self.slot(g)?, guide.pin, guide.slider) {
+                    (Some(slot), Some(p), _) => (slot, Spot::Pin(p)),
+                    (Some(slot), None, Some(l)) => (slot, Spot::Own(l)),
+                    _ => return Err(self.lost(guide.on)),
+                };
+                let (from, to) = (slot.through, self.spot(runner, P)?);
+                let way = self.emit_pair(P, Arm { from, to });
+                let (v, a) = (self.spot(runner, V)?, self.spot(runner, A)?);
+                let u = slot.direction;
+                [self.emit(P, Dot { u, v: way }, 1), self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
+            }
+        };
+        Ok(regs.map(|reg| Asked { name: String::new(), unit: "", reg }))
+    }
+
+    fn column(&self, find: &Find, component: &str, reg: Reg) -> Asked {
+        Asked { name: format!("{}{component}", find.text), unit: unit(&find.what), reg }
+    }
+
+    fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+        match p.link {
+            None => self.point(p.point, level),
+            Some(l) => self.carried(p.point, l, level),
+        }
+    }
+
+    fn relative(&mut self, a: &OnLink, b: &OnLink, level: Level) -> Result<Pair, NoKernel> {
+        let (to, from) = (self.vector(a, level)?, self.vector(b, level)?);
+        Ok(self.emit_pair(level, Arm { from, to }))
+    }
+
+    fn relative_turning(&mut self, a: LinkId, b: LinkId, level: Level) -> Result<Reg, NoKernel> {
+        let (a, b) = (self.turning(a, level)?, self.turning(b, level)?);
+        Ok(self.emit(level, Sum { a, b, k: -1.0 }, 1))
+    }
+
+    fn line(&mut self, from: PointId, to: PointId) -> Result<Pair, NoKernel> {
+        let (from, to) = (self.point(from, P)?, self.point(to, P)?);
+        Ok(self.emit_pair(P, Arm { from, to }))
+    }
+
+    /// The line whose angle a link's is: from its first point to its second, else its frame's axis.
+    fn line_of(&mut self, l: LinkId) -> Result<Pair, NoKernel> {
+        if let [a, b, ..] = self.scene.links[l.0].points[..] {
+            return self.line(a, b);
+        }
+        if let Some(crate::mechanism::Passive::Block(g)) = self.m.passive[l.0] {
+            let guide = &self.scene.guides[g.0];
+            return match (self.at.shapes.guides[g.0], guide.pin) {
+                (Some(crate::position::Path::Arc { centre, .. }), Some(pin)) => {
+                    let (from, to) = (self.spot(Spot::Fixed(guide.on, centre), P)?, self.point(pin, P)?);
+                    let d = self.emit_pair(P, Arm { from, to });
+                    Ok(self.emit_pair(P, Twist { d, k: [0.0, 1.0] }))
+                }
+                (Some(crate::position::Path::Line { direction, .. }), _) => self.direction_on(guide.on, direction),
+                _ => Err(self.lost(l)),
+            };
+        }
+        if let Some(crate::mechanism::Passive::Cylinder(d)) = self.m.passive[l.0]
+            && let scene::DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind
+        {
+            return self.line(a, b);
+        }
+        self.direction_on(l, crate::geom::Vec2::new(1.0, 0.0))
+    }
+
+    /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
+    fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<Pair, NoKernel> {
+        let v = self.relative(a, b, V)?;
+        let carrier = guide_between(self.scene, a, b).map(|g| self.scene.guides[g.0].on).or(b.link);
+        let carrier = carrier.ok_or_else(|| Diagnostic::note("no-kernel", format!("{} has no guide", find.text)).at(find.span))?;
+        let omega = self.turning(carrier, V)?;
+        Ok(self.emit_pair(V, Coriolis { v, omega }))
+    }
+}
+
+/// The SI unit of a column.
+fn unit(what: &scene::Asked) -> &'static str {
+    match what {
+        scene::Asked::LinkAngle(_) => "rad",
+        _ => answers::unit(what),
+    }
+}
+
+/// The columns of a question: name and unit of each.
+pub(in crate::sweep) fn names(find: &Find) -> Vec<(String, &'static str)> {
+    let components: &[&str] = if is_vector(&find.what) { &[".x", ".y", ""] } else { &[""] };
+    components.iter().map(|c| (format!("{}{c}", find.text), unit(&find.what))).collect()
+}
+
+/// Whether a question asks for a vector: three columns.
+fn is_vector(what: &scene::Asked) -> bool {
+    use scene::Asked::*;
+    !matches!(what, Coordinate(..) | LinkAngle(_) | Distance(..) | Omega(_) | Alpha(_) | RelativeOmega(..) | RelativeAlpha(..))
+}

@@ -1,0 +1,523 @@
+//! From a scene that is placed at its instant to a program for all positions of one swept driver.
+//!
+//! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
+//! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
+//! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
+//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups, [`ask`] the questions.
+//!
+//! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
+//! Newton's method, position by position.
+
+pub(super) mod ask;
+mod place;
+mod rate;
+
+use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
+use super::extreme::Output;
+use super::kernel::{Pair, Reg};
+use super::program::{Asked, COS, Joint, Op, Program, SIN, Step, VALUE};
+use super::track::Track;
+use crate::diag::Diagnostic;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Level, Mechanism, Passive};
+use crate::position::kernel::power_of_two_scale;
+use crate::position::{Configuration, Path, newton};
+use crate::scene::{DriverKind, Find, GuideId, LinkId, PointId, Scene};
+use rate::Row;
+
+/// Why a scene is not compiled: the group that has no kernel.
+pub type NoKernel = Diagnostic;
+
+/// Compiles the answers to `find` for a driver that is swept (`None`: all drivers stand; the program then has one position).
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, driver);
+    for f in find {
+        let columns = c.answer(f)?;
+        c.columns.extend(columns);
+    }
+    Ok(c.finish())
+}
+
+/// Compiles position, rate and acceleration of outputs, three columns each; and the positions of all groups, so that every joint
+/// is among the program's.
+///
+/// # Errors
+/// The group that has no kernel.
+pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, outputs: &[Output]) -> Result<Program, NoKernel> {
+    let mut c = Compiler::new(scene, m, at, Some(driver));
+    for g in 0..m.groups.len() {
+        c.group(g, Level::Position)?;
+    }
+    for output in outputs {
+        let columns = c.output(*output)?;
+        c.columns.extend(columns);
+    }
+    Ok(c.finish())
+}
+
+/// A place that moves: a pin, a link's own point, or another point fixed in a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Spot {
+    /// A pin.
+    Pin(PointId),
+    /// The point by which a link is known.
+    Own(LinkId),
+    /// A place in a link's frame.
+    Fixed(LinkId, Point),
+}
+
+/// By what a link is known.
+#[derive(Clone, Debug)]
+struct Body {
+    /// The point by whose motion it is described.
+    origin: Spot,
+    /// That point in the link's frame.
+    at: Point,
+    /// The arm in the link's frame.
+    d: Vec2,
+    /// The two pins between which the arm lies; `None` where the turning is known instead.
+    between: Option<(PointId, PointId)>,
+    /// Own point, its velocity and acceleration, where it is no pin.
+    own: [Option<Pair>; 3],
+    /// The arm and its rates.
+    arm: [Option<Pair>; 3],
+    /// ω and α (0 and 1 here are velocity and acceleration).
+    turning: [Option<Reg>; 2],
+}
+
+/// A guide in the plane.
+#[derive(Clone, Copy)]
+struct Slot {
+    through: Pair,
+    direction: Pair,
+    normal: Pair,
+}
+
+pub(super) struct Compiler<'a> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration,
+    driver: Option<usize>,
+    /// Value of each driver at the instant: radians between the lines that its angle counts from and to, metres.
+    values: Vec<f64>,
+    /// A power of two near the size of the mechanism: arms that have no length of their own get this one.
+    unit: f64,
+    steps: [Vec<Step>; 3],
+    constants: Vec<(Reg, f64)>,
+    registers: u32,
+    columns: Vec<Asked>,
+    joints: Vec<Joint>,
+    tracks: Vec<Track>,
+    points: Vec<[Option<Pair>; 3]>,
+    bodies: Vec<Option<Body>>,
+    slots: Vec<Option<Slot>>,
+    /// For each group, up to which level it is done.
+    done: Vec<Option<Level>>,
+    rows: Vec<Vec<Row>>,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration, driver: Option<usize>) -> Self {
+        let mut c = Compiler {
+            scene,
+            m,
+            at,
+            driver,
+            values: driver_positions(scene, at),
+            unit: 1.0 / power_of_two_scale(at.extent()),
+            steps: Default::default(),
+            constants: Vec::new(),
+            registers: SIN.0 + 1,
+            columns: Vec::new(),
+            joints: Vec::new(),
+            tracks: Vec::new(),
+            points: vec![[None; 3]; scene.points.len()],
+            bodies: vec![None; scene.links.len()],
+            slots: vec![None; scene.guides.len()],
+            done: vec![None; m.groups.len()],
+            rows: vec![Vec::new(); m.groups.len()],
+        };
+        let zero = c.zero();
+        let still = Pair { x: zero, y: zero };
+        let x = Pair { x: c.constant(1.0), y: zero };
+        c.bodies[scene.ground.0] = Some(Body {
+            origin: Spot::Own(scene.ground),
+            at: Point::ORIGIN,
+            d: Vec2::new(1.0, 0.0),
+            between: None,
+            own: [Some(still); 3],
+            arm: [Some(x), Some(still), Some(still)],
+            turning: [Some(zero); 2],
+        });
+        for (p, local) in &at.shapes.points[scene.ground.0] {
+            c.points[p.0] = [Some(c.fixed(local.to_vec2())), Some(still), Some(still)];
+        }
+        c
+    }
+
+    fn finish(self) -> Program {
+        Program {
+            steps: self.steps,
+            constants: self.constants,
+            registers: self.registers as usize,
+            columns: self.columns,
+            joints: self.joints,
+            tracks: self.tracks,
+            angular: self.driver.is_some_and(|d| matches!(self.scene.drivers[d].kind, DriverKind::Turn { .. })),
+        }
+    }
+
+    /// A group for which there is no kernel.
+    fn without_kernel(&self, group: usize) -> NoKernel {
+        let g = &self.m.groups[group];
+        let names: Vec<_> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
+        let pins: Vec<_> = g.pins.iter().map(|p| self.scene.point_name(*p)).collect();
+        let d = Diagnostic::note(
+            "no-kernel",
+            format!(
+                "links {} with joints {} ({}) have no compiled form: the mechanism is followed by Newton's method from position to position",
+                names.join(", "),
+                pins.join(", "),
+                g.kind()
+            ),
+        );
+        match g.links.first() {
+            Some(l) => d.at(self.scene.links[l.0].span),
+            None => d,
+        }
+    }
+
+    fn take(&mut self, n: u32) -> Reg {
+        let first = Reg(self.registers);
+        self.registers += n;
+        first
+    }
+
+    fn constant(&mut self, value: f64) -> Reg {
+        if let Some((reg, _)) = self.constants.iter().find(|(_, v)| v.to_bits() == value.to_bits()) {
+            return *reg;
+        }
+        let reg = self.take(1);
+        self.constants.push((reg, value));
+        reg
+    }
+
+    fn zero(&mut self) -> Reg {
+        self.constant(0.0)
+    }
+
+    fn fixed(&mut self, v: Vec2) -> Pair {
+        Pair { x: self.constant(v.x), y: self.constant(v.y) }
+    }
+
+    /// Adds an operation that fills `n` registers.
+    fn emit(&mut self, level: Level, op: impl Into<Op>, n: u32) -> Reg {
+        let out = self.take(n);
+        self.steps[level as usize].push(Step { op: op.into(), out });
+        out
+    }
+
+    fn emit_pair(&mut self, level: Level, op: impl Into<Op>) -> Pair {
+        let out = self.emit(level, op, 2);
+        Pair { x: out, y: Reg(out.0 + 1) }
+    }
+
+    /// The swept driver's value, or a driver's fixed one.
+    fn driver_value(&mut self, d: usize) -> Reg {
+        if self.driver == Some(d) { VALUE } else { self.constant(self.values[d]) }
+    }
+
+    /// Cosine and sine of a driver's angle; `arc`: of its way along an arc of this radius.
+    fn driver_turn(&mut self, d: usize, arc: Option<f64>) -> Pair {
+        if self.driver == Some(d) {
+            return Pair { x: COS, y: SIN };
+        }
+        let (s, c) = match (&self.scene.drivers[d].kind, arc) {
+            (DriverKind::Turn { angle: Some(angle), .. }, _) => crate::trig::sin_cos(angle.value),
+            (_, radius) => {
+                let angle = self.values[d] / radius.unwrap_or(1.0);
+                (libm::sin(angle), libm::cos(angle))
+            }
+        };
+        self.fixed(Vec2::new(c, s))
+    }
+
+    /// Rate of a driver and the rate of that.
+    fn driver_rates(&self, d: usize) -> [f64; 2] {
+        let driver = &self.scene.drivers[d];
+        [driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
+    }
+
+    fn body(&mut self, l: LinkId) -> Result<&Body, NoKernel> {
+        if self.bodies[l.0].is_none()
+            && let Some(g) = self.m.group_of_link[l.0]
+        {
+            self.group(g, Level::Position)?;
+        }
+        let missing = self.bodies[l.0].is_none();
+        if missing {
+            return Err(self.lost(l));
+        }
+        Ok(self.bodies[l.0].as_ref().expect("just made sure of"))
+    }
+
+    /// A link that nothing places.
+    fn lost(&self, l: LinkId) -> NoKernel {
+        Diagnostic::note("no-kernel", format!("link {} has no compiled form", self.scene.link_name(l))).at(self.scene.links[l.0].span)
+    }
+
+    /// A point of the scene: place, velocity or acceleration.
+    pub(super) fn point(&mut self, p: PointId, level: Level) -> Result<Pair, NoKernel> {
+        if let Some(pair) = self.points[p.0][level as usize] {
+            return Ok(pair);
+        }
+        if let Some(g) = self.m.group_of_pin[p.0] {
+            self.group(g, level)?;
+            if let Some(pair) = self.points[p.0][level as usize] {
+                return Ok(pair);
+            }
+        }
+        let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
+        let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
+            return Err(Diagnostic::note("no-kernel", format!("point {} has no compiled form", self.scene.point_name(p))));
+        };
+        let pair = self.spot(Spot::Fixed(l, local), level)?;
+        self.points[p.0][level as usize] = Some(pair);
+        Ok(pair)
+    }
+
+    /// Any moving place.
+    pub(super) fn spot(&mut self, spot: Spot, level: Level) -> Result<Pair, NoKernel> {
+        match spot {
+            Spot::Pin(p) => self.point(p, level),
+            Spot::Own(l) => {
+                let origin = self.body(l)?.origin;
+                if origin != spot {
+                    return self.spot(origin, level);
+                }
+                self.link_group(l, level)?;
+                let own = self.bodies[l.0].as_ref().and_then(|b| b.own[level as usize]);
+                own.ok_or_else(|| self.lost(l))
+            }
+            Spot::Fixed(l, local) => {
+                if l == self.scene.ground {
+                    return Ok(match level {
+                        Level::Position => self.fixed(local.to_vec2()),
+                        _ => self.fixed(Vec2::ZERO),
+                    });
+                }
+                let body = self.body(l)?;
+                let k = (local - body.at).divide_by(body.d);
+                if k == Vec2::ZERO {
+                    return self.spot(Spot::Own(l), level);
+                }
+                if let (true, Some((_, near))) = (k == Vec2::new(1.0, 0.0), body.between) {
+                    return self.point(near, level);
+                }
+                let (o, d) = (self.spot(Spot::Own(l), level)?, self.arm(l, level)?);
+                Ok(self.emit_pair(level, Image { o, d, k: [k.x, k.y] }))
+            }
+        }
+    }
+
+    /// A place at the instant.
+    fn now(&self, spot: Spot) -> Point {
+        let nowhere = Point::new(f64::NAN, f64::NAN);
+        match spot {
+            Spot::Pin(p) => self.at.points[p.0].unwrap_or(nowhere),
+            Spot::Own(l) => match &self.bodies[l.0] {
+                Some(b) if b.origin == spot => self.now(Spot::Fixed(l, b.at)),
+                Some(b) => self.now(b.origin),
+                None => nowhere,
+            },
+            Spot::Fixed(l, local) => self.at.poses[l.0].map_or(nowhere, |pose| pose.to_world(local)),
+        }
+    }
+
+    /// Brings the group of a link to a level.
+    fn link_group(&mut self, l: LinkId, level: Level) -> Result<(), NoKernel> {
+        match self.m.group_of_link[l.0] {
+            Some(g) => self.group(g, level),
+            None => Ok(()),
+        }
+    }
+
+    /// A link's arm or its rates.
+    pub(super) fn arm(&mut self, l: LinkId, level: Level) -> Result<Pair, NoKernel> {
+        let body = self.body(l)?;
+        if let Some(pair) = body.arm[level as usize] {
+            return Ok(pair);
+        }
+        let pair = match body.between {
+            Some((far, near)) => {
+                let (from, to) = (self.point(far, level)?, self.point(near, level)?);
+                self.emit_pair(level, Arm { from, to })
+            }
+            None => {
+                let r = self.arm(l, Level::Position)?;
+                let omega = self.turning(l, Level::Velocity)?;
+                let still = self.fixed(Vec2::ZERO);
+                match level {
+                    Level::Position => return Err(self.lost(l)),
+                    Level::Velocity => self.emit_pair(level, Swing { v: still, r, omega }),
+                    Level::Acceleration => {
+                        let alpha = self.turning(l, Level::Acceleration)?;
+                        self.emit_pair(level, SwingRate { a: still, r, omega, alpha })
+                    }
+                }
+            }
+        };
+        if let Some(body) = &mut self.bodies[l.0] {
+            body.arm[level as usize] = Some(pair);
+        }
+        Ok(pair)
+    }
+
+    /// ω or α of a link.
+    pub(super) fn turning(&mut self, l: LinkId, level: Level) -> Result<Reg, NoKernel> {
+        let slot = level as usize - 1;
+        if let Some(passive) = self.m.passive[l.0] {
+            return self.turning_of_follower(l, passive, level);
+        }
+        self.body(l)?;
+        let known = |c: &Self| c.bodies[l.0].as_ref().and_then(|b| b.turning[slot]);
+        if let Some(reg) = known(self) {
+            return Ok(reg);
+        }
+        self.link_group(l, level)?;
+        if let Some(reg) = known(self) {
+            return Ok(reg);
+        }
+        let (d, v) = (self.arm(l, Level::Position)?, self.arm(l, Level::Velocity)?);
+        let reg = self.turning_of_arm(d, v, level, |c| c.arm(l, Level::Acceleration), |c| c.turning(l, Level::Velocity))?;
+        if let Some(body) = &mut self.bodies[l.0] {
+            body.turning[slot] = Some(reg);
+        }
+        Ok(reg)
+    }
+
+    /// ω or α of a line whose arm and rates are known.
+    fn turning_of_arm(
+        &mut self,
+        d: Pair,
+        v: Pair,
+        level: Level,
+        a: impl FnOnce(&mut Self) -> Result<Pair, NoKernel>,
+        omega: impl FnOnce(&mut Self) -> Result<Reg, NoKernel>,
+    ) -> Result<Reg, NoKernel> {
+        Ok(match level {
+            Level::Acceleration => {
+                let (a, omega) = (a(self)?, omega(self)?);
+                self.emit(level, TurningRate { d, v, a, omega }, 1)
+            }
+            _ => self.emit(level, Turning { d, v }, 1),
+        })
+    }
+
+    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder.
+    fn turning_of_follower(&mut self, l: LinkId, passive: Passive, level: Level) -> Result<Reg, NoKernel> {
+        let (from, to) = match passive {
+            Passive::Block(g) => {
+                let guide = &self.scene.guides[g.0];
+                match (self.at.shapes.guides[g.0], guide.pin) {
+                    (Some(Path::Arc { centre, .. }), Some(pin)) => (Spot::Fixed(guide.on, centre), Spot::Pin(pin)),
+                    _ => return self.turning(guide.on, level),
+                }
+            }
+            Passive::Cylinder(d) => match self.scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => (Spot::Pin(a), Spot::Pin(b)),
+                _ => return Err(self.lost(l)),
+            },
+        };
+        let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
+            let (from, to) = (c.spot(from, level)?, c.spot(to, level)?);
+            Ok(c.emit_pair(level, Arm { from, to }))
+        };
+        let (d, v) = (arm(self, Level::Position)?, arm(self, Level::Velocity)?);
+        self.turning_of_arm(d, v, level, |c| arm(c, Level::Acceleration), |c| c.turning(l, Level::Velocity))
+    }
+
+    /// The vector of the point of a link that lies at a place.
+    pub(super) fn carried(&mut self, p: PointId, l: LinkId, level: Level) -> Result<Pair, NoKernel> {
+        if self.scene.links[l.0].points.contains(&p) || level == Level::Position {
+            return self.point(p, level);
+        }
+        let base = match self.m.passive[l.0] {
+            Some(Passive::Block(g)) => match self.scene.guides[g.0].pin {
+                Some(pin) if pin == p => return self.point(p, level),
+                Some(pin) => Spot::Pin(pin),
+                None => return Err(self.lost(l)),
+            },
+            Some(Passive::Cylinder(d)) => match self.scene.drivers[d].kind {
+                DriverKind::Cylinder { a, .. } => Spot::Pin(a),
+                _ => return Err(self.lost(l)),
+            },
+            None => Spot::Own(l),
+        };
+        let (from, to) = (self.spot(base, Level::Position)?, self.point(p, Level::Position)?);
+        let r = self.emit_pair(Level::Position, Arm { from, to });
+        let omega = self.turning(l, Level::Velocity)?;
+        let v = self.spot(base, level)?;
+        Ok(match level {
+            Level::Acceleration => {
+                let alpha = self.turning(l, Level::Acceleration)?;
+                self.emit_pair(level, SwingRate { a: v, r, omega, alpha })
+            }
+            _ => self.emit_pair(level, Swing { v, r, omega }),
+        })
+    }
+
+    /// A direction fixed in a link, in the plane.
+    fn direction_on(&mut self, l: LinkId, local: Vec2) -> Result<Pair, NoKernel> {
+        if l == self.scene.ground {
+            return Ok(self.fixed(local));
+        }
+        let k = local.divide_by(self.body(l)?.d);
+        let d = self.arm(l, Level::Position)?;
+        Ok(self.emit_pair(Level::Position, Twist { d, k: [k.x, k.y] }))
+    }
+
+    /// A straight guide in the plane.
+    fn slot(&mut self, g: GuideId) -> Result<Option<Slot>, NoKernel> {
+        if self.slots[g.0].is_none()
+            && let Some(Path::Line { through, direction }) = self.at.shapes.guides[g.0]
+        {
+            let on = self.scene.guides[g.0].on;
+            let slot = Slot {
+                through: self.spot(Spot::Fixed(on, through), Level::Position)?,
+                direction: self.direction_on(on, direction)?,
+                normal: self.direction_on(on, direction.perp())?,
+            };
+            self.slots[g.0] = Some(slot);
+        }
+        Ok(self.slots[g.0])
+    }
+}
+
+/// The value of each driver in a placed mechanism: the angle that the scene counts (rad, as written where it is written),
+/// the coordinate along the guide, the length of the cylinder (m).
+pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
+    let measured = newton::driver_values(scene, at);
+    scene
+        .drivers
+        .iter()
+        .zip(measured.0)
+        .map(|(driver, measured)| match &driver.kind {
+            DriverKind::Turn { angle: Some(angle), .. } => angle.value.radians(),
+            DriverKind::Turn { link, against, line, against_line, angle: None } => {
+                let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
+                    Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
+                    None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
+                    None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
+                };
+                let turned = of(*link, *line).zip(of(*against, *against_line)).map(|(own, base)| own.divide_by(base).angle());
+                turned.unwrap_or(measured)
+            }
+            DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => x.value,
+            _ => measured,
+        })
+        .collect()
+}

@@ -1,0 +1,536 @@
+//! Positions of a group as operations, and the rows that its legs will give for velocities and accelerations.
+
+use super::rate::Row;
+use super::{Body, Compiler, NoKernel, Spot};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Core, Leg, Level};
+use crate::position::{Path, Pose};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
+use crate::sweep::closure::{CircleLine, Circles, Lever, Lines};
+use crate::sweep::kernel::{Pair, Reg};
+use crate::sweep::program::Joint;
+use crate::sweep::reading::{Length, Quotient};
+use crate::sweep::track::{Held, Track};
+
+/// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
+#[derive(Clone, Copy)]
+enum Locus {
+    Circle { centre: Pair, radius: Reg, now: Point },
+    Line { through: Pair, direction: Pair, now: (Point, Vec2) },
+}
+
+const P: Level = Level::Position;
+
+impl Compiler<'_> {
+    /// Brings a group to a level, and what it rests on.
+    pub(super) fn group(&mut self, g: usize, level: Level) -> Result<(), NoKernel> {
+        if self.done[g].is_none() {
+            self.done[g] = Some(P);
+            self.place(g)?;
+        }
+        if self.done[g] < Some(Level::Velocity) && level >= Level::Velocity {
+            self.done[g] = Some(Level::Velocity);
+            self.velocities(g)?;
+        }
+        if self.done[g] < Some(Level::Acceleration) && level >= Level::Acceleration {
+            self.done[g] = Some(Level::Acceleration);
+            self.accelerations(g)?;
+        }
+        Ok(())
+    }
+
+    fn place(&mut self, g: usize) -> Result<(), NoKernel> {
+        let m = self.m;
+        match &m.groups[g].core {
+            Core::Pin { pin, legs } => self.place_pin(g, *pin, legs),
+            Core::Link { link, legs } => self.place_link(g, *link, legs),
+            Core::Higher => Err(self.without_kernel(g)),
+        }
+    }
+
+    fn place_pin(&mut self, g: usize, pin: PointId, legs: &[Leg]) -> Result<(), NoKernel> {
+        let at = match legs {
+            [Leg::Carried { link }] => {
+                let local = self.at.shapes.local(*link, pin).ok_or_else(|| self.without_kernel(g))?;
+                self.rows[g].push(Row::Carried { at: Spot::Fixed(*link, local) });
+                self.spot(Spot::Fixed(*link, local), P)?
+            }
+            [Leg::Driven { guide, driver, .. }] => self.driven_along(g, Spot::Pin(pin), *guide, *driver)?,
+            [first, second] => {
+                let a = self.locus_of_pin(g, pin, first)?;
+                let b = self.locus_of_pin(g, pin, second)?;
+                let now = self.now(Spot::Pin(pin));
+                self.meet(g, a, b, now)?
+            }
+            _ => return Err(self.without_kernel(g)),
+        };
+        self.points[pin.0][P as usize] = Some(at);
+        for leg in legs {
+            match *leg {
+                Leg::Bar { link, far, .. } => self.bar(link, far, pin)?,
+                Leg::Ram { link, far, guide, driver, .. } => {
+                    let (q, _, _) = self.ram(g, link, far, guide, driver)?;
+                    let (from, d) = (self.point(far, P)?, self.unit);
+                    let line = self.emit_pair(P, Arm { from, to: at });
+                    let axis = self.emit_pair(P, Quotient { a: line, b: q });
+                    let arm = self.emit_pair(P, Twist { d: axis, k: [d, 0.0] });
+                    self.known_by_turning(link, Spot::Pin(far), far, Vec2::new(d, 0.0), arm)?;
+                    self.rows[g].push(Row::Ram { link, far, pin, guide, driver });
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// A bar is known by its two pins.
+    fn bar(&mut self, link: LinkId, far: PointId, near: PointId) -> Result<(), NoKernel> {
+        let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, near)) else {
+            return Err(self.lost(link));
+        };
+        self.bodies[link.0] = Some(Body {
+            origin: Spot::Pin(far),
+            at: a,
+            d: b - a,
+            between: Some((far, near)),
+            own: [None; 3],
+            arm: [None; 3],
+            turning: [None; 2],
+        });
+        Ok(())
+    }
+
+    /// A link is known by a pin of it and the arm `d` in its frame, placed already.
+    fn known_by_turning(&mut self, link: LinkId, origin: Spot, pin: PointId, d: Vec2, arm: Pair) -> Result<(), NoKernel> {
+        let at = self.at.shapes.local(link, pin).ok_or_else(|| self.lost(link))?;
+        self.bodies[link.0] = Some(Body { origin, at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
+        Ok(())
+    }
+
+    fn locus_of_pin(&mut self, g: usize, pin: PointId, leg: &Leg) -> Result<Locus, NoKernel> {
+        match *leg {
+            Leg::Bar { link, far, .. } => {
+                let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, pin)) else {
+                    return Err(self.lost(link));
+                };
+                let radius = self.constant(a.distance(b));
+                self.circle(g, Spot::Pin(pin), Spot::Pin(far), radius, [0.0; 2], true)
+            }
+            Leg::Cylinder { driver, far, .. } => {
+                let radius = self.driver_value(driver);
+                let rates = self.driver_rates(driver);
+                self.circle(g, Spot::Pin(pin), Spot::Pin(far), radius, rates, false)
+            }
+            Leg::Ram { link, far, guide, driver, .. } => {
+                let (q, way, rates) = self.ram(g, link, far, guide, driver)?;
+                let radius = self.emit(P, Length { v: q }, 1);
+                let Locus::Circle { centre, now, .. } = self.circle(g, Spot::Pin(pin), Spot::Pin(far), way, rates, false)? else {
+                    return Err(self.without_kernel(g));
+                };
+                Ok(Locus::Circle { centre, radius, now })
+            }
+            Leg::OnGuide { guide, .. } => self.on_guide(g, Spot::Pin(pin), guide),
+            _ => Err(self.without_kernel(g)),
+        }
+    }
+
+    /// A spot at a distance from another: its locus and its row.
+    fn circle(&mut self, g: usize, p: Spot, far: Spot, l: Reg, rates: [f64; 2], bar: bool) -> Result<Locus, NoKernel> {
+        let centre = self.spot(far, P)?;
+        self.rows[g].push(Row::Distance { p, far, l, rates, bar });
+        Ok(Locus::Circle { centre, radius: l, now: self.now(far) })
+    }
+
+    /// A spot on a guide of a known link.
+    fn on_guide(&mut self, g: usize, p: Spot, guide: GuideId) -> Result<Locus, NoKernel> {
+        let on = self.scene.guides[guide.0].on;
+        if let Some(slot) = self.slot(guide)? {
+            let Some(Path::Line { through, direction }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
+            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: [0.0; 2] });
+            return Ok(Locus::Line { through: slot.through, direction: slot.direction, now: (through, direction) });
+        }
+        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
+        let radius = self.constant(radius);
+        self.circle(g, p, Spot::Fixed(on, centre), radius, [0.0; 2], false)
+    }
+
+    /// A spot that a driver pushes along a guide of a known link.
+    fn driven_along(&mut self, g: usize, p: Spot, guide: GuideId, driver: usize) -> Result<Pair, NoKernel> {
+        let on = self.scene.guides[guide.0].on;
+        let rates = self.driver_rates(driver);
+        if let Some(slot) = self.slot(guide)? {
+            let s = self.driver_value(driver);
+            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: [0.0; 2] });
+            self.rows[g].push(Row::Guided { p, on, n: slot.direction, rates });
+            return Ok(self.emit_pair(P, Along { q: slot.through, t: slot.direction, s }));
+        }
+        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
+        let turn = self.driver_turn(driver, Some(radius));
+        let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
+        let arm = self.emit_pair(P, Product { a: turn, b: axis });
+        let o = self.spot(Spot::Fixed(on, centre), P)?;
+        let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
+        let l = self.constant(radius);
+        self.rows[g].push(Row::Distance { p, far: Spot::Fixed(on, centre), l, rates: [0.0; 2], bar: false });
+        self.rows[g].push(Row::Guided { p, on, n: tangent, rates });
+        Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
+    }
+
+    /// In a link that is pinned at `far` and carries a straight guide along which a driver pushes a pin: the vector from
+    /// pivot to pin in the link's frame, its part along the guide, and the driver's rates.
+    fn ram(&mut self, g: usize, link: LinkId, far: PointId, guide: GuideId, driver: usize) -> Result<(Pair, Reg, [f64; 2]), NoKernel> {
+        let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
+        else {
+            return Err(self.without_kernel(g));
+        };
+        let start = (through - pivot).divide_by(direction);
+        let (s, one) = (self.driver_value(driver), self.constant(1.0));
+        let from = self.constant(start.x);
+        let way = self.emit(P, crate::sweep::reading::Sum { a: from, b: s, k: 1.0 }, 1);
+        let side = self.constant(start.y);
+        let straight = Pair { x: way, y: side };
+        let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
+        let _ = one;
+        Ok((q, way, self.driver_rates(driver)))
+    }
+
+    /// Where two loci meet, on the side of the instant.
+    fn meet(&mut self, g: usize, a: Locus, b: Locus, now: Point) -> Result<Pair, NoKernel> {
+        // Below this sine the instant itself lies at a change of branch, and the closure that was chosen there counts.
+        const DECIDED: f64 = 1e-7;
+        let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
+        let sign = |sine: f64| if sine.abs() > DECIDED { sine.signum() } else { chosen };
+        let out = match (a, b) {
+            (Locus::Circle { centre: a, radius: r, now: p }, Locus::Circle { centre: b, radius: s, now: q }) => {
+                let (d, u) = (q - p, now - p);
+                let sign = sign(d.cross(u) / (d.norm() * u.norm()));
+                self.joint(g);
+                let out = self.emit(P, Circles { a, r, b, s, sign }, 3);
+                return Ok(Pair { x: out, y: Reg(out.0 + 1) });
+            }
+            (Locus::Circle { centre: a, radius: r, now: c }, Locus::Line { through: q, direction: t, now: (_, u) })
+            | (Locus::Line { through: q, direction: t, now: (_, u) }, Locus::Circle { centre: a, radius: r, now: c }) => {
+                let d = now - c;
+                let sign = sign(u.dot(d) / d.norm());
+                self.joint(g);
+                self.emit(P, CircleLine { a, r, q, t, sign }, 2)
+            }
+            (Locus::Line { through: p, direction: u, .. }, Locus::Line { through: q, direction: w, .. }) => {
+                self.emit(P, Lines { p, u, q, w }, 2)
+            }
+        };
+        Ok(Pair { x: out, y: Reg(out.0 + 1) })
+    }
+
+    /// Notes that the next step of positions closes a group and can miss.
+    fn joint(&mut self, g: usize) {
+        let group = &self.m.groups[g];
+        let pin = match &group.core {
+            Core::Pin { pin, .. } => Some(*pin),
+            _ => None,
+        };
+        self.joints.push(Joint { group: g, step: self.steps[P as usize].len(), links: group.links.clone(), pin });
+    }
+
+    fn place_link(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
+        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
+        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
+        if let Some((of, driver)) = angle {
+            let (d, arm) = self.arm_at_angle(g, link, of, driver)?;
+            let rates = driver.map_or([0.0; 2], |d| self.driver_rates(d));
+            self.rows[g].push(Row::Turning { of, rates });
+            match pinned {
+                Some(pin) => self.known_by_turning(link, Spot::Pin(pin), pin, d, arm)?,
+                None => self.shifted(g, link, legs, d, arm)?,
+            }
+        } else if let Some(pin) = pinned {
+            self.lever(g, link, pin, legs)?;
+        } else {
+            self.triad(g, link, legs)?;
+        }
+        // The group's pins sit on the core.
+        for &p in &self.m.groups[g].pins.clone() {
+            let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
+            self.points[p.0][P as usize] = Some(self.spot(Spot::Fixed(link, local), P)?);
+        }
+        for leg in legs {
+            if let Leg::Bar { link: bar, near, far } = *leg {
+                self.bar(bar, far, near)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The arm of a link whose angle against a known one is driven, or stays as it is at the instant; in its frame, in the plane.
+    fn arm_at_angle(&mut self, g: usize, link: LinkId, of: LinkId, driver: Option<usize>) -> Result<(Vec2, Pair), NoKernel> {
+        let pose = |c: &Self, l: LinkId| if l == c.scene.ground { Some(Pose::GROUND) } else { c.at.poses[l.0] };
+        let Some(driver) = driver else {
+            let (Some(own), Some(base)) = (pose(self, link), pose(self, of)) else { return Err(self.without_kernel(g)) };
+            let d = Vec2::new(self.unit, 0.0);
+            let arm = self.direction_on(of, own.axis.divide_by(base.axis) * self.unit)?;
+            return Ok((d, arm));
+        };
+        let DriverKind::Turn { link: driven, line, against_line, .. } = &self.scene.drivers[driver].kind else {
+            return Err(self.without_kernel(g));
+        };
+        if *driven != link {
+            return Err(self.without_kernel(g));
+        }
+        let local = |c: &Self, l: LinkId, line: Option<(PointId, PointId)>| -> Option<Vec2> {
+            let (a, b) = match (line, &c.scene.links[l.0].points[..]) {
+                (Some(line), _) => line,
+                (None, [a, b, ..]) => (*a, *b),
+                (None, _) => return Some(Vec2::new(c.unit, 0.0)),
+            };
+            Some(c.at.shapes.local(l, b)? - c.at.shapes.local(l, a)?)
+        };
+        let own = local(self, link, *line).ok_or_else(|| self.without_kernel(g))?;
+        let turn = self.driver_turn(driver, None);
+        let base = if of == self.scene.ground && against_line.is_none() {
+            Vec2::new(1.0, 0.0)
+        } else {
+            local(self, of, *against_line).ok_or_else(|| self.without_kernel(g))?
+        };
+        let along = base * (own.norm() / base.norm());
+        let arm = if of == self.scene.ground {
+            self.emit_pair(P, Twist { d: turn, k: [along.x, along.y] })
+        } else {
+            let along = self.direction_on(of, along)?;
+            self.emit_pair(P, Product { a: turn, b: along })
+        };
+        Ok((own, arm))
+    }
+
+    /// A link whose angle is known and whose place two legs hold, or a driver along a guide.
+    fn shifted(&mut self, g: usize, link: LinkId, legs: &[Leg], d: Vec2, arm: Pair) -> Result<(), NoKernel> {
+        let at = self.own_point(link, legs);
+        self.bodies[link.0] =
+            Some(Body { origin: Spot::Own(link), at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
+        let rest: Vec<&Leg> = legs.iter().filter(|l| !matches!(l, Leg::Angle { .. })).collect();
+        let own = match rest[..] {
+            [Leg::DrivenGlide { guide, driver, .. }] => self.driven_along(g, Spot::Own(link), *guide, *driver)?,
+            [a, b] => {
+                let (a, b) = (self.locus_of_link(g, link, a)?, self.locus_of_link(g, link, b)?);
+                let now = self.now(Spot::Own(link));
+                self.meet(g, a, b, now)?
+            }
+            _ => return Err(self.without_kernel(g)),
+        };
+        if let Some(body) = &mut self.bodies[link.0] {
+            body.own[P as usize] = Some(own);
+        }
+        Ok(())
+    }
+
+    /// The point by which a link on legs is known: that at which its first leg holds it.
+    fn own_point(&self, link: LinkId, legs: &[Leg]) -> Point {
+        let near = legs.iter().find_map(|l| match l {
+            Leg::Bar { near, .. } | Leg::Cylinder { near, .. } => Some(*near),
+            Leg::OnGuide { pin, .. } => Some(*pin),
+            _ => None,
+        });
+        let local = near.and_then(|p| self.at.shapes.local(link, p));
+        local.or(self.at.shapes.points[link.0].first().map(|(_, at)| *at)).unwrap_or(Point::ORIGIN)
+    }
+
+    /// The locus of a link's own point, its arm being known.
+    fn locus_of_link(&mut self, g: usize, link: LinkId, leg: &Leg) -> Result<Locus, NoKernel> {
+        let (spot, locus) = self.held(g, link, leg)?;
+        // From the place that is held to the link's own point.
+        let body = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?;
+        let back = match spot {
+            Spot::Fixed(l, local) if l == link => body.at - local,
+            _ => Vec2::ZERO,
+        };
+        if back == Vec2::ZERO {
+            return Ok(locus);
+        }
+        let k = back.divide_by(body.d);
+        let (k, d) = ([k.x, k.y], self.arm(link, P)?);
+        let turned = self.at.poses[link.0].map_or(back, |pose| pose.turn(back));
+        Ok(match locus {
+            Locus::Circle { centre, radius, now } => {
+                Locus::Circle { centre: self.emit_pair(P, Image { o: centre, d, k }), radius, now: now + turned }
+            }
+            Locus::Line { through, direction, now } => {
+                Locus::Line { through: self.emit_pair(P, Image { o: through, d, k }), direction, now: (now.0 + turned, now.1) }
+            }
+        })
+    }
+
+    /// How a leg holds a link: the place of the link that it holds, and the locus of that place; its row is noted.
+    fn held(&mut self, g: usize, link: LinkId, leg: &Leg) -> Result<(Spot, Locus), NoKernel> {
+        let local = |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
+        match *leg {
+            Leg::Bar { link: bar, near, far } => {
+                let s = &self.at.shapes;
+                let (Some(a), Some(b)) = (s.local(bar, near), s.local(bar, far)) else { return Err(self.lost(bar)) };
+                let spot = Spot::Fixed(link, local(self, near)?);
+                let radius = self.constant(a.distance(b));
+                Ok((spot, self.circle(g, spot, Spot::Pin(far), radius, [0.0; 2], false)?))
+            }
+            Leg::Cylinder { driver, near, far } => {
+                let spot = Spot::Fixed(link, local(self, near)?);
+                let (radius, rates) = (self.driver_value(driver), self.driver_rates(driver));
+                Ok((spot, self.circle(g, spot, Spot::Pin(far), radius, rates, false)?))
+            }
+            Leg::OnGuide { pin, guide } => {
+                let spot = Spot::Fixed(link, local(self, pin)?);
+                Ok((spot, self.on_guide(g, spot, guide)?))
+            }
+            Leg::InSlot { pin, guide } => self.in_slot(g, link, Spot::Pin(pin), guide),
+            Leg::Glide { guide, other } => {
+                if self.scene.guides[guide.0].on == other {
+                    let at = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?.at;
+                    let spot = Spot::Fixed(link, at);
+                    let slot = self.slot(guide)?.ok_or_else(|| self.without_kernel(g))?;
+                    let Some(Path::Line { direction, .. }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
+                    // The slider keeps the distance from its guide that it has at the instant.
+                    let (now, k) = (self.now(spot), direction.perp());
+                    let pose = self.at.poses[other.0].unwrap_or(Pose::GROUND);
+                    let through = self.spot(Spot::Fixed(other, pose.to_local(now)), P)?;
+                    let _ = k;
+                    self.rows[g].push(Row::Guided { p: spot, on: other, n: slot.normal, rates: [0.0; 2] });
+                    Ok((spot, Locus::Line { through, direction: slot.direction, now: (now, direction) }))
+                } else {
+                    self.in_slot(g, link, Spot::Own(other), guide)
+                }
+            }
+            _ => Err(self.without_kernel(g)),
+        }
+    }
+
+    /// A slot of the link runs over a known place: the place of the link that is held is where the slot's line begins.
+    fn in_slot(&mut self, g: usize, link: LinkId, over: Spot, guide: GuideId) -> Result<(Spot, Locus), NoKernel> {
+        match self.at.shapes.guides[guide.0] {
+            Some(Path::Line { through, direction }) => {
+                let through = match over {
+                    // A gliding link keeps the distance that it has.
+                    Spot::Pin(_) => through,
+                    _ => self.at.poses[link.0].map_or(through, |pose| pose.to_local(self.now(over))),
+                };
+                let spot = Spot::Fixed(link, through);
+                let at = self.spot(over, P)?;
+                let (t, n) = (self.direction_on(link, direction)?, self.direction_on(link, direction.perp())?);
+                self.rows[g].push(Row::Slot { link, over, n });
+                let turned = self.at.poses[link.0].map_or(direction, |pose| pose.turn(direction));
+                Ok((spot, Locus::Line { through: at, direction: t, now: (self.now(over), turned) }))
+            }
+            Some(Path::Arc { centre, radius }) => {
+                let (spot, radius) = (Spot::Fixed(link, centre), self.constant(radius));
+                Ok((spot, self.circle(g, spot, over, radius, [0.0; 2], false)?))
+            }
+            None => Err(self.without_kernel(g)),
+        }
+    }
+
+    /// A link on a known pivot, with a slot over a known pin.
+    fn lever(&mut self, g: usize, link: LinkId, pivot: PointId, legs: &[Leg]) -> Result<(), NoKernel> {
+        let slot = legs.iter().find_map(|l| if let Leg::InSlot { pin, guide } = l { Some((*pin, *guide)) } else { None });
+        let (Some((pin, guide)), Some(at)) = (slot, self.at.shapes.local(link, pivot)) else { return Err(self.without_kernel(g)) };
+        let (a, b) = (self.point(pivot, P)?, self.point(pin, P)?);
+        match self.at.shapes.guides[guide.0] {
+            Some(Path::Line { through, direction }) => {
+                let runner = self.at.poses[link.0].map(|pose| pose.to_local(self.now(Spot::Pin(pin)))).ok_or_else(|| self.lost(link))?;
+                let ahead = direction.dot(runner - at);
+                let span = (runner - at).norm();
+                let chosen = if self.at.closures[g] == 0 { 1.0 } else { -1.0 };
+                let sign = if ahead.abs() > 1e-7 * span { ahead.signum() } else { chosen };
+                // Seen from the slot's direction, the frame's x axis is its conjugate.
+                let k = [direction.x * self.unit, -direction.y * self.unit];
+                self.joint(g);
+                let arm = self.emit_pair(P, Lever { a, b, h: direction.cross(through - at), sign, k });
+                self.known_by_turning(link, Spot::Pin(pivot), pivot, Vec2::new(self.unit, 0.0), arm)?;
+                let n = self.direction_on(link, direction.perp())?;
+                self.rows[g].push(Row::Slot { link, over: Spot::Pin(pin), n });
+            }
+            Some(Path::Arc { centre, radius }) => {
+                let (r, s) = (self.constant(at.distance(centre)), self.constant(radius));
+                let nows = (self.now(Spot::Pin(pivot)), self.now(Spot::Pin(pin)));
+                let first = Locus::Circle { centre: a, radius: r, now: nows.0 };
+                let second = Locus::Circle { centre: b, radius: s, now: nows.1 };
+                let k = self.at.poses[link.0].ok_or_else(|| self.lost(link))?.to_world(centre);
+                let k = self.meet(g, first, second, k)?;
+                let arm = self.emit_pair(P, Arm { from: a, to: k });
+                self.known_by_turning(link, Spot::Pin(pivot), pivot, centre - at, arm)?;
+                self.rows[g].push(Row::Distance { p: Spot::Fixed(link, centre), far: Spot::Pin(pin), l: s, rates: [0.0; 2], bar: false });
+            }
+            None => return Err(self.without_kernel(g)),
+        }
+        Ok(())
+    }
+
+    /// A link on three legs: followed from position to position.
+    fn triad(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
+        let [_, _, _] = legs else { return Err(self.without_kernel(g)) };
+        let pose = self.at.poses[link.0].ok_or_else(|| self.lost(link))?;
+        let at = self.own_point(link, legs);
+        let d = Vec2::new(self.unit, 0.0);
+        let first = self.take(4);
+        let pair = |i: u32| Pair { x: Reg(first.0 + i), y: Reg(first.0 + i + 1) };
+        let (own, arm) = (pair(0), pair(2));
+        let body = Body {
+            origin: Spot::Own(link),
+            at,
+            d,
+            between: None,
+            own: [Some(own), None, None],
+            arm: [Some(arm), None, None],
+            turning: [None; 2],
+        };
+        let mut held = Vec::new();
+        for leg in legs {
+            held.push(self.held_for_track(g, link, &body, leg)?);
+        }
+        let held: [Held; 3] = held.try_into().map_err(|_| self.without_kernel(g))?;
+        let step = self.steps[P as usize].len();
+        let start = (pose.to_world(at), pose.axis);
+        self.tracks.push(Track { group: g, link, step, own, arm, unit: self.unit, held, start });
+        self.bodies[link.0] = Some(body);
+        // The rows come after the track: they need the link's places.
+        for leg in legs {
+            match *leg {
+                Leg::Glide { .. } => {
+                    self.held(g, link, leg)?;
+                }
+                Leg::InSlot { pin, guide } => {
+                    self.in_slot(g, link, Spot::Pin(pin), guide)?;
+                }
+                _ => {
+                    self.held(g, link, leg)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A leg of a followed link: what is known of it, in registers.
+    fn held_for_track(&mut self, g: usize, link: LinkId, body: &Body, leg: &Leg) -> Result<Held, NoKernel> {
+        // Local places are counted from the link's own point.
+        let from_own = |local: Point| local - body.at;
+        if let Leg::InSlot { pin, guide } = *leg {
+            return match self.at.shapes.guides[guide.0] {
+                Some(Path::Line { through, direction }) => {
+                    Ok(Held::Slot { through: from_own(through), direction, over: self.point(pin, P)? })
+                }
+                Some(Path::Arc { centre, radius }) => {
+                    Ok(Held::Circle { near: from_own(centre), far: self.point(pin, P)?, radius: self.constant(radius) })
+                }
+                None => Err(self.without_kernel(g)),
+            };
+        }
+        if matches!(leg, Leg::Glide { .. }) {
+            // A gliding leg needs the link's own place at the instant only, which is known before the link is.
+            return Err(self.without_kernel(g));
+        }
+        let rows = self.rows[g].len();
+        let (spot, locus) = self.held(g, link, leg)?;
+        self.rows[g].truncate(rows);
+        let Spot::Fixed(_, local) = spot else { return Err(self.without_kernel(g)) };
+        Ok(match locus {
+            Locus::Circle { centre, radius, .. } => Held::Circle { near: from_own(local), far: centre, radius },
+            Locus::Line { through, direction, .. } => Held::Line { near: from_own(local), through, direction },
+        })
+    }
+}

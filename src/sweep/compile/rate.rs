@@ -1,0 +1,285 @@
+//! Velocities and accelerations of a group as operations: a row for each leg, and the rows solved.
+
+use super::{Compiler, NoKernel, Spot};
+use crate::geom::Vec2;
+use crate::mechanism::{Core, Level};
+use crate::position::Path;
+use crate::scene::{GuideId, LinkId, PointId};
+use crate::sweep::carry::{Along, Arm, Turning};
+use crate::sweep::kernel::{Pair, Reg};
+use crate::sweep::program::Op;
+use crate::sweep::reading::Sum;
+use crate::sweep::rows::{
+    Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf,
+};
+
+/// What a leg says of the motion of a group's core. Rates are those of a driver, or zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Row {
+    /// A pin that sits on a known link.
+    Carried { at: Spot },
+    /// `p` keeps the distance `l` from `far`; `bar`: two of them make the everyday dyad.
+    Distance { p: Spot, far: Spot, l: Reg, rates: [f64; 2], bar: bool },
+    /// `p` moves at a rate along `n`, fixed in a known link.
+    Guided { p: Spot, on: LinkId, n: Pair, rates: [f64; 2] },
+    /// A slot of the core link, square to `n`, runs over a known place.
+    Slot { link: LinkId, over: Spot, n: Pair },
+    /// The core link turns against a known one at a rate.
+    Turning { of: LinkId, rates: [f64; 2] },
+    /// A link pinned at `far` along whose guide a driver pushes the core pin: it follows.
+    Ram { link: LinkId, far: PointId, pin: PointId, guide: GuideId, driver: usize },
+}
+
+const V: Level = Level::Velocity;
+const A: Level = Level::Acceleration;
+const P: Level = Level::Position;
+
+impl Compiler<'_> {
+    pub(super) fn velocities(&mut self, g: usize) -> Result<(), NoKernel> {
+        let m = self.m;
+        match &m.groups[g].core {
+            Core::Pin { pin, .. } => self.pin_at(g, *pin, V),
+            Core::Link { link, .. } => self.link_at(g, *link, V),
+            Core::Higher => Err(self.without_kernel(g)),
+        }
+    }
+
+    pub(super) fn accelerations(&mut self, g: usize) -> Result<(), NoKernel> {
+        let m = self.m;
+        match &m.groups[g].core {
+            Core::Pin { pin, .. } => self.pin_at(g, *pin, A),
+            Core::Link { link, .. } => self.link_at(g, *link, A),
+            Core::Higher => Err(self.without_kernel(g)),
+        }
+    }
+
+    /// The velocity or acceleration of a core pin.
+    fn pin_at(&mut self, g: usize, pin: PointId, level: Level) -> Result<(), NoKernel> {
+        let rows = self.rows[g].clone();
+        let solved: Vec<Row> = rows.iter().copied().filter(|r| !matches!(r, Row::Ram { .. })).collect();
+        let pair = match solved[..] {
+            [Row::Carried { at }] => self.spot(at, level)?,
+            [Row::Distance { far: a, bar: true, .. }, Row::Distance { far: b, bar: true, .. }] => self.two_bars(g, pin, a, b, level)?,
+            [first, second] => {
+                let (n1, _, c1) = self.row(&first, None, level)?;
+                let (n2, _, c2) = self.row(&second, None, level)?;
+                self.emit_pair(level, Cross { n1, c1, n2, c2 })
+            }
+            _ => return Err(self.without_kernel(g)),
+        };
+        self.points[pin.0][level as usize] = Some(pair);
+        for row in rows {
+            if let Row::Ram { link, far, pin, guide, driver } = row {
+                let turning = self.turning_of_ram(link, far, pin, guide, driver, level)?;
+                if let Some(body) = &mut self.bodies[link.0] {
+                    body.turning[level as usize - 1] = Some(turning);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The everyday dyad, in one operation for each effect.
+    fn two_bars(&mut self, g: usize, pin: PointId, a: Spot, b: Spot, level: Level) -> Result<Pair, NoKernel> {
+        let joint = self.joints.iter().find(|j| j.group == g).ok_or_else(|| self.without_kernel(g))?;
+        let det = Reg(self.steps[P as usize][joint.step].out.0 + 2);
+        let bars =
+            Bars { c: self.point(pin, P)?, a: self.spot(a, P)?, b: self.spot(b, P)?, va: self.spot(a, V)?, vb: self.spot(b, V)?, det };
+        if level == V {
+            let out = self.emit(V, bars, 3);
+            return Ok(Pair { x: out, y: Reg(out.0 + 1) });
+        }
+        let vc = self.point(pin, V)?;
+        let (aa, ab) = (self.spot(a, A)?, self.spot(b, A)?);
+        Ok(self.emit_pair(A, BarsRate { bars, vc, aa, ab, inverse: Reg(vc.x.0 + 2) }))
+    }
+
+    /// Velocity or acceleration of a core link's own point, and its turning.
+    fn link_at(&mut self, g: usize, link: LinkId, level: Level) -> Result<(), NoKernel> {
+        let rows = self.rows[g].clone();
+        let turned = rows.iter().find_map(|r| if let Row::Turning { of, rates } = r { Some((*of, *rates)) } else { None });
+        let held: Vec<Row> = rows.into_iter().filter(|r| !matches!(r, Row::Turning { .. })).collect();
+        let slot = level as usize - 1;
+        if let Some((of, rates)) = turned {
+            let turning = self.turned(of, rates[slot], level)?;
+            self.set_turning(link, slot, turning);
+            if let [first, second] = held[..] {
+                let (n1, c1) = self.reduced(&first, link, level)?;
+                let (n2, c2) = self.reduced(&second, link, level)?;
+                let own = self.emit_pair(level, Cross { n1, c1, n2, c2 });
+                self.set_own(link, level, own);
+            }
+        } else if let [only] = held[..] {
+            let (n, r, c) = self.row(&only, Some(link), level)?;
+            let r = r.ok_or_else(|| self.without_kernel(g))?;
+            let c = self.without_centripetal(link, n, r, c, level)?;
+            let v = self.spot(Spot::Own(link), level)?;
+            let turning = self.emit(level, TurnOf { n, r, c, v }, 1);
+            self.set_turning(link, slot, turning);
+        } else if let [first, second, third] = held[..] {
+            let mut three = Vec::new();
+            for row in [first, second, third] {
+                let (n, r, c) = self.row(&row, Some(link), level)?;
+                let r = r.ok_or_else(|| self.without_kernel(g))?;
+                three.push((n, r, self.without_centripetal(link, n, r, c, level)?));
+            }
+            let rows = [three[0], three[1], three[2]];
+            let out = self.emit(level, Three { rows }, 3);
+            self.set_own(link, level, Pair { x: out, y: Reg(out.0 + 1) });
+            self.set_turning(link, slot, Reg(out.0 + 2));
+        } else {
+            return Err(self.without_kernel(g));
+        }
+        for &p in &self.m.groups[g].pins.clone() {
+            let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
+            self.points[p.0][level as usize] = Some(self.spot(Spot::Fixed(link, local), level)?);
+        }
+        Ok(())
+    }
+
+    fn set_turning(&mut self, link: LinkId, slot: usize, turning: Reg) {
+        if let Some(body) = &mut self.bodies[link.0] {
+            body.turning[slot] = Some(turning);
+        }
+    }
+
+    fn set_own(&mut self, link: LinkId, level: Level, own: Pair) {
+        if let Some(body) = &mut self.bodies[link.0] {
+            body.own[level as usize] = Some(own);
+        }
+    }
+
+    /// ω or α of a link that turns against a known one at a rate.
+    fn turned(&mut self, of: LinkId, rate: f64, level: Level) -> Result<Reg, NoKernel> {
+        if of == self.scene.ground {
+            return Ok(self.constant(rate));
+        }
+        let base = self.turning(of, level)?;
+        if rate == 0.0 {
+            return Ok(base);
+        }
+        let one = self.constant(1.0);
+        Ok(self.emit(level, Sum { a: base, b: one, k: rate }, 1))
+    }
+
+    /// For accelerations the row of a link's point takes the centripetal part along: c + ω² n·r.
+    fn without_centripetal(&mut self, link: LinkId, n: Pair, r: Pair, c: Reg, level: Level) -> Result<Reg, NoKernel> {
+        if level == V {
+            return Ok(c);
+        }
+        let (omega, alpha) = (self.turning(link, V)?, self.zero());
+        Ok(self.emit(A, ReducedRate { n, r, c, omega, alpha }, 1))
+    }
+
+    /// The row of a link's own point where the turning is known.
+    fn reduced(&mut self, row: &Row, link: LinkId, level: Level) -> Result<(Pair, Reg), NoKernel> {
+        let (n, r, c) = self.row(row, Some(link), level)?;
+        let Some(r) = r else { return Ok((n, c)) };
+        let omega = self.turning(link, V)?;
+        let c = match level {
+            A => {
+                let alpha = self.turning(link, A)?;
+                self.emit(A, ReducedRate { n, r, c, omega, alpha }, 1)
+            }
+            _ => self.emit(V, Reduced { n, r, c, omega }, 1),
+        };
+        Ok((n, c))
+    }
+
+    /// n, the arm from the core link's own point to where the leg holds it (with a core link), and c.
+    fn row(&mut self, row: &Row, core: Option<LinkId>, level: Level) -> Result<(Pair, Option<Pair>, Reg), NoKernel> {
+        match *row {
+            Row::Distance { p, far, l, rates: [rate, acceleration], .. } => {
+                let n = self.between(far, p)?;
+                let r = self.arm_to(core, p)?;
+                let vf = self.spot(far, V)?;
+                let c = match level {
+                    A => {
+                        let (vp, af) = (self.spot(p, V)?, self.spot(far, A)?);
+                        self.emit(A, DistanceRate { n, vp, vf, af, l, rate, acceleration }, 1)
+                    }
+                    _ => self.emit(V, Distance { n, vf, l, rate }, 1),
+                };
+                Ok((n, r, c))
+            }
+            Row::Guided { p, on, n, rates: [rate, acceleration] } => {
+                let reach = self.arm_to(core, p)?;
+                // A guide on ground does not move; where its arm leads from is nobody's concern.
+                let (r, vo, omega) = match on == self.scene.ground {
+                    true => (self.fixed(Vec2::ZERO), self.fixed(Vec2::ZERO), self.zero()),
+                    false => (self.between(Spot::Own(on), p)?, self.spot(Spot::Own(on), V)?, self.turning(on, V)?),
+                };
+                let c = match level {
+                    A => {
+                        let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(Spot::Own(on), A)?, self.turning(on, A)?);
+                        self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration }, 1)
+                    }
+                    _ => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
+                };
+                Ok((n, reach, c))
+            }
+            Row::Slot { link, over, n } => {
+                let r = self.between(Spot::Own(link), over)?;
+                let vb = self.spot(over, V)?;
+                let c = match level {
+                    A => {
+                        let (ab, vo, omega) = (self.spot(over, A)?, self.spot(Spot::Own(link), V)?, self.turning(link, V)?);
+                        self.emit(A, SlotRate { n, r, vb, ab, vo, omega }, 1)
+                    }
+                    _ => {
+                        let l = self.zero();
+                        self.emit(V, Distance { n, vf: vb, l, rate: 0.0 }, 1)
+                    }
+                };
+                Ok((n, Some(r), c))
+            }
+            Row::Carried { .. } | Row::Turning { .. } | Row::Ram { .. } => unreachable!("these are no rows of a place"),
+        }
+    }
+
+    /// The arm from one place to another; emitted once.
+    fn between(&mut self, from: Spot, to: Spot) -> Result<Pair, NoKernel> {
+        let (from, to) = (self.spot(from, P)?, self.spot(to, P)?);
+        let arm = Arm { from, to };
+        if let Some(step) = self.steps[P as usize].iter().find(|s| s.op == Op::Arm(arm)) {
+            return Ok(Pair { x: step.out, y: Reg(step.out.0 + 1) });
+        }
+        Ok(self.emit_pair(P, arm))
+    }
+
+    fn arm_to(&mut self, core: Option<LinkId>, p: Spot) -> Result<Option<Pair>, NoKernel> {
+        match core {
+            Some(l) if p != Spot::Own(l) => Ok(Some(self.between(Spot::Own(l), p)?)),
+            _ => Ok(None),
+        }
+    }
+
+    /// ω of the line AB in which a driver pushes B along a guide of direction t: AB × (v_B − v_A − ṡ t)/|AB|², and α with
+    /// AB × (a_B − a_A − 2 ω × ṡ t − s̈ t)/|AB|², less 2 ω AB·(v_B − v_A − ṡ t) = 0.
+    fn turning_of_ram(
+        &mut self,
+        link: LinkId,
+        far: PointId,
+        pin: PointId,
+        guide: GuideId,
+        driver: usize,
+        level: Level,
+    ) -> Result<Reg, NoKernel> {
+        let Some(Path::Line { direction, .. }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(link)) };
+        let [rate, acceleration] = self.driver_rates(driver);
+        let d = self.between(Spot::Pin(far), Spot::Pin(pin))?;
+        let t = self.direction_on(link, direction)?;
+        let (from, to) = (self.point(far, level)?, self.point(pin, level)?);
+        let relative = self.emit_pair(level, Arm { from, to });
+        let s = self.constant(if level == V { -rate } else { -acceleration });
+        let mut v = self.emit_pair(level, Along { q: relative, t, s });
+        if level == A {
+            let normal = self.direction_on(link, direction.perp())?;
+            let omega = self.turning(link, V)?;
+            let none = self.zero();
+            let twice = self.emit(A, Sum { a: none, b: omega, k: -2.0 * rate }, 1);
+            v = self.emit_pair(A, Along { q: v, t: normal, s: twice });
+        }
+        Ok(self.emit(level, Turning { d, v }, 1))
+    }
+}

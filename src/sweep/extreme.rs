@@ -1,0 +1,310 @@
+//! What a driver's whole motion comes to: extreme positions of the outputs, strokes, time ratios, Grashof's type.
+//!
+//! An output is a link pinned to ground, or a pin or slider that runs along a straight guide on ground, and is not driven
+//! itself. Its extremes are the zeros of its rate, located by Newton's method on the rate with the acceleration as
+//! derivative, the driver running at unit speed. Where it stands still the mechanism is in a dead centre if it is driven from there.
+
+use super::compile::outputs;
+use super::limit::{Event, Probe, Range, range};
+use super::program::Program;
+use super::station::{Stations, angle_per_value};
+use super::{Placed, Rows, Width, run_parts};
+use crate::diag::{Diagnostic, Faults};
+use crate::mechanism::{Core, Demand, Leg, Mechanism};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
+use std::f64::consts::TAU;
+
+/// What moves at the other end of the mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Output {
+    /// A link that turns about a pivot on ground: its angle (rad).
+    Turning(LinkId),
+    /// What runs along a straight guide on ground: its coordinate from the guide's start (m).
+    Sliding(GuideId),
+}
+
+/// An extreme position of an output.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// Position of the driver (rad or m).
+    pub driver: f64,
+    /// Position of the output (rad or m); angles run on without jumps.
+    pub output: f64,
+    /// Whether it is one because the driver itself goes no farther.
+    pub at_limit: bool,
+}
+
+/// An output over the whole motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Swing {
+    /// Which.
+    pub output: Output,
+    /// Its extremes in the order of the driver's positions.
+    pub extremes: Vec<Extreme>,
+    /// From the lowest to the highest position (rad or m); `None` where it turns fully.
+    pub stroke: Option<f64>,
+    /// The crank angle of the slower of two strokes over that of the faster one; where a full turn has just two extremes.
+    pub time_ratio: Option<f64>,
+}
+
+/// The smallest transmission angle of a group.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transmission {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// The pin at which they meet, if it is one.
+    pub pin: Option<PointId>,
+    /// The angle (rad, at most 90°).
+    pub angle: f64,
+    /// Where it is.
+    pub driver: f64,
+}
+
+/// The type of a four-bar by Grashof's rule, as seen from its driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Grashof {
+    /// The driver turns fully, the output swings.
+    CrankRocker,
+    /// The driver swings, the output could turn fully.
+    RockerCrank,
+    /// Both turn fully (drag link).
+    DoubleCrank,
+    /// The coupler turns fully, both others swing.
+    DoubleRocker,
+    /// No link turns fully: shortest and longest together are longer than the two others.
+    TripleRocker,
+    /// Shortest and longest together are as long as the two others: it comes into line.
+    ChangePoint,
+}
+
+/// Everything about the motion as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limits {
+    /// How far the driver goes.
+    pub range: Range,
+    /// The outputs.
+    pub swings: Vec<Swing>,
+    /// The smallest transmission angle of each group with a closed form that has one.
+    pub transmission: Vec<Transmission>,
+    /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
+    pub grashof: Option<(Grashof, [f64; 4])>,
+}
+
+/// Samples over the whole motion, between which a rate changes its sign at most once.
+const SAMPLES: usize = 720;
+
+/// An angle of 90° to what rounding leaves of its sine.
+const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
+
+/// The limits of a scene for one of its drivers; the others stand.
+///
+/// # Errors
+/// A scene that cannot be placed; a group that has no compiled form; a driver that the scene does not have.
+pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+    let mut scene = scene.clone();
+    let Some(d) = scene.drivers.get_mut(driver) else {
+        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+    };
+    // Unit speed: rates are derivatives by the driver's position.
+    (d.rate.value, d.acceleration) = (1.0, None);
+    for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {
+        (d.rate.value, d.acceleration) = (0.0, None);
+    }
+    let scene = &scene;
+    let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
+    let demand = none.with_all_positions();
+    let at = crate::position::configure(scene, mechanism, &demand)?.value;
+    let placed = Placed { scene, mechanism, demand, at };
+    let found = outputs_of(scene, mechanism, driver);
+    let program = outputs(scene, mechanism, &placed.at, driver, &found)?;
+    let range = range(program.clone(), &placed, driver);
+    let span = if range.full() && program.angular { [range.now, range.now + TAU] } else { range.bounds() };
+    let swings = swings(&program, &placed, driver, &found, &range, span);
+    let probe = Probe::of(program.clone(), &placed, driver);
+    let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
+    let transmission = joints
+        // A lever is pushed squarely everywhere.
+        .filter(|(_, (at, angle))| at.is_finite() && *angle < SQUARE)
+        .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
+        .collect();
+    let grashof = grashof(&placed, driver);
+    Ok(Limits { range, swings, transmission, grashof })
+}
+
+fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
+    let ground = &scene.links[scene.ground.0].points;
+    let driven = |l: LinkId| {
+        scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == l && against == scene.ground))
+    };
+    let mut out = Vec::new();
+    for l in (0..scene.links.len()).map(LinkId) {
+        let pivoted = scene.links[l.0].points.iter().any(|p| ground.contains(p));
+        if l != scene.ground && pivoted && !driven(l) && !m.is_passive(l) && m.group_of_link[l.0].is_some() {
+            out.push(Output::Turning(l));
+        }
+    }
+    for (i, g) in scene.guides.iter().enumerate() {
+        let mine = matches!(scene.drivers[driver].kind, DriverKind::Slide { guide, .. } if guide == GuideId(i));
+        if g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && !mine {
+            out.push(Output::Sliding(GuideId(i)));
+        }
+    }
+    out
+}
+
+/// Columns of an output in the program: position, rate, acceleration.
+fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
+    &rows.columns[3 * output + level]
+}
+
+fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], range: &Range, [low, high]: [f64; 2]) -> Vec<Swing> {
+    let per_value = angle_per_value(placed.scene, &placed.at, driver);
+    let (parts, stations) = {
+        let stations = Stations::slid(low, high, SAMPLES, per_value);
+        (super::branches(program.clone(), placed, driver, &stations).0, stations)
+    };
+    let rows = run_parts(&parts, placed, driver, &stations, Width::Widest);
+    let at = |x: f64, output: usize| -> Option<[f64; 3]> {
+        let one = Stations::of_values(vec![x], per_value);
+        // The branch is that of the nearest sample.
+        let nearest = (0..stations.len()).min_by(|&a, &b| (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs()))?;
+        let part = parts.iter().find(|(_, rows)| rows.contains(&nearest))?;
+        let rows = super::run_program(&part.0, placed, driver, &one, Width::One);
+        rows.missing[0].is_none().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
+    };
+    found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, range, &|x| at(x, k))).collect()
+}
+
+fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Range, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Swing {
+    let (s, v) = (column(rows, k, 0), column(rows, k, 1));
+    let there = |i: usize| rows.missing[i].is_none() && s[i].is_finite() && v[i].is_finite();
+    // Angles run on without jumps.
+    let mut position = s.to_vec();
+    if matches!(output, Output::Turning(_)) {
+        for i in 1..position.len() {
+            if there(i) && there(i - 1) {
+                position[i] -= libm::rint((position[i] - position[i - 1]) / TAU) * TAU;
+            }
+        }
+    }
+    let x = &stations.values;
+    let full = range.full() && (x[x.len() - 1] - x[0] - TAU).abs() < 1e-9;
+    let rounding = 1e-12 * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
+    // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
+    let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
+    if full && let Some(&(first, i)) = moving.first() {
+        moving.push((first + TAU, i));
+    }
+    let mut extremes: Vec<Extreme> = Vec::new();
+    for pair in moving.windows(2) {
+        let ((a, i), (b, k)) = (pair[0], pair[1]);
+        // A row that is missing in between parts the motion.
+        let joined = k < i || (i..=k).all(there);
+        if joined && (v[i] > 0.0) != (v[k] > 0.0) {
+            let driver = zero(a, b, v[i], at);
+            let Some([here, ..]) = at(driver) else { continue };
+            let output = match output {
+                Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
+                Output::Sliding(_) => here,
+            };
+            extremes.push(Extreme { driver, output, at_limit: false });
+        }
+    }
+    let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
+    let time_ratio = match (&extremes[..], full) {
+        ([a, b], true) => {
+            let first = (b.driver - a.driver).rem_euclid(TAU);
+            Some(first.max(TAU - first) / first.min(TAU - first))
+        }
+        _ => None,
+    };
+    if !range.full() {
+        for (event, end) in range.ends.iter().zip([known.first(), known.last()]) {
+            if let (Some(event), Some(&i)) = (event, end) {
+                extremes.push(Extreme { driver: event.value, output: position[i], at_limit: true });
+            }
+        }
+    }
+    extremes.sort_by(|a, b| a.driver.total_cmp(&b.driver));
+    let least = extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
+    let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
+    Swing { output, stroke: (most >= least).then_some(most - least), extremes, time_ratio }
+}
+
+/// A zero of a rate between two positions: Newton's method with the acceleration, kept between the bounds.
+fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> f64 {
+    let (mut inside, mut outside) = (a, b);
+    let mut x = 0.5 * (a + b);
+    for _ in 0..100 {
+        let Some([_, v, acceleration]) = at(x) else { return x };
+        if (v > 0.0) == (rate_at_a > 0.0) && v != 0.0 {
+            inside = x;
+        } else {
+            outside = x;
+        }
+        let newton = x - v / acceleration;
+        let within = (newton - inside) * (newton - outside) <= 0.0;
+        let next = if within { newton } else { 0.5 * (inside + outside) };
+        if next == x || (next - x).abs() <= 2.0 * f64::EPSILON * x.abs() {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+/// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one pin.
+fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
+    let (scene, m) = (placed.scene, placed.mechanism);
+    let DriverKind::Turn { link: crank, against, .. } = scene.drivers[driver].kind else { return None };
+    let moving = scene.links.len() - 1;
+    let dyad = m.groups.iter().find_map(|g| match &g.core {
+        Core::Pin { pin, legs } => match legs[..] {
+            [Leg::Bar { link: a, far: p, .. }, Leg::Bar { link: b, far: q, .. }] => Some((*pin, [(a, p), (b, q)])),
+            _ => None,
+        },
+        _ => None,
+    })?;
+    if against != scene.ground || moving != 3 {
+        return None;
+    }
+    let (pin, bars) = dyad;
+    let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
+    let (coupler, output) = match (on_ground(bars[0].1), on_ground(bars[1].1)) {
+        (false, true) => (bars[0], bars[1]),
+        (true, false) => (bars[1], bars[0]),
+        _ => return None,
+    };
+    let pivot = *scene.links[crank.0].points.iter().find(|p| on_ground(**p))?;
+    let length = |l: LinkId, a: PointId, b: PointId| Some(placed.at.shapes.local(l, a)?.distance(placed.at.shapes.local(l, b)?));
+    let lengths = [
+        length(crank, pivot, coupler.1)?,
+        length(coupler.0, coupler.1, pin)?,
+        length(output.0, output.1, pin)?,
+        length(scene.ground, pivot, output.1)?,
+    ];
+    let shortest = (0..4).min_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+    let (least, most) = (lengths[shortest], lengths.iter().copied().fold(0.0, f64::max));
+    let excess = 2.0 * (least + most) - lengths.iter().sum::<f64>();
+    // What a person writes is equal to ten digits: a sum that differs by rounding is none.
+    let kind = if excess.abs() <= 1e-12 * most {
+        Grashof::ChangePoint
+    } else if excess > 0.0 {
+        Grashof::TripleRocker
+    } else {
+        [Grashof::CrankRocker, Grashof::DoubleRocker, Grashof::RockerCrank, Grashof::DoubleCrank][shortest]
+    };
+    Some((kind, lengths))
+}
+
+impl Limits {
+    /// The position of an event or an extreme that is nearest to where the driver stands going up, for cranks in [0, 2π).
+    pub fn wrapped(&self, value: f64, angular: bool) -> f64 {
+        if angular { value.rem_euclid(TAU) } else { value }
+    }
+
+    /// The limits of the driver and its change points.
+    pub fn events(&self) -> impl Iterator<Item = &Event> {
+        self.range.ends.iter().flatten().chain(&self.range.changes)
+    }
+}

@@ -1,0 +1,336 @@
+//! Where a driver can go, and where a group comes into line: limits, change points, the worst transmission angle.
+//!
+//! Every closed form knows sin² of the angle under which its two loci cross ([`super::closure::Margin::crossing`]), a smooth function of
+//! the driver's position that goes on past the limit. Its simple zeros are the limits, its double zeros the change points, its
+//! smallest value the worst transmission angle. All are located by Newton's method with exact derivatives, kept between
+//! bounds by halving; class III groups by Newton's method on the legs' equations together with their determinant.
+
+use super::Placed;
+use super::kernel::Reg;
+use super::lane::{Dual, Width};
+use super::program::{CHUNK, COS, Op, Program, SIN, VALUE};
+use super::station::{Stations, angle_per_value, position_now};
+use super::track::State;
+use crate::scene::{DriverKind, LinkId, PointId};
+use std::f64::consts::TAU;
+
+/// What happens to a group at a position of the driver.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// It cannot be assembled beyond.
+    Limit,
+    /// It comes into line and goes on: its branch changes sign.
+    ChangePoint,
+}
+
+/// A position at which a group is in line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Position of the driver (rad or m).
+    pub value: f64,
+    /// What happens.
+    pub kind: Kind,
+    /// The links of the group.
+    pub links: Vec<LinkId>,
+    /// The pin at which they meet; `None` where the group turns on a link.
+    pub pin: Option<PointId>,
+    /// Which of the program's joints; `None` for a class III group.
+    pub joint: Option<usize>,
+}
+
+/// How far a driver goes from where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    /// Where it stands.
+    pub now: f64,
+    /// Where it ends downward and upward; `None` where it turns fully (or nothing stops it within twice the mechanism's size).
+    pub ends: [Option<Event>; 2],
+    /// Change points on the way.
+    pub changes: Vec<Event>,
+    /// How far was looked to either side.
+    pub reach: f64,
+}
+
+impl Range {
+    /// The range in numbers: `[low, high]`.
+    pub fn bounds(&self) -> [f64; 2] {
+        let end = |i: usize, far: f64| self.ends[i].as_ref().map_or(far, |e| e.value);
+        [end(0, self.now - self.reach), end(1, self.now + self.reach)]
+    }
+
+    /// Whether a crank turns fully.
+    pub fn full(&self) -> bool {
+        self.ends.iter().all(Option::is_none)
+    }
+}
+
+/// A program with its driver, to be looked at anywhere.
+pub struct Probe<'a> {
+    /// The program.
+    pub program: Program,
+    placed: &'a Placed<'a>,
+    driver: usize,
+    per_value: f64,
+    /// Where the driver stands.
+    pub now: f64,
+    start: Option<State>,
+}
+
+/// Steps of a search over the whole reach: two degrees, or as fine a part of the way.
+const STEPS: usize = 180;
+
+/// A smallest crossing (sin²) among the samples is looked at more closely below this: within a degree of a double zero it is
+/// less, unless the joint turns twenty times as fast as the driver.
+const SUSPECT: f64 = 0.1;
+
+/// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
+/// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
+const TOUCHING: f64 = 1e-14;
+
+impl<'a> Probe<'a> {
+    /// A program and where its driver stands.
+    pub fn of(program: Program, placed: &'a Placed<'a>, driver: usize) -> Probe<'a> {
+        let mut probe = Probe {
+            program,
+            placed,
+            driver,
+            per_value: angle_per_value(placed.scene, &placed.at, driver),
+            now: position_now(placed.scene, &placed.at, driver),
+            start: None,
+        };
+        probe.start = probe.program.start(probe.now, &|x| probe.turn(x));
+        probe
+    }
+
+    fn turn(&self, x: f64) -> (f64, f64, f64) {
+        (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
+    }
+
+    /// How far a driver is looked at to either side of where it stands: a turn, or twice the mechanism's size.
+    pub fn reach(&self) -> f64 {
+        match self.placed.scene.drivers[self.driver].kind {
+            DriverKind::Turn { .. } => TAU,
+            _ => 2.0 * self.placed.at.extent(),
+        }
+    }
+
+    /// sin² of the crossing of a joint at a driver position, with its derivative.
+    fn crossing(&self, joint: usize, x: f64) -> Dual {
+        let (cos, sin, per_value) = self.turn(x);
+        let mut registers = self.program.inputs(x, cos, sin, per_value);
+        let joint = &self.program.joints[joint];
+        self.program.derive_steps(0..joint.step, &mut registers);
+        let read = |r: Reg| registers[r.0 as usize];
+        self.program.margin(joint, &read).map_or(Dual::fixed(f64::NAN), |m| m.crossing())
+    }
+
+    /// The way from where the driver stands to `until`: what ends it, and the change points on it. Each change point turns the
+    /// sign of its joint for what follows, so that the program is that of the way's end afterwards.
+    pub fn walk(&mut self, until: f64) -> (Option<Event>, Vec<Event>) {
+        let mut changes = Vec::new();
+        if !self.program.tracks.is_empty() {
+            return (self.walk_tracks(until), changes);
+        }
+        let mut from = self.now;
+        // A change point is left behind by half a step; there are no more of them than steps.
+        loop {
+            let steps = self.steps_to(from, until);
+            let xs: Vec<f64> =
+                (0..=steps).map(|i| if i == steps { until } else { from + (until - from) * (i as f64 / steps as f64) }).collect();
+            match self.first_event(&xs) {
+                None => return (None, changes),
+                Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
+                Some(change) => {
+                    from = change.value + 0.5 * (xs[1] - xs[0]);
+                    self.program.flip(change.joint.unwrap_or(0));
+                    changes.push(change);
+                    if (until - from) * (xs[1] - xs[0]) <= 0.0 {
+                        return (None, changes);
+                    }
+                }
+            }
+        }
+    }
+
+    fn steps_to(&self, from: f64, until: f64) -> usize {
+        ((until - from).abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize
+    }
+
+    /// With followed links: only where it ends.
+    fn walk_tracks(&self, until: f64) -> Option<Event> {
+        let mut state = self.start.clone()?;
+        let steps = self.steps_to(self.now, until);
+        for i in 1..=steps {
+            let x = self.now + (until - self.now) * (i as f64 / steps as f64);
+            match self.program.advance(&state, x, &|x| self.turn(x)) {
+                Ok(reached) => state = reached,
+                Err(stuck) => return Some(self.fold(&stuck, until)),
+            }
+        }
+        None
+    }
+
+    /// The crossings at many positions, joint by joint.
+    fn sampled(&self, xs: &[f64]) -> Vec<Vec<f64>> {
+        let mut out = vec![Vec::with_capacity(xs.len()); self.program.joints.len()];
+        let mut buffer = self.program.buffer();
+        for part in xs.chunks(CHUNK) {
+            let stations = Stations::of_values(part.to_vec(), self.per_value);
+            buffer.fill(VALUE, &stations.values);
+            buffer.fill(COS, &stations.cosines);
+            buffer.fill(SIN, &stations.sines);
+            self.program.run_steps(std::iter::once(self.program.steps[0].as_slice()), &mut buffer, Width::Widest);
+            for (joint, out) in self.program.joints.iter().zip(&mut out) {
+                out.extend((0..part.len()).map(|i| {
+                    let read = |r: Reg| buffer.get(r, i);
+                    self.program.margin(joint, &read).map_or(f64::NAN, |m| m.crossing())
+                }));
+            }
+        }
+        out
+    }
+
+    /// The first limit or change point on a way.
+    fn first_event(&self, xs: &[f64]) -> Option<Event> {
+        let c = self.sampled(xs);
+        for i in 0..xs.len() {
+            for j in 0..c.len() {
+                let here = c[j][i];
+                // Closures of groups upstream come first in the list; where one of them misses, this one has no meaning.
+                let meaning = |i: usize| c[..j].iter().all(|u| u[i] >= -TOUCHING);
+                if i > 0 && c[j][i - 1] > TOUCHING && here < -TOUCHING && meaning(i) {
+                    return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], xs[i])));
+                }
+                let lowest = i > 0 && i + 1 < xs.len() && here < SUSPECT && here < c[j][i - 1] && here <= c[j][i + 1];
+                if lowest && meaning(i + 1) {
+                    let (at, least) = self.least(j, xs[i - 1], xs[i + 1]);
+                    if least.abs() <= TOUCHING {
+                        return Some(self.event(j, Kind::ChangePoint, at));
+                    }
+                    if least < 0.0 {
+                        return Some(self.event(j, Kind::Limit, self.root(j, xs[i - 1], at)));
+                    }
+                }
+            }
+        }
+        None
+    }
+
+    fn event(&self, joint: usize, kind: Kind, value: f64) -> Event {
+        let j = &self.program.joints[joint];
+        Event { value, kind, links: j.links.clone(), pin: j.pin, joint: Some(joint) }
+    }
+
+    /// A zero of a joint's crossing between a position where it is positive and one where it is negative (or has no value).
+    fn root(&self, joint: usize, inside: f64, outside: f64) -> f64 {
+        let (mut inside, mut outside) = (inside, outside);
+        let mut x = 0.5 * (inside + outside);
+        for _ in 0..200 {
+            let c = self.crossing(joint, x);
+            if c.value > 0.0 {
+                inside = x;
+            } else {
+                outside = x;
+            }
+            let newton = x - c.value / c.slope;
+            let within = (newton - inside) * (newton - outside) < 0.0;
+            let next = if within { newton } else { 0.5 * (inside + outside) };
+            // No double lies between, or Newton's method stands still.
+            if next == x || next == inside || next == outside {
+                return next;
+            }
+            x = next;
+        }
+        x
+    }
+
+    /// Where a joint's crossing is smallest between two positions, and how small: its derivative's zero, by halving and
+    /// secants (the derivative is smooth too).
+    fn least(&self, joint: usize, a: f64, b: f64) -> (f64, f64) {
+        let at = |x: f64| self.crossing(joint, x);
+        let (mut a, mut b) = ((a, at(a).slope), (b, at(b).slope));
+        // Slopes of one sign: the smallest value lies at an end.
+        let mut best = if a.1 * (b.0 - a.0) > 0.0 { (a.0, at(a.0).value) } else { (b.0, at(b.0).value) };
+        if a.1 * b.1 >= 0.0 {
+            return best;
+        }
+        for i in 0..80 {
+            let secant = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
+            let inside = (secant - a.0) * (secant - b.0) < 0.0;
+            let x = if inside && i % 3 != 2 { secant } else { 0.5 * (a.0 + b.0) };
+            if x == a.0 || x == b.0 {
+                break;
+            }
+            let c = at(x);
+            best = (x, c.value);
+            if c.slope == 0.0 {
+                break;
+            }
+            if c.slope.signum() == a.1.signum() { a = (x, c.slope) } else { b = (x, c.slope) }
+        }
+        best
+    }
+
+    /// The limit next to a state from which a class III group cannot go on: its fold, or a limit of what lies upstream.
+    fn fold(&self, stuck: &State, until: f64) -> Event {
+        let dets = self.program.determinants(stuck);
+        // The group whose determinant is smallest, relative to its own size, is the one that folds.
+        let track = dets.iter().enumerate().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |t| t.0);
+        // What closes before the group may be at its limit instead.
+        let step = (until - stuck.value).signum() * 1e-6 * self.reach();
+        let (cos, sin, per_value) = self.turn(stuck.value + step);
+        let mut beyond = self.program.inputs(stuck.value + step, cos, sin, per_value);
+        self.program.derive_steps(0..self.program.tracks[track].step, &mut beyond);
+        for (j, joint) in self.program.joints.iter().enumerate().filter(|(_, j)| j.step < self.program.tracks[track].step) {
+            let read = |r: Reg| beyond[r.0 as usize];
+            let miss = self.program.margin(joint, &read).is_some_and(|m| m.crossing().value < 0.0);
+            if miss {
+                return self.event(j, Kind::Limit, self.root(j, stuck.value, stuck.value + step));
+            }
+        }
+        let value = self.program.fold(track, stuck, &|x| self.turn(x)).unwrap_or(stuck.value);
+        let group = &self.placed.mechanism.groups[self.program.tracks[track].group];
+        Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None }
+    }
+
+    /// The smallest transmission angle of each joint over a range (rad, at most 90°), and where it is; none with class III groups.
+    pub fn transmission(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
+        if !self.program.tracks.is_empty() {
+            return Vec::new();
+        }
+        let xs: Vec<f64> = (0..=STEPS).map(|i| low + (high - low) * (i as f64 / STEPS as f64)).collect();
+        let angle = |sin2: f64| libm::asin(sin2.clamp(0.0, 1.0).sqrt());
+        let worst = |(j, c): (usize, &Vec<f64>)| {
+            let i = (0..c.len()).filter(|&i| c[i] >= 0.0).min_by(|&a, &b| c[a].total_cmp(&c[b]))?;
+            let (at, least) = self.least(j, xs[i.saturating_sub(1)], xs[(i + 1).min(STEPS)]);
+            let (at, least) = if least < c[i] { (at, least) } else { (xs[i], c[i]) };
+            Some((at, angle(least)))
+        };
+        self.sampled(&xs).iter().enumerate().map(|w| worst(w).unwrap_or((f64::NAN, f64::NAN))).collect()
+    }
+}
+
+/// The range of a driver from where it stands, for a program that holds the groups that matter.
+pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
+    let mut probe = Probe::of(program.clone(), placed, driver);
+    let (now, reach) = (probe.now, probe.reach());
+    let (up, mut changes) = probe.walk(now + reach);
+    if up.is_none() && program.angular {
+        return Range { now, ends: [None, None], changes, reach };
+    }
+    let (down, others) = Probe::of(program, placed, driver).walk(now - reach);
+    changes.extend(others);
+    Range { now, ends: [down, up], changes, reach }
+}
+
+impl Program {
+    /// Turns a joint to its other branch.
+    pub fn flip(&mut self, joint: usize) {
+        match &mut self.steps[0][self.joints[joint].step].op {
+            Op::Circles(k) => k.sign = -k.sign,
+            Op::CircleLine(k) => k.sign = -k.sign,
+            Op::Lever(k) => k.sign = -k.sign,
+            _ => {}
+        }
+    }
+}

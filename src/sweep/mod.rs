@@ -1,0 +1,299 @@
+//! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
+//!
+//! [`run`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
+//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels), which runs over chunks of
+//! positions, four side by side where the machine can ([`lane`]); class III groups are followed ([`track`]). Positions at
+//! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
+//! cannot be assembled are left out, with the reason in the notes.
+//!
+//! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
+//! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
+
+pub mod batch;
+pub mod carry;
+pub mod closure;
+pub mod compile;
+pub mod extreme;
+mod general;
+pub mod kernel;
+pub mod lane;
+pub mod limit;
+pub mod program;
+pub mod reading;
+pub mod rows;
+pub mod station;
+pub mod table;
+pub mod track;
+pub mod vary;
+
+pub use compile::compile;
+pub use lane::Width;
+pub use station::Stations;
+pub use table::{Column, Table};
+
+use crate::diag::{Diagnostic, Faults};
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{self, Configuration};
+use crate::scene::Scene;
+use general::General;
+pub use general::driver_name;
+use limit::Probe;
+use program::{Buffer, CHUNK, COS, Program, SIN, VALUE};
+use rayon::prelude::*;
+
+/// A scene placed at its instant, ready to be swept.
+pub struct Placed<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its topology.
+    pub mechanism: &'a Mechanism,
+    /// What is called for.
+    pub demand: Demand,
+    /// Where everything is at the instant.
+    pub at: Configuration,
+}
+
+impl<'a> Placed<'a> {
+    /// Places a scene for its own questions.
+    ///
+    /// # Errors
+    /// Those of [`position::configure`].
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        let demand = Demand::of(scene, mechanism);
+        let at = position::configure(scene, mechanism, &demand)?.value;
+        Ok(Placed { scene, mechanism, demand, at })
+    }
+}
+
+/// The answers to the scene's questions at all stations of a driver.
+///
+/// A row for each station that can be assembled, in the order of the stations; see [`Table`]. The result does not depend on
+/// the number of threads, on the width or on how the stations are cut into chunks.
+///
+/// # Errors
+/// A driver that the scene does not have.
+pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+    let scene = placed.scene;
+    if driver >= scene.drivers.len() {
+        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+    }
+    let mut notes = Vec::new();
+    let general = General::new(placed, driver);
+    let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
+        Ok(program) => {
+            let (parts, changes) = branches(program.clone(), placed, driver, stations);
+            notes.extend(changes);
+            let mut rows = run_parts(&parts, placed, driver, stations, width);
+            rows.complete(&general, stations, &|row| beside(&program, placed, driver, stations.values[row]));
+            rows.explain(&general, stations);
+            if rows.missing.iter().any(Option::is_some) {
+                notes.extend(ends(&program, placed, driver, stations));
+            }
+            rows
+        }
+        Err(note) => {
+            notes.push(note);
+            general.follow(stations)
+        }
+    };
+    Ok(rows.into_table(placed, driver, stations, notes))
+}
+
+/// The rows of a sweep under way: numbers of all columns, and which rows are there.
+pub(crate) struct Rows {
+    /// Name and unit of each column.
+    pub names: Vec<(String, &'static str)>,
+    /// The numbers, a column after the other.
+    pub columns: Vec<Vec<f64>>,
+    /// Why a row is missing, if it is.
+    pub missing: Vec<Option<Faults>>,
+}
+
+impl Rows {
+    /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
+    /// with what is `near` is meant.
+    fn complete(&mut self, general: &General, stations: &Stations, near: &(dyn Fn(usize) -> Option<Vec<f64>> + Sync)) {
+        let open: Vec<usize> =
+            (0..stations.len()).filter(|&i| self.missing[i].is_none() && self.columns.iter().any(|c| !c[i].is_finite())).collect();
+        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)))).collect();
+        for (i, row) in open.into_iter().zip(solved) {
+            match row {
+                Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
+                Err(why) => self.missing[i] = Some(why),
+            }
+        }
+    }
+
+    /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.
+    fn explain(&mut self, general: &General, stations: &Stations) {
+        for i in 0..stations.len() {
+            let silent = self.missing[i].as_ref().is_some_and(|why| why.list.is_empty());
+            if silent && (i == 0 || self.missing[i - 1].is_none()) {
+                self.missing[i] = Some(general.solve(stations, i).err().unwrap_or_default());
+            }
+        }
+    }
+
+    fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, mut notes: Vec<Diagnostic>) -> Table {
+        let there: Vec<usize> = (0..stations.len()).filter(|&i| self.missing[i].is_none()).collect();
+        let pick = |values: &[f64]| there.iter().map(|&i| values[i]).collect::<Vec<_>>();
+        let (name, unit) = general::driver_name(placed.scene, driver);
+        let mut columns = vec![Column { name, unit, values: pick(&stations.values) }];
+        for ((name, unit), values) in self.names.into_iter().zip(&self.columns) {
+            columns.push(Column { name, unit, values: pick(values) });
+        }
+        let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
+        notes.extend(general::gaps(&words, &self.missing));
+        Table { columns, notes }
+    }
+}
+
+/// The way on that is nearest to a row; the first where there is but one, or nothing to compare with.
+fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec<f64> {
+    if ways.len() > 1
+        && let Some(near) = near()
+    {
+        let off = |row: &Vec<f64>| row.iter().zip(&near).map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE)).sum::<f64>();
+        ways.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    }
+    ways.swap_remove(0)
+}
+
+/// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
+fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
+    let off = 1e-3 * Probe::of(program.clone(), placed, driver).reach();
+    let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
+    let (parts, _) = branches(program.clone(), placed, driver, &sides);
+    let rows = run_parts(&parts, placed, driver, &sides, Width::One);
+    let mean: Vec<f64> = rows.columns.iter().map(|c| 0.5 * (c[0] + c[1])).collect();
+    mean.iter().all(|v| v.is_finite()).then_some(mean)
+}
+
+/// Lowest and highest of the stations and of where the driver stands.
+fn span(placed: &Placed, driver: usize, stations: &Stations) -> (f64, [f64; 2]) {
+    let now = station::position_now(placed.scene, &placed.at, driver);
+    let low = stations.values.iter().copied().fold(now, f64::min);
+    let high = stations.values.iter().copied().fold(now, f64::max);
+    (now, [low, high])
+}
+
+/// A note for each limit of the driver within the span of the stations.
+fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Diagnostic> {
+    let (now, span) = span(placed, driver, stations);
+    let end = |until: f64| (until != now).then(|| Probe::of(program.clone(), placed, driver).walk(until).0).flatten();
+    span.into_iter().filter_map(end).map(|e| general::limit_note(placed.scene, driver, &e)).collect()
+}
+
+/// The program of each stretch between change points, with its stations; and a note for each change point.
+fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
+    let all: Vec<usize> = (0..stations.len()).collect();
+    if !program.tracks.is_empty() || program.joints.is_empty() {
+        return (vec![(program, all)], Vec::new());
+    }
+    let (now, span) = span(placed, driver, stations);
+    let mut changes = [Vec::new(), Vec::new()];
+    for (changes, until) in changes.iter_mut().zip(span) {
+        if until != now {
+            *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
+        }
+    }
+    if changes.iter().all(Vec::is_empty) {
+        return (vec![(program, all)], Vec::new());
+    }
+    // How many change points lie between the instant and a station, downward or upward.
+    let passed = |value: f64| {
+        let [down, up] = &changes;
+        if value < now { (0, down.iter().filter(|c| c.value > value).count()) } else { (1, up.iter().filter(|c| c.value < value).count()) }
+    };
+    let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
+    for way in 0..2 {
+        let mut program = program.clone();
+        for k in 0..=changes[way].len() {
+            let rows: Vec<usize> = all.iter().copied().filter(|&i| passed(stations.values[i]) == (way, k)).collect();
+            parts.push((program.clone(), rows));
+            if let Some(joint) = changes[way].get(k).and_then(|c| c.joint) {
+                program.flip(joint);
+            }
+        }
+    }
+    parts.retain(|(_, rows)| !rows.is_empty());
+    let notes = changes.iter().flatten().map(|c| general::change_note(placed.scene, driver, c)).collect();
+    (parts, notes)
+}
+
+fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    if let [(program, _)] = parts {
+        return run_program(program, placed, driver, stations, width);
+    }
+    let mut whole: Option<Rows> = None;
+    for (program, rows) in parts {
+        let part = run_program(program, placed, driver, &stations.pick(rows), width);
+        let n = stations.len();
+        let whole = whole.get_or_insert_with(|| Rows {
+            names: part.names.clone(),
+            columns: vec![vec![f64::NAN; n]; part.columns.len()],
+            missing: vec![None; n],
+        });
+        for (k, &i) in rows.iter().enumerate() {
+            whole.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c[i] = p[k]);
+            whole.missing[i].clone_from(&part.missing[k]);
+        }
+    }
+    whole.unwrap_or(Rows { names: Vec::new(), columns: Vec::new(), missing: Vec::new() })
+}
+
+/// Below this many rows a sweep is not worth other threads.
+const ALONE: usize = 16 * CHUNK;
+
+fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    let n = stations.len();
+    let names = program.columns.iter().map(|c| (c.name.clone(), c.unit)).collect();
+    let mut columns: Vec<Vec<f64>> = program.columns.iter().map(|_| vec![0.0; n]).collect();
+    let mut missing: Vec<Option<Faults>> = vec![None; n];
+    let states = if program.tracks.is_empty() {
+        None
+    } else {
+        let states = general::follow_tracks(program, placed, driver, stations);
+        for (gap, state) in missing.iter_mut().zip(&states) {
+            if let Err(why) = state {
+                *gap = Some(why.clone());
+            }
+        }
+        Some(states)
+    };
+    let one_chunk = |buffer: &mut Buffer, chunk: usize| {
+        let rows = chunk * CHUNK..n.min((chunk + 1) * CHUNK);
+        buffer.fill(VALUE, &stations.values[rows.clone()]);
+        buffer.fill(COS, &stations.cosines[rows.clone()]);
+        buffer.fill(SIN, &stations.sines[rows.clone()]);
+        if let Some(states) = &states {
+            for (i, state) in states[rows.clone()].iter().enumerate() {
+                if let Ok(state) = state {
+                    program.show(state, buffer, i);
+                }
+            }
+        }
+        program.run(buffer, width);
+        let numbers: Vec<Vec<f64>> = program.columns.iter().map(|c| buffer.numbers(c.reg, rows.len()).to_vec()).collect();
+        // What misses by more than rounding needs nobody's second opinion.
+        let lost = |row: &usize| numbers.iter().any(|c| !c[*row].is_finite()) && program.misses(buffer, *row);
+        let missed: Vec<usize> = (0..rows.len()).filter(lost).collect();
+        (numbers, missed)
+    };
+    let chunks = n.div_ceil(CHUNK);
+    let filled: Vec<(Vec<Vec<f64>>, Vec<usize>)> = if n <= ALONE {
+        let mut buffer = program.buffer();
+        (0..chunks).map(|c| one_chunk(&mut buffer, c)).collect()
+    } else {
+        (0..chunks).into_par_iter().map_init(|| program.buffer(), |buffer, c| one_chunk(buffer, c)).collect()
+    };
+    for (chunk, (parts, missed)) in filled.into_iter().enumerate() {
+        for (column, part) in columns.iter_mut().zip(parts) {
+            column[chunk * CHUNK..][..part.len()].copy_from_slice(&part);
+        }
+        for row in missed {
+            missing[chunk * CHUNK + row].get_or_insert_default();
+        }
+    }
+    Rows { names, columns, missing }
+}

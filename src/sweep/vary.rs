@@ -1,0 +1,290 @@
+//! A scene with other values of its parameters, without reading its file again: for sweeps over a parameter and for batches.
+//!
+//! The quantities that depend on the varied parameters are found once, with their expressions; setting values only
+//! evaluates these. What the reader would refuse (a length that is not positive) is refused here too.
+
+use super::general::General;
+use super::station::{Stations, position_now};
+use super::table::{Column, Table};
+use super::{Placed, Rows, Width, run_program};
+use crate::diag::{Diagnostic, Faults};
+use crate::mechanism::Mechanism;
+use crate::quantity::shortest;
+use crate::scene::eval::{NoValue, Value, evaluate};
+use crate::scene::expr::{self, Expr, ExprKind};
+use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Place, Scene, Through, templates};
+use rayon::prelude::*;
+
+/// A quantity of a scene.
+enum Slot<'a> {
+    /// In SI units; whether it must be greater than zero.
+    Number(&'a mut Given, bool),
+    Angle(&'a mut Given<Angle>),
+}
+
+/// Every quantity of a scene, always in the same order.
+fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
+    let mut out = Vec::new();
+    for p in &mut scene.points {
+        match &mut p.place {
+            Place::Unknown => {}
+            Place::At(xy) | Place::InLink { xy, .. } => out.extend(xy.iter_mut().map(|x| Slot::Number(x, false))),
+            Place::Polar { length, angle, .. } => out.extend([Slot::Number(length, true), Slot::Angle(angle)]),
+        }
+    }
+    for g in &mut scene.guides {
+        match &mut g.path {
+            GuidePath::Line { through, direction, offset } => {
+                if let Through::At(xy) = through {
+                    out.extend(xy.iter_mut().map(|x| Slot::Number(x, false)));
+                }
+                match direction {
+                    Direction::Instant(angle) | Direction::Along(_, _, Some(angle)) => out.push(Slot::Angle(angle)),
+                    Direction::Along(_, _, None) | Direction::Own => {}
+                }
+                out.extend(offset.iter_mut().map(|x| Slot::Number(x, false)));
+            }
+            GuidePath::Arc { radius, .. } => out.extend(radius.iter_mut().map(|x| Slot::Number(x, true))),
+        }
+    }
+    out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
+    for d in &mut scene.drivers {
+        match &mut d.kind {
+            DriverKind::Turn { angle, .. } => out.extend(angle.iter_mut().map(Slot::Angle)),
+            DriverKind::Slide { position, .. } => out.extend(position.iter_mut().map(|x| Slot::Number(x, false))),
+            DriverKind::Cylinder { length, .. } => out.extend(length.iter_mut().map(|x| Slot::Number(x, true))),
+        }
+        out.push(Slot::Number(&mut d.rate, false));
+        out.extend(d.acceleration.iter_mut().map(|x| Slot::Number(x, false)));
+    }
+    out
+}
+
+/// Which parameters vary, and what depends on them.
+#[derive(Clone, Debug)]
+pub struct Variation {
+    /// All parameters in order, with their expressions.
+    parameters: Vec<(String, Expr)>,
+    /// The varied ones, indices into `parameters`.
+    varied: Vec<usize>,
+    /// Indices into [`slots`] of what depends on them.
+    dependent: Vec<(usize, Expr)>,
+}
+
+impl Variation {
+    /// The variation of some parameters of a scene.
+    ///
+    /// # Errors
+    /// A name that is no parameter, or is named twice.
+    pub fn new(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
+        let mut faults = Faults::default();
+        let known: Vec<&str> = scene.parameters.iter().map(|p| p.0.as_str()).collect();
+        let mut varied = Vec::new();
+        for name in names {
+            match known.iter().position(|k| k == name) {
+                Some(i) if !varied.contains(&i) => varied.push(i),
+                Some(_) => faults.push(Diagnostic::error("given-twice", format!("parameter `{name}` is varied twice"))),
+                None => {
+                    let d = Diagnostic::error("unknown-parameter", format!("the scene has no parameter `{name}`"));
+                    faults.push(d.help(match known[..] {
+                        [] => "give the lengths to be varied names in \"parameters\"".to_owned(),
+                        _ => format!("its parameters are {}", known.join(", ")),
+                    }));
+                }
+            }
+        }
+        if faults.has_errors() {
+            return Err(faults);
+        }
+        let mut parameters = Vec::new();
+        for (name, given) in &scene.parameters {
+            parameters.push((name.clone(), expr::parse(&given.text, &known)?));
+        }
+        // What changes with the varied parameters, directly or through others.
+        let mut moving: Vec<&str> = varied.iter().map(|&i| known[i]).collect();
+        for (i, (name, expr)) in parameters.iter().enumerate() {
+            if !varied.contains(&i) && mentions(expr, &moving) {
+                moving.push(name);
+            }
+        }
+        let mut dependent = Vec::new();
+        for (i, slot) in slots(&mut scene.clone()).into_iter().enumerate() {
+            let text = match &slot {
+                Slot::Number(given, _) => &given.text,
+                Slot::Angle(given) => &given.text,
+            };
+            let expr = expr::parse(text, &known)?;
+            if mentions(&expr, &moving) {
+                dependent.push((i, expr));
+            }
+        }
+        Ok(Variation { parameters, varied, dependent })
+    }
+
+    /// The names of the varied parameters, in the order in which their values are set.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.varied.iter().map(|&i| self.parameters[i].0.as_str())
+    }
+
+    /// The unit of a varied parameter's SI value, for a column's head.
+    pub fn unit(&self, value: &Value) -> &'static str {
+        match (value.dim.length, value.dim.time, value.dim.angle) {
+            (1, 0, 0) => "m",
+            (0, 0, 1) => "rad",
+            (0, -1, 1) => "rad/s",
+            (0, -2, 1) => "rad/s²",
+            (1, -1, _) => "m/s",
+            (1, -2, _) => "m/s²",
+            _ => "",
+        }
+    }
+
+    /// A value of a parameter as a command line gives it: a bare number takes the unit that the scene writes.
+    ///
+    /// # Errors
+    /// What is no quantity of the parameter's kind.
+    pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<Value, Faults> {
+        let known: Vec<&str> = self.parameters.iter().map(|p| p.0.as_str()).collect();
+        let i = known.iter().position(|k| *k == name).ok_or_else(|| Diagnostic::error("unknown-parameter", format!("`{name}`")))?;
+        let written = templates::replacement(name, &scene.parameters[i].1.text, text, &[])?;
+        let value = self.evaluate(&expr::parse(&written, &[])?, &[])?;
+        let usual = self.evaluate(&self.parameters[i].1, &self.values(&[])?)?;
+        if value.dim != usual.dim {
+            return Err(Diagnostic::error(
+                "dimension",
+                format!("`{text}` is {}; `{name}` is {}", value.dim.describe(), usual.dim.describe()),
+            )
+            .into());
+        }
+        Ok(value)
+    }
+
+    /// `steps` equal steps between two values, both ends included.
+    ///
+    /// # Errors
+    /// As [`Variation::value`].
+    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<Value>, Faults> {
+        let (a, b) = (self.value(scene, name, from)?, self.value(scene, name, to)?);
+        // Degrees stay degrees only where both ends are.
+        let degrees = a.degrees && b.degrees;
+        let number = |v: Value| if degrees { v.number } else { v.si() };
+        let at = |i: usize| number(a) + (number(b) - number(a)) * if steps == 0 { 0.0 } else { i as f64 / steps as f64 };
+        Ok((0..=steps).map(|i| Value { number: if i == steps && i > 0 { number(b) } else { at(i) }, dim: a.dim, degrees }).collect())
+    }
+
+    fn evaluate(&self, expr: &Expr, values: &[Value]) -> Result<Value, Faults> {
+        let lookup = |name: &str| self.parameters[..values.len()].iter().rposition(|p| p.0 == name).map(|i| values[i]);
+        evaluate(expr, &lookup).map_err(|e| match e {
+            NoValue::Fault(d) => Diagnostic { span: None, ..d }.into(),
+            NoValue::Reported => Diagnostic::error("unknown-parameter", "a parameter has no value").into(),
+        })
+    }
+
+    /// The values of all parameters, those of the varied ones given (or as written where none are).
+    fn values(&self, varied: &[Value]) -> Result<Vec<Value>, Faults> {
+        let mut values = Vec::with_capacity(self.parameters.len());
+        for (i, (_, expr)) in self.parameters.iter().enumerate() {
+            let given = self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
+            let value = match given {
+                Some(value) => value,
+                None => self.evaluate(expr, &values)?,
+            };
+            values.push(value);
+        }
+        Ok(values)
+    }
+
+    /// Gives the varied parameters their values, one each, in a scene that this variation was made for.
+    ///
+    /// # Errors
+    /// A length that becomes zero or negative, a value that is no number.
+    pub fn set(&self, scene: &mut Scene, varied: &[Value]) -> Result<(), Faults> {
+        let values = self.values(varied)?;
+        let mut slots = slots(scene);
+        for (i, expr) in &self.dependent {
+            let value = self.evaluate(expr, &values)?;
+            match &mut slots[*i] {
+                Slot::Number(given, positive) => {
+                    let si = value.si();
+                    if *positive && si <= 0.0 {
+                        return Err(Diagnostic::error("not-positive", format!("`{}` becomes {}", given.text, shortest(si)))
+                            .at(given.span)
+                            .into());
+                    }
+                    (given.value, given.radius) = (si, si.abs() * f64::EPSILON);
+                }
+                Slot::Angle(given) => {
+                    (given.value, given.radius) = (value.angle(), value.number.abs() * f64::EPSILON);
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Whether an expression uses one of the names.
+fn mentions(expr: &Expr, names: &[&str]) -> bool {
+    match &expr.kind {
+        ExprKind::Parameter(name) => names.contains(&name.as_str()),
+        ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => false,
+        ExprKind::Neg(a) | ExprKind::Call(_, a) => mentions(a, names),
+        ExprKind::Binary(_, a, b) => mentions(a, names) || mentions(b, names),
+    }
+}
+
+/// The answers to the scene's questions for each value of one varied parameter, the drivers standing where the scene puts them.
+///
+/// # Errors
+/// None of its own: values for which there is no mechanism are rows that are missing, with their reason in the notes.
+pub fn sweep(scene: &Scene, mechanism: &Mechanism, variation: &Variation, values: &[Value]) -> Result<Table, Faults> {
+    let name = variation.names().next().unwrap_or_default().to_owned();
+    let rows: Vec<Result<Rows, Faults>> = values
+        .par_iter()
+        .map_init(
+            || scene.clone(),
+            |scene, value| {
+                variation.set(scene, &[*value])?;
+                let placed = Placed::new(scene, mechanism)?;
+                let now = position_now(scene, &placed.at, 0);
+                one_row(&placed, &Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0)))
+            },
+        )
+        .collect();
+    let unit = values.first().map_or("", |v| variation.unit(v));
+    let mut table = Table { columns: vec![Column { name: name.clone(), unit, values: Vec::new() }], notes: Vec::new() };
+    let mut missing = Vec::new();
+    for (value, row) in values.iter().zip(rows) {
+        match row {
+            Ok(row) => {
+                if table.columns.len() == 1 {
+                    table.columns.extend(row.names.iter().map(|(name, unit)| Column { name: name.clone(), unit, values: Vec::new() }));
+                }
+                let numbers = std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0]));
+                table.columns.iter_mut().zip(numbers).for_each(|(c, v)| c.values.push(v));
+                missing.push(None);
+            }
+            Err(why) => missing.push(Some(why)),
+        }
+    }
+    let words =
+        |k: usize| format!("{name} = {}{}", shortest(values[k].si()), if unit.is_empty() { String::new() } else { format!(" {unit}") });
+    table.notes = super::general::gaps(&words, &missing);
+    Ok(table)
+}
+
+/// The answers at one station, by the program where there is one.
+fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
+    let general = General::new(placed, 0);
+    let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
+        Ok(program) => {
+            let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
+            rows.complete(&general, stations, &|_| None);
+            rows
+        }
+        Err(_) => general.follow(stations),
+    };
+    match rows.missing[0].take() {
+        Some(why) => Err(why),
+        None => Ok(rows),
+    }
+}

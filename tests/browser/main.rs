@@ -1,0 +1,404 @@
+//! The lesson in a real Chromium: what is dragged and stepped through must show what the library computes.
+//!
+//! The browser is `$CHROMIUM`, `chromium`, `chromium-browser` or `google-chrome`; without one these tests say that they were
+//! skipped. (Debian and Ubuntu: `apt-get install chromium`.)
+
+mod chromium;
+
+use chromium::Browser;
+use hodograph::accuracy::toggle;
+use hodograph::figure::item::Shape;
+use hodograph::figure::mechanism;
+use hodograph::figure::polygon;
+use hodograph::figure::style::Style;
+use hodograph::lesson::{Options, lesson};
+use hodograph::mechanism::Level;
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::report::construction::sentences;
+use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::worked::{Scope, Worked, work};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+
+const PROJECTOR: [u32; 2] = [1920, 1080];
+const PHONE: [u32; 2] = [390, 844];
+
+fn browser() -> Option<Browser> {
+    let found = chromium::found();
+    if found.is_none() {
+        eprintln!("skipped: no Chromium on this machine ($CHROMIUM, chromium, chromium-browser, google-chrome)");
+    }
+    found.map(|program| Browser::start(&program))
+}
+
+fn template(name: &str) -> Scene {
+    scene::read(templates::get(name).unwrap()).unwrap().value
+}
+
+/// The lesson of a scene in a file.
+fn page(name: &str, scene: &Scene) -> PathBuf {
+    let page = lesson(scene, &Options::of_language(Lang::En)).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{name}.html"));
+    std::fs::write(&path, page).unwrap();
+    path
+}
+
+/// The page asked for nothing but itself, and said nothing.
+fn assert_quiet(b: &Browser, name: &str) {
+    let (asked, said) = b.asked_and_said();
+    let foreign: Vec<&String> = asked.iter().filter(|u| !u.starts_with("file://") && !u.starts_with("data:")).collect();
+    assert!(asked.iter().filter(|u| u.starts_with("file://")).count() <= 1 && foreign.is_empty(), "{name} fetches {asked:?}");
+    assert!(said.is_empty(), "{name}: the console says {said:?}");
+}
+
+/// The scene with its driver `travel` farther on, to the scales of the page.
+fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
+    let start = toggle::driver_position(scene, 0).unwrap();
+    let mut there = toggle::with_driver_at(scene, 0, start + travel);
+    let mut mu =
+        |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
+    there.paper.mu_l = mu("mechanism");
+    there.paper.mu_v = mu("velocity");
+    there.paper.mu_a = mu("acceleration");
+    let worked = work(&there, Scope::Figure).unwrap().value;
+    (there, worked)
+}
+
+type Ends = BTreeMap<String, [f64; 4]>;
+
+/// Every arrow of a polygon and every pin of the mechanism that the page shows: tail and tip, or centre twice, in mm from the pole
+/// or the diagram's origin, y up.
+fn shown(b: &mut Browser) -> Ends {
+    let script = r#"(() => {
+        const out = {};
+        for (const svg of document.querySelectorAll(".drawing svg")) {
+            const [x, y] = svg.dataset.origin.split(" ").map(Number);
+            if (svg.querySelector(".ink").style.display === "none") continue;
+            for (const e of svg.querySelector(".ink").children) {
+                if (e.getAttribute("display") === "none" || e.classList.contains("label")) continue;
+                if (e.tagName === "circle" && /pin/.test(e.getAttribute("class"))) {
+                    const [cx, cy] = ["cx", "cy"].map((a) => Number(e.getAttribute(a)));
+                    out[e.id] = [cx - x, y - cy, cx - x, y - cy];
+                } else if (e.tagName === "g" && /edge|absolute/.test(e.getAttribute("class"))) {
+                    const [x1, y1] = ["x1", "y1"].map((a) => Number(e.querySelector("line").getAttribute(a)));
+                    const [tx, ty] = e.querySelector("path").getAttribute("d").match(/-?[\d.]+/g).map(Number);
+                    out[e.id] = [x1 - x, y - y1, tx - x, y - ty];
+                }
+            }
+        }
+        return out;
+    })()"#;
+    let value = b.eval(script);
+    let ends = |v: &serde_json::Value| std::array::from_fn(|i| v[i].as_f64().unwrap());
+    value.as_object().unwrap().iter().map(|(id, v)| (id.clone(), ends(v))).collect()
+}
+
+/// The same from the library's own drawings.
+fn drawn(scene: &Scene, worked: &Worked) -> Ends {
+    let notation = Notation::of_language(Lang::En);
+    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
+    let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
+    for level in [Level::Velocity, Level::Acceleration] {
+        items.extend(worked.construction.polygon(level).map(|p| polygon::polygon(&Style::default(), &w, p).items).unwrap_or_default());
+    }
+    let ends = items.into_iter().filter_map(|i| match i.shape {
+        Shape::Circle { centre, .. } if i.class.contains("pin") => Some((i.id, [centre.x, centre.y, centre.x, centre.y])),
+        Shape::Arrow { from, to, .. } if i.class.contains("edge") || i.class.contains("absolute") => {
+            Some((i.id, [from.x, from.y, to.x, to.y]))
+        }
+        _ => None,
+    });
+    ends.collect()
+}
+
+/// Where a point of the mechanism's paper (mm from the diagram's origin, y up) is in the window.
+fn in_window(b: &mut Browser, [x, y]: [f64; 2]) -> [f64; 2] {
+    let script = format!(
+        "(() => {{ const svg = document.querySelector('#mechanism svg'); const [x, y] = svg.dataset.origin.split(' ').map(Number); \
+         const p = new DOMPoint(x + ({x}), y - ({y})).matrixTransform(svg.getScreenCTM()); return [p.x, p.y]; }})()"
+    );
+    let v = b.eval(&script);
+    [v[0].as_f64().unwrap(), v[1].as_f64().unwrap()]
+}
+
+fn travel(b: &mut Browser) -> f64 {
+    b.eval("document.querySelector('.grip').dataset.travel").as_str().unwrap().parse().unwrap()
+}
+
+/// Lets go of the grip and waits until it has come to rest.
+fn let_go(b: &mut Browser, at: [f64; 2]) {
+    b.mouse("mouseReleased", at);
+    b.eval("new Promise((done) => setTimeout(done, 400))");
+}
+
+/// The crank's joint and its end, in mm from the diagram's origin.
+fn crank(scene: &Scene, worked: &Worked) -> ([f64; 2], f64) {
+    let DriverKind::Turn { link, against, .. } = scene.drivers[0].kind else { panic!("the driver turns") };
+    let at = |p: scene::PointId| worked.configuration.points[p.0].unwrap();
+    let points = &scene.links[link.0].points;
+    let joint = points.iter().find(|p| scene.links[against.0].points.contains(p)).unwrap();
+    let end = points.iter().max_by(|a, b| at(**a).distance(at(*joint)).total_cmp(&at(**b).distance(at(*joint)))).unwrap();
+    let diagram = &worked.construction.diagram;
+    let centre = (at(*joint) - diagram.origin) * (1.0 / diagram.mu_l);
+    ([centre.x, centre.y], at(*end).distance(at(*joint)) / diagram.mu_l)
+}
+
+#[test]
+fn a_dragged_crank_shows_what_the_library_computes() {
+    let Some(mut b) = browser() else { return };
+    let mut compared = 0;
+    for name in ["crank-rocker", "shaper", "watt-six-bar", "class-iii-six-bar", "slotted-lever", "offset-slider-crank"] {
+        let scene = template(name);
+        let window = if name == "shaper" { PHONE } else { PROJECTOR };
+        b.open(&page(name, &scene), window);
+        let start = toggle::driver_position(&scene, 0).unwrap();
+        let (_, first) = worked_at(&mut b, &scene, 0.0);
+        let (centre, radius) = crank(&scene, &first);
+        let mut from = start.to_degrees();
+        for degrees in [17.0_f64, 143.0, 260.0, 331.5] {
+            // Along the circle, as a hand would: the way of the crank is closed.
+            let on = |d: f64| [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()];
+            let grip = in_window(&mut b, on(from));
+            b.mouse("mousePressed", grip);
+            for k in 1..=6 {
+                let place = in_window(&mut b, on(from + (degrees - from) * f64::from(k) / 6.0));
+                b.mouse("mouseMoved", place);
+            }
+            let travelled = travel(&mut b);
+            let angle = (start + travelled).to_degrees();
+            let off = (angle - degrees + 180.0).rem_euclid(360.0) - 180.0;
+            assert!(off.abs() < 0.02, "{name}: dragged to {degrees}°, the page says {angle}°");
+            let (there, worked) = worked_at(&mut b, &scene, travelled);
+            let (shown, drawn) = (shown(&mut b), drawn(&there, &worked));
+            assert_eq!(shown.keys().collect::<BTreeSet<_>>(), drawn.keys().collect::<BTreeSet<_>>(), "{name} at {degrees}°");
+            for (id, want) in &drawn {
+                let worst = shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(worst < 1e-2, "{name} at {degrees}°: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
+                compared += 4;
+            }
+            let place = in_window(&mut b, on(degrees));
+            let_go(&mut b, place);
+            // At rest the driver stands where the numbers are known.
+            from = (start + travel(&mut b)).to_degrees();
+        }
+        assert_quiet(&b, name);
+    }
+    assert!(compared > 500, "{compared}");
+}
+
+/// Text without what only looks: spaces, and marks that formulas set in another way.
+fn bare(text: &str) -> String {
+    text.chars().filter(|c| !c.is_whitespace() && !matches!(c, '_' | '^' | '{' | '}' | '′')).collect()
+}
+
+#[test]
+fn every_step_reveals_what_it_names() {
+    let Some(mut b) = browser() else { return };
+    for name in ["crank-rocker", "shaper", "class-iii-six-bar"] {
+        let scene = template(name);
+        b.open(&page(name, &scene), PROJECTOR);
+        let (there, worked) = worked_at(&mut b, &scene, 0.0);
+        let notation = Notation::of_language(Lang::En);
+        b.key("Home");
+        let visible = r##"[...document.querySelectorAll("#velocity .ink > *, #acceleration .ink > *")]
+            .filter((e) => getComputedStyle(e).visibility !== "hidden" && e.getAttribute("display") !== "none").map((e) => e.id)
+            .filter((id) => !id.endsWith("-leader"))"##;
+        assert_eq!(b.eval(visible).as_array().unwrap().len(), 0, "{name}: the construction begins with empty paper");
+        let mut before: BTreeSet<String> = BTreeSet::new();
+        let levels = [(Level::Velocity, "velocity"), (Level::Acceleration, "acceleration")];
+        for (level, key) in levels {
+            let Some(p) = worked.construction.polygon(level) else { continue };
+            let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
+            let items = polygon::polygon(&Style::default(), &w, p).items;
+            let said = sentences(&w, &worked.construction, p, &hodograph::accuracy::steps(&scene, &worked, None));
+            let step =
+                |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
+            for (n, phrase) in said.iter().enumerate() {
+                b.key(if n % 2 == 0 { "ArrowRight" } else { "PageDown" });
+                let now: BTreeSet<String> = serde_json::from_value(b.eval(visible)).unwrap();
+                let new: BTreeSet<&str> = now.difference(&before).map(String::as_str).collect();
+                // Without a step of its own a part belongs to the pole, and comes with the first sentence.
+                let want: BTreeSet<&str> =
+                    items.iter().filter(|i| step(&i.class) == n && !i.id.ends_with("-leader")).map(|i| i.id.as_str()).collect();
+                assert_eq!(new, want, "{name}, {key} step {n}: {}", phrase.plain());
+                let text = b.eval("document.getElementById('sentence').textContent");
+                assert_eq!(bare(text.as_str().unwrap()), bare(&phrase.plain()), "{name}, {key} step {n}");
+                before = now;
+            }
+        }
+        assert_eq!(b.eval("document.getElementById('next').disabled"), true, "{name}");
+        b.key("ArrowLeft");
+        assert_ne!(b.eval(visible).as_array().unwrap().len(), 0);
+        assert_quiet(&b, name);
+    }
+}
+
+#[test]
+fn the_keyboard_alone_does_everything() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("crank-rocker");
+    b.open(&page("keyboard", &scene), PROJECTOR);
+    // By Tab to the grip; there the arrows turn the crank by a frame.
+    for _ in 0..20 {
+        b.key("Tab");
+        if b.eval("document.activeElement.classList.contains('grip')") == true {
+            break;
+        }
+    }
+    assert_eq!(b.eval("document.activeElement.getAttribute('role')"), "slider");
+    b.key("ArrowUp");
+    b.key("ArrowRight");
+    let on = travel(&mut b).to_degrees();
+    assert!((4.9..10.1).contains(&on), "two frames on: {on}°");
+    assert_eq!(
+        b.eval("document.activeElement.getAttribute('aria-valuetext')").as_str().unwrap(),
+        format!("φ_1 = {}°", 60.0 + (on * 10.0).round() / 10.0)
+    );
+    b.key("ArrowDown");
+    b.key("ArrowLeft");
+    assert!(travel(&mut b).abs() < 1e-12);
+    b.eval("document.activeElement.blur()");
+    b.key("+");
+    assert!(travel(&mut b) > 0.0);
+    b.key("0");
+    assert_eq!(travel(&mut b), 0.0);
+    b.key(" ");
+    b.eval("new Promise((done) => setTimeout(done, 500))");
+    let turned = travel(&mut b);
+    b.key(" ");
+    assert!(turned > 0.05, "it turns by itself: {turned}");
+    // Languages, and all words in them.
+    let words = |b: &mut Browser| b.eval("document.body.innerText").as_str().unwrap().to_owned();
+    assert!(words(&mut b).contains("Velocity polygon") && b.eval("document.documentElement.lang") == "en");
+    b.key("End");
+    b.key("l");
+    let chinese = words(&mut b);
+    assert!(chinese.contains("速度多边形") && chinese.contains("逆时针") && b.eval("document.documentElement.lang") == "zh");
+    for english in ["Velocity", "Results", "clockwise", "Step", "Turn", "position", "undefined", "NaN"] {
+        assert!(!chinese.contains(english), "{english} in\n{chinese}");
+    }
+    b.key("ArrowLeft");
+    assert!(b.eval("document.getElementById('sentence').textContent").as_str().unwrap().chars().any(|c| c > '\u{4e00}'));
+    b.key("l");
+    assert!(!words(&mut b).chars().any(|c| ('\u{4e00}'..'\u{9fff}').contains(&c) && !"中文".contains(c)));
+    let ink = "getComputedStyle(document.querySelector('.ink [stroke]')).stroke";
+    let light = b.eval(ink);
+    b.key("d");
+    assert_ne!(b.eval(ink), light, "dark ink is light");
+    assert_quiet(&b, "keyboard");
+}
+
+#[test]
+fn a_limit_stops_the_driver_and_says_why() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("five-bar");
+    b.open(&page("limit", &scene), PROJECTOR);
+    let start = toggle::driver_position(&scene, 0).unwrap();
+    let said = |b: &mut Browser| b.eval("document.getElementById('limit').textContent").as_str().unwrap().to_owned();
+    assert_eq!(said(&mut b), "");
+    for (key, up) in [("+", true), ("-", false)] {
+        for _ in 0..200 {
+            b.key(key);
+        }
+        let end = travel(&mut b);
+        let limit = toggle::limit(&scene, 0, up).unwrap();
+        assert!((start + end - limit).abs() < 1e-6, "{} instead of {limit}", start + end);
+        assert!(said(&mut b).contains("link 2 (BC) and link 3 (CD) lie in line"), "{}", said(&mut b));
+    }
+    b.key("l");
+    assert!(said(&mut b).contains("共线"), "{}", said(&mut b));
+    b.key("+");
+    assert_eq!(said(&mut b), "");
+    assert_quiet(&b, "limit");
+}
+
+#[test]
+fn pages_fit_phones_and_projectors_and_print() {
+    let Some(mut b) = browser() else { return };
+    for name in ["crank-rocker", "stephenson-six-bar", "robot-arm", "scotch-yoke", "excavator"] {
+        let path = page(&format!("fit-{name}"), &template(name));
+        for window in [PHONE, PROJECTOR, [1024, 768]] {
+            b.open(&path, window);
+            let over = b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
+            assert!(over <= 0.0, "{name} at {window:?} is {over} pixels too wide");
+            assert_quiet(&b, name);
+        }
+        // On paper: every sentence, though only some steps were shown.
+        b.key("Home");
+        let steps = b.eval("JSON.parse(document.getElementById('data').textContent).steps.length").as_u64().unwrap();
+        b.eval("dispatchEvent(new Event('beforeprint'))");
+        assert_eq!(b.eval("document.querySelectorAll('#all li').length").as_u64().unwrap(), steps);
+        assert_eq!(b.eval("document.querySelectorAll('.ink .later').length"), 0);
+        b.eval("dispatchEvent(new Event('afterprint'))");
+        assert_ne!(b.eval("document.querySelectorAll('.ink .later').length"), 0);
+    }
+}
+
+/// A slider is dragged along its line; across it the hand does not matter.
+#[test]
+fn a_dragged_slider_follows_along_its_line() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("elliptic-trammel");
+    let DriverKind::Slide { guide, .. } = scene.drivers[0].kind else { panic!("a slider drives") };
+    b.open(&page("slider", &scene), PHONE);
+    let (_, first) = worked_at(&mut b, &scene, 0.0);
+    let at = first.configuration.points[scene.guides[guide.0].pin.unwrap().0].unwrap();
+    let Some(hodograph::position::Path::Line { direction, .. }) = first.configuration.guides[guide.0] else { panic!("a straight guide") };
+    let diagram = &first.construction.diagram;
+    let place = |along: f64, across: f64| {
+        let p = (at - diagram.origin) * (1.0 / diagram.mu_l) + direction * along + direction.perp() * across;
+        [p.x, p.y]
+    };
+    let grip = in_window(&mut b, place(0.0, 0.0));
+    b.mouse("mousePressed", grip);
+    for (along, across) in [(1.0, 0.0), (3.5, 2.0), (-4.0, -1.0), (-12.25, 3.0)] {
+        let hand = in_window(&mut b, place(along, across));
+        b.mouse("mouseMoved", hand);
+        let gone = travel(&mut b) / diagram.mu_l;
+        assert!((gone - along).abs() < 0.02, "{gone} mm instead of {along}");
+    }
+    let there = travel(&mut b);
+    let (scene_there, worked) = worked_at(&mut b, &scene, there);
+    let (shown, drawn) = (shown(&mut b), drawn(&scene_there, &worked));
+    for (id, want) in drawn {
+        let worst = shown[&id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-2, "{id} is off by {worst} mm");
+    }
+    assert_quiet(&b, "slider");
+}
+
+/// Every template gets a lesson, small enough to be sent by mail; what is no mechanism gets none.
+#[test]
+fn every_template_has_a_lesson_of_some_size() {
+    let mut sizes = Vec::new();
+    for t in templates::list() {
+        let scene = template(t.name);
+        let bytes = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value.len();
+        let most = if scene.links.len() <= 6 { 300_000 } else { 420_000 };
+        assert!(bytes < most, "{}: {bytes} bytes for {} links", t.name, scene.links.len());
+        sizes.push(bytes);
+    }
+    eprintln!("lessons of {} to {} bytes", sizes.iter().min().unwrap(), sizes.iter().max().unwrap());
+    let folder = tempfile::tempdir().unwrap();
+    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/bad")).unwrap() {
+        let path = file.unwrap().path();
+        if path.extension().is_some_and(|e| e == "json") {
+            let mut run = assert_cmd::Command::cargo_bin("hodograph").unwrap();
+            run.arg("lesson").arg(&path).arg("-o").arg(folder.path().join("lesson.html")).assert().code(2);
+        }
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// A frame must be moved in a small part of the 16 ms between two pictures.
+#[test]
+fn a_frame_takes_little_time() {
+    let Some(mut b) = browser() else { return };
+    b.open(&page("speed", &template("stephenson-six-bar")), PROJECTOR);
+    let script = "(() => { const t = performance.now(); for (let i = 0; i < 100; i++) \
+                  dispatchEvent(new KeyboardEvent('keydown', { key: '+' })); return (performance.now() - t) / 100; })()";
+    let ms = b.eval(script).as_f64().unwrap();
+    eprintln!("a frame with its words takes {ms:.2} ms");
+    assert!(ms < 12.0, "{ms} ms");
+}

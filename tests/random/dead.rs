@@ -1,0 +1,95 @@
+//! A dead point takes away what rests on it, and nothing else.
+
+use crate::rng::Rng;
+use hodograph::accuracy::{certify, steps};
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::report::{answers, construction};
+use hodograph::scene::{self, Lang, Scene};
+use hodograph::worked::{Scope, Worked, work};
+
+/// A crank-rocker A B C D with a dyad C F G behind it, a dyad F H K behind that, and a dyad B P Q beside it; F in the middle
+/// between C and G (or not).
+fn scene_of(rng: &mut Rng, in_line: bool, find: &str) -> String {
+    let mut whole = |lo: f64, hi: f64| rng.between(lo, hi).round();
+    let (b, c, d) =
+        ((whole(5.0, 20.0), whole(10.0, 30.0)), (whole(60.0, 90.0), whole(40.0, 80.0)), (whole(70.0, 110.0), whole(-10.0, 5.0)));
+    let (dx, dy) = (whole(10.0, 40.0), whole(-40.0, 40.0));
+    let f = (c.0 + dx, c.1 + dy);
+    let g = if in_line { (f.0 + dx, f.1 + dy) } else { (f.0 + dx, f.1 + dy - 7.0) };
+    let (h, k) = ((f.0 - 20.0, f.1 + 50.0), (f.0 + 30.0, f.1 + 60.0));
+    let (p, q) = ((b.0 - 40.0, b.1 + 20.0), (b.0 - 50.0, b.1 - 30.0));
+    let points = [("A", (0.0, 0.0)), ("B", b), ("C", c), ("D", d), ("F", f), ("G", g), ("H", h), ("K", k), ("P", p), ("Q", q)];
+    let points: Vec<String> = points.iter().map(|(n, (x, y))| format!(r#""{n}": [{x}, {y}]"#)).collect();
+    format!(
+        r#"{{"links": {{"1": ["A","B"], "2": ["B","C"], "3": ["C","D"], "5": ["C","F"], "6": ["F","G"], "7": ["F","H"], "8": ["H","K"],
+          "9": ["B","P"], "10": ["P","Q"], "0": ["A","D","G","K","Q"]}}, "ground": "0", "units": {{"length": "mm"}},
+          "points": {{{}}}, "driver": {{"link": "1", "omega": "3 rad/s", "alpha": "1 rad/s^2"}}, "find": [{find}]}}"#,
+        points.join(", ")
+    )
+}
+
+const UPSTREAM: &str = r#""v_B", "v_C", "a_C", "omega_2", "omega_3", "alpha_3""#;
+const BESIDE: &str = r#""v_P", "omega_10", "alpha_9""#;
+const DEAD: &str = r#""omega_5", "v_F", "a_F", "alpha_6", "omega_7", "a_H""#;
+
+fn worked(text: &str) -> (Scene, Worked) {
+    let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+    let done = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+    (scene, done)
+}
+
+#[test]
+fn what_does_not_rest_on_a_dead_point_is_answered_as_without_it() {
+    let mut seen = 0;
+    for seed in 0..60 {
+        let all = scene_of(&mut Rng::new(seed), true, &format!("{DEAD}, {UPSTREAM}, {BESIDE}"));
+        let (scene, done) = worked(&all);
+        let (alone, without) = worked(&scene_of(&mut Rng::new(seed), true, &format!("{UPSTREAM}, {BESIDE}")));
+        let told: Vec<&str> = done.unanswered.iter().map(|u| scene.find[u.find].text.as_str()).collect();
+        if told.is_empty() {
+            // C happens to move squarely to CG.
+            continue;
+        }
+        seen += 1;
+        assert_eq!(told, ["omega_5", "v_F", "a_F", "alpha_6", "omega_7", "a_H"], "{all}");
+        for u in &done.unanswered {
+            assert_eq!(u.refused.diagnostic.code, "dead-centre");
+            assert!(u.refused.words.contains("link 5 (CF) and link 6 (FG) lie in line at F"), "{}\n{all}", u.refused.words);
+        }
+        let lines = |scene: &Scene, done: &Worked| -> Vec<String> {
+            let text = answers::text(scene, done, &certify(scene, done, 12), 12, Lang::En);
+            let words = |l: &str| l.split_whitespace().collect::<Vec<_>>().join(" ");
+            // The scales differ with what else is drawn.
+            text.lines()
+                .filter(|l| !l.contains("unbounded") && !l.contains("differ"))
+                .map(|l| words(l.split('(').next().unwrap()))
+                .collect()
+        };
+        let (here, there) = (lines(&scene, &done), lines(&alone, &without));
+        assert_eq!(here, there, "{all}");
+        assert!(certify(&scene, &done, 12).iter().all(|c| c.why.is_none()), "{all}");
+        // What can be drawn is drawn, and told to the last digit.
+        let told = steps(&scene, &done, None);
+        assert_eq!(told.why, None, "{all}");
+        let notation = Notation::of_language(Lang::En);
+        let w = Writer { scene: &scene, plan: &done.plan, notation: &notation, lang: Lang::En };
+        let text = construction::text(&w, &done.construction, &told);
+        assert!(text.contains("v_CB") && text.contains("v_P") && !text.contains("v_F") && !text.contains('≈'), "{text}");
+        let json = answers::json(&scene, &done, &certify(&scene, &done, 6), 6, &[]);
+        for (answer, find) in json["answers"].as_array().unwrap().iter().zip(&scene.find) {
+            let dead = DEAD.contains(&format!("\"{}\"", find.text));
+            assert_eq!(answer["find"], find.text.as_str());
+            assert_eq!((answer["unbounded"].as_bool(), answer["value"].is_null()), (Some(dead), dead), "{answer}");
+        }
+    }
+    assert!(seen > 50, "{seen}");
+}
+
+#[test]
+fn beside_the_line_everything_is_answered() {
+    for seed in 0..10 {
+        let (scene, done) = worked(&scene_of(&mut Rng::new(seed), false, &format!("{DEAD}, {UPSTREAM}, {BESIDE}")));
+        assert_eq!((done.unanswered.len(), done.results.len()), (0, scene.find.len()));
+    }
+}
