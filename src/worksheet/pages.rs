@@ -112,6 +112,8 @@ struct Setter {
     waiting: Vec<Chunk>,
     /// Drawings that wait for the next page.
     drawings: VecDeque<Chunk>,
+    /// Drawings with pages of their own, after this one.
+    large: Vec<Page>,
     /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
     beside: Option<[f64; 2]>,
 }
@@ -125,6 +127,7 @@ impl Setter {
             y: PAPER_MM[1] - TOP_MM,
             waiting: Vec::new(),
             drawings: VecDeque::new(),
+            large: Vec::new(),
             beside: None,
         }
     }
@@ -195,6 +198,7 @@ impl Setter {
     fn break_page(&mut self) {
         let parts = std::mem::take(&mut self.parts);
         self.pages.push(Page { width_mm: PAPER_MM[0], height_mm: PAPER_MM[1], parts });
+        self.pages.append(&mut self.large);
         self.y = PAPER_MM[1] - TOP_MM;
         self.beside = None;
         while let Some(next) = self.drawings.front() {
@@ -218,6 +222,7 @@ impl Setter {
         if !self.fresh() {
             self.break_page();
         }
+        self.pages.append(&mut self.large);
     }
 
     fn heading(&mut self, level: usize, words: &str) {
@@ -340,8 +345,10 @@ impl Setter {
         let (wide, high) = (ink.width_mm(), ink.height_mm());
         let kind = Kind::Figure(figure.desc.clone());
         if wide > FULL_MM || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
+            // Below it there is room for the page number.
+            translate(&mut items, Vec2::new(0.0, FOOT_MM));
             let parts = vec![Part { kind, items }];
-            self.pages.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm, parts });
+            self.large.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm + FOOT_MM, parts });
             return;
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
