@@ -156,7 +156,8 @@ fn a_dragged_crank_shows_what_the_library_computes() {
         let (_, first) = worked_at(&mut b, &scene, 0.0);
         let (centre, radius) = crank(&scene, &first);
         let mut from = start.to_degrees();
-        for degrees in [17.0_f64, 143.0, 260.0, 331.5] {
+        // The triad lets its crank rock only.
+        for degrees in if name == "class-iii-six-bar" { [17.0_f64, 101.5, 60.0, -33.0] } else { [17.0, 143.0, 260.0, 331.5] } {
             // Along the circle, as a hand would: the way of the crank is closed.
             let on = |d: f64| [centre[0] + radius * d.to_radians().cos(), centre[1] + radius * d.to_radians().sin()];
             let grip = in_window(&mut b, on(from));
