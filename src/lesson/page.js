@@ -298,7 +298,8 @@
     circle.setAttribute("r", r);
     grip.append(circle);
   }
-  svg.append(grip);
+  // Below the drawing, so that it hides no letter; the drawing lets the pointer through.
+  svg.prepend(grip);
 
   function placeGrip(where) {
     const [x, y] = gripAt(where);

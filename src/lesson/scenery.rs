@@ -100,7 +100,7 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
         let Some(mut part) = part else { continue };
         part.translate(shift);
         lead(&mut part.items);
-        track.add(k, &part.items)?;
+        track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
     }
     Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
 }

@@ -36,7 +36,7 @@ pub struct Track {
     count: usize,
     order: Vec<usize>,
     elements: Vec<Element>,
-    known: HashMap<(String, String, String), usize>,
+    known: HashMap<(String, String, String, Vec<usize>), usize>,
 }
 
 /// A drawing told to the page.
@@ -54,17 +54,18 @@ impl Track {
         Track { elements_of: Elements::new(height_mm), base, count, order: Vec::new(), elements: Vec::new(), known: HashMap::new() }
     }
 
-    /// Adds the items of a frame; frames may come in any order.
+    /// Adds the items of a frame; frames may come in any order. `chosen` are the alternatives drawn there: with another special
+    /// point a polygon is another drawing, and nothing lies between the two.
     ///
     /// # Errors
     /// Those of the SVG writer.
-    pub fn add(&mut self, frame: usize, items: &[Item]) -> Result<(), Faults> {
+    pub fn add(&mut self, frame: usize, items: &[Item], chosen: &[usize]) -> Result<(), Faults> {
         // The outlines of letters are not wanted again and again: blank labels have the same places.
         let blank: Vec<Item> = items.iter().map(blank).collect();
         let mut after = None;
         for (item, text) in items.iter().zip(self.elements_of.of(&blank)?) {
             let (form, numbers) = taken_apart(&text);
-            let key = (item.id.clone(), source(item).to_owned(), form);
+            let key = (item.id.clone(), source(item).to_owned(), form, chosen.to_vec());
             let index = match self.known.get(&key) {
                 Some(&index) => index,
                 None => {
@@ -267,9 +268,9 @@ mod tests {
             Item::new("link", Shape::Line { from: Point::ORIGIN, to: Point::new(x, 3.0), stroke: Stroke::new(0.5) }).with_id(id)
         };
         let mut track = Track::new(10.0, 0, 3);
-        track.add(0, &[line("a", 1.0), line("c", 1.0)]).unwrap();
-        track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)]).unwrap();
-        track.add(2, &[line("a", 3.0), line("c", 1.0)]).unwrap();
+        track.add(0, &[line("a", 1.0), line("c", 1.0)], &[]).unwrap();
+        track.add(1, &[line("a", 2.0), line("b", 5.0), line("c", 1.0)], &[]).unwrap();
+        track.add(2, &[line("a", 3.0), line("c", 1.0)], &[]).unwrap();
         let told = track.told();
         let ids: Vec<usize> = ["\"a\"", "\"b\"", "\"c\""].iter().map(|id| told.markup.find(id).unwrap()).collect();
         assert!(ids.is_sorted() && told.markup.contains("<line display=\"none\""), "{}", told.markup);

@@ -107,7 +107,7 @@ impl Elements {
     /// The elements of these items, one for each.
     ///
     /// # Errors
-    /// As [`write`].
+    /// As [`write()`].
     pub fn of(&mut self, items: &[Item]) -> Result<Vec<String>, Faults> {
         let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
         if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
