@@ -19,6 +19,9 @@ const ROUNDS: usize = 301;
 /// Calls timed together, so that the clock's own time vanishes in them.
 const CALLS: u32 = 400;
 
+/// A name and what is timed.
+type Variant = (String, Box<dyn FnMut()>);
+
 fn scene(text: &str) -> Scene {
     read(text).unwrap_or_else(|f| panic!("{f}")).value
 }
@@ -118,7 +121,7 @@ fn median(mut times: Vec<f64>) -> f64 {
 }
 
 /// Medians of all variants, in turn: ns a position.
-fn measure(variants: &mut [(String, Box<dyn FnMut()>)]) -> Vec<f64> {
+fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
     for _ in 0..ROUNDS {
         for ((_, call), times) in variants.iter_mut().zip(&mut times) {
@@ -139,7 +142,7 @@ fn main() {
     for i in 0..CHUNK {
         (hand.sin[i], hand.cos[i]) = libm::sincos(1.0 + i as f64 * 1e-3);
     }
-    let mut variants: Vec<(String, Box<dyn FnMut()>)> = vec![
+    let mut variants: Vec<Variant> = vec![
         ("four-bar, loop by hand, four lanes".into(), Box::new(move || black_box(&mut hand).call())),
         ("four-bar: position, velocity, acceleration".into(), chunk_of(&four_bar, Width::Widest)),
         ("the same, one lane".into(), chunk_of(&four_bar, Width::One)),

@@ -7,7 +7,11 @@ use hodograph::answer::{Value, evaluate};
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Angle, DriverKind, Scene, edit, read, templates};
+use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::vary::Variation;
 use hodograph::sweep::{self, Placed, Stations, Table, Width, extreme, station};
+use rand_pcg::Pcg64Mcg;
+use rand_pcg::rand_core::{Rng, SeedableRng};
 
 fn scene(name: &str, find: &[&str]) -> Scene {
     let text = templates::get(name).unwrap();
@@ -307,5 +311,162 @@ fn the_limit_of_a_triad() {
         let (far, near) = (at(1e-6).unwrap(), at(1e-8).unwrap());
         assert!((near / far / 10.0 - 1.0).abs() < 0.01, "{end}: {far} {near}");
         assert_eq!(at(-1e-9), None);
+    }
+}
+
+/// How many random mechanisms: a small number, or that of `HODOGRAPH_SWEEPS` for a long hunt.
+fn count(own: u64) -> u64 {
+    std::env::var("HODOGRAPH_SWEEPS").ok().and_then(|n| n.parse().ok()).unwrap_or(own)
+}
+
+/// Every row of a coarse sweep is that of a sweep of 3600 steps: the branch does not depend on the step.
+fn same_branch_at_every_step(name: &str, scene: &Scene, m: &Mechanism) -> usize {
+    let Ok(placed) = Placed::new(scene, m) else { return 0 };
+    let fine = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 3600), Width::Widest).unwrap();
+    let mut rows = 0;
+    for steps in [24, 72, 360] {
+        let coarse = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps), Width::Widest).unwrap();
+        for (i, value) in coarse.columns[0].values.iter().enumerate() {
+            let there = fine.columns[0].values.iter().position(|v| (v - value).abs() < 1e-9);
+            let there = there.unwrap_or_else(|| panic!("{name}: {steps} steps have a row at {value}, 3600 have none"));
+            for (a, b) in coarse.columns.iter().zip(&fine.columns).filter(|(a, _)| a.unit == "m") {
+                let off = (a.values[i] - b.values[there]).abs() / placed.at.extent();
+                assert!(off < 1e-6, "{name}: {} at {value} by {steps} steps: {} against {}", a.name, a.values[i], b.values[there]);
+            }
+            rows += 1;
+        }
+        let expected = fine.columns[0].values.iter().filter(|v| {
+            (*v * steps as f64 / std::f64::consts::TAU).fract().min(1.0 - (*v * steps as f64 / std::f64::consts::TAU).fract()) < 1e-9
+        });
+        assert_eq!(coarse.rows(), expected.count(), "{name}: {steps} steps");
+    }
+    rows
+}
+
+#[test]
+fn random_four_bars_stay_on_their_branch() {
+    let mut rng = Pcg64Mcg::seed_from_u64(7);
+    let mut uniform = |a: f64, b: f64| a + (b - a) * (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let (mut rows, mut swept) = (0, 0);
+    for i in 0..count(150) {
+        let [a, b, c, d] = [uniform(0.05, 0.4), uniform(0.1, 0.5), uniform(0.1, 0.5), uniform(0.1, 0.5)];
+        let side = if i % 2 == 0 { "left" } else { "right" };
+        let text = format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C"], "4": ["A", "D"]}}, "ground": "4",
+                "lengths": {{"AB": "{a} m", "BC": "{b} m", "CD": "{c} m", "AD": "{d} m"}},
+                "driver": {{"link": "1", "angle": "{} deg", "omega": "1 rad/s"}}, "side": {{"C": "{side} of BD"}}, "find": ["x_C", "y_C"]}}"#,
+            uniform(0.0, 360.0)
+        );
+        let scene = read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let n = same_branch_at_every_step(&text, &scene, &m);
+        swept += usize::from(n > 0);
+        rows += n;
+    }
+    println!("{swept} four-bars, {rows} rows");
+    assert!(swept > 50);
+}
+
+#[test]
+fn random_triads_stay_on_their_assembly() {
+    let mut rng = Pcg64Mcg::seed_from_u64(11);
+    let mut uniform = |a: f64, b: f64| a + (b - a) * (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let (mut rows, mut swept) = (0, 0);
+    for _ in 0..count(30) {
+        // A pose first; the lengths are read off it.
+        let mut at = |x: f64, y: f64| [x + uniform(-0.08, 0.08), y + uniform(-0.08, 0.08)];
+        let (p, q, r, m, n) = (at(0.15, 0.17), at(0.27, 0.13), at(0.25, 0.27), at(0.42, 0.02), at(0.1, 0.4));
+        let (crank, angle) = (uniform(0.02, 0.09), uniform(0.0, 360.0));
+        let a = [crank * angle.to_radians().cos(), crank * angle.to_radians().sin()];
+        let l = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let text = format!(
+            r#"{{"links": {{"1": ["O", "A"], "2": ["A", "P"], "3": ["P", "Q", "R"], "4": ["M", "Q"], "5": ["N", "R"], "6": ["O", "M", "N"]}},
+                "ground": "6", "points": {{"O": [0, 0], "M": ["{} m", "{} m"], "N": ["{} m", "{} m"]}},
+                "lengths": {{"OA": "{crank} m", "AP": "{} m", "PQ": "{} m", "PR": "{} m", "QR": "{} m", "MQ": "{} m", "NR": "{} m"}},
+                "driver": {{"link": "1", "angle": "{angle} deg", "omega": "1 rad/s"}},
+                "sketch": {{"P": ["{} m", "{} m"], "Q": ["{} m", "{} m"], "R": ["{} m", "{} m"]}}, "find": ["x_P", "y_P", "x_Q", "y_Q", "x_R", "y_R"]}}"#,
+            m[0],
+            m[1],
+            n[0],
+            n[1],
+            l(a, p),
+            l(p, q),
+            l(p, r),
+            l(q, r),
+            l(m, q),
+            l(n, r),
+            p[0],
+            p[1],
+            q[0],
+            q[1],
+            r[0],
+            r[1]
+        );
+        let scene = read(&text).unwrap_or_else(|f| panic!("{f}\n{text}")).value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let k = same_branch_at_every_step(&text, &scene, &m);
+        swept += usize::from(k > 0);
+        rows += k;
+    }
+    println!("{swept} triads, {rows} rows");
+    assert!(swept > 20);
+}
+
+#[test]
+fn a_batch_is_its_parts() {
+    let scene = scene("crank-rocker", &["v_C", "omega_3"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let variation = Variation::new(&scene, &["l_AB", "l_BC"]).unwrap();
+    let values = vec![variation.range(&scene, "l_AB", "60", "160", 10).unwrap(), variation.range(&scene, "l_BC", "200", "300", 4).unwrap()];
+    for choice in [Choice::Grid, Choice::Random { count: 55, seed: 3 }] {
+        let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(350.0), 35));
+        let batch =
+            Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values: values.clone(), choice, driver: 0, stations };
+        assert_eq!(batch.mechanisms(), 55);
+        let whole = batch.block(0, 55);
+        let mut parts = Block { columns: vec![Vec::new(); whole.columns.len()], missing: 0 };
+        for from in (0..55).step_by(7) {
+            let part = batch.block(from, (from + 7).min(55));
+            parts.missing += part.missing;
+            parts.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c.extend(p));
+        }
+        assert_eq!(whole, parts);
+        assert_eq!(whole.columns[0].len() as u64 + whole.missing, 55 * 36);
+        // Each mechanism is what its own text says.
+        for number in [0, 17, 54] {
+            let lengths: Vec<String> = batch.parameters(number).iter().map(|v| format!("{:e} m", v.si())).collect();
+            let text = templates::instantiate("crank-rocker", &[("l_AB", &lengths[0]), ("l_BC", &lengths[1])]).unwrap();
+            let own = read(edit::with_find(&text, &["v_C", "omega_3"]).unwrap()).unwrap().value;
+            let Ok(placed) = Placed::new(&own, &m) else { continue };
+            let table = sweep::run(&placed, 0, batch.stations.as_ref().unwrap(), Width::One).unwrap();
+            let rows: Vec<usize> = (0..whole.columns[0].len()).filter(|&i| whole.columns[0][i] == number as f64).collect();
+            assert_eq!(rows.len(), table.rows(), "{number}");
+            for (c, t) in whole.columns[3..].iter().zip(&table.columns) {
+                for (k, &i) in rows.iter().enumerate() {
+                    assert!((c[i] - t.values[k]).abs() <= 1e-12 * c[i].abs().max(1.0), "{number} {} {} {}", t.name, c[i], t.values[k]);
+                }
+            }
+        }
+    }
+}
+
+/// Positions by the compiled program against the same position with the length written into the file.
+#[test]
+fn a_sweep_over_a_length() {
+    let scene = scene("shaper", &["v_C", "a_C", "omega_3"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let variation = Variation::new(&scene, &["l_O2B"]).unwrap();
+    let values = variation.range(&scene, "l_O2B", "500", "580", 8).unwrap();
+    let table = sweep::vary::sweep(&scene, &m, &variation, &values).unwrap();
+    assert_eq!(table.rows(), 9, "{:?}", table.notes);
+    for (i, l) in table.columns[0].values.iter().enumerate() {
+        let text = templates::instantiate("shaper", &[("l_O2B", &format!("{l:e} m"))]).unwrap();
+        let own = read(edit::with_find(&text, &["v_C", "a_C", "omega_3"]).unwrap()).unwrap().value;
+        let now = own.drivers[0].kind.clone();
+        let DriverKind::Turn { angle: Some(angle), .. } = now else { panic!("the shaper has a crank") };
+        let (row, _) = solved(&own, &m, angle.value.radians()).unwrap();
+        for (c, e) in table.columns[1..].iter().zip(row) {
+            assert!((c.values[i] - e).abs() <= 1e-11 * e.abs().max(1e-3), "{} at {l}: {} against {e}", c.name, c.values[i]);
+        }
     }
 }

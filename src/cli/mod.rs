@@ -1,7 +1,7 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
-//! ours; 4 done, but for answers that do not exist in the pose (dead centres).
+//! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 a batch was interrupted.
 
 mod args;
 mod batch;

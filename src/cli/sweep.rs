@@ -20,12 +20,10 @@ pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common.scene)?;
     ask(&mut input, a.find.as_deref())?;
     let failed = |faults: Faults, input: &Input| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let mut table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
-    let notes = std::mem::take(&mut table.notes);
-    input.notes.extend(notes.iter().cloned());
-    table.notes = notes;
+    let table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
+    input.notes.extend(table.notes.iter().cloned());
     match a.output.as_deref() {
-        Some(path) => tables::write(&table, Path::new(path), &input.scene)?,
+        Some(path) => tables::write(&table, Path::new(path))?,
         None => {
             files::print(&tables::text(&table, Kind::Csv))?;
         }

@@ -1,8 +1,7 @@
-//! Tables as files: CSV, JSON, and by the same names more to come; the notes go with the numbers wherever the format can hold them.
+//! Tables as files: CSV and JSON, each with its notes.
 
 use super::{Failure, files};
 use crate::diag::Diagnostic;
-use crate::scene::Scene;
 use crate::sweep::Table;
 use serde_json::json;
 use std::path::Path;
@@ -31,8 +30,7 @@ impl Kind {
 }
 
 /// Writes a table whole or not at all.
-pub fn write(table: &Table, path: &Path, scene: &Scene) -> Result<(), Failure> {
-    let _ = scene;
+pub fn write(table: &Table, path: &Path) -> Result<(), Failure> {
     files::write(path, text(table, Kind::of(path)?).as_bytes())
 }
 

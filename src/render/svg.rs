@@ -51,7 +51,7 @@ pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
 /// that shows it.
 ///
 /// # Errors
-/// As [`write`].
+/// As [`write()`].
 pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
     document(figure, Writing::Text)
 }

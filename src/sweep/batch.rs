@@ -58,6 +58,9 @@ pub struct Block {
     pub missing: u64,
 }
 
+/// The stations of a mechanism, its columns, and which rows are there.
+type Rowed = (Stations, Vec<Vec<f64>>, Vec<bool>);
+
 impl Batch<'_> {
     /// How many mechanisms there are.
     pub fn mechanisms(&self) -> u64 {
@@ -150,7 +153,7 @@ impl Batch<'_> {
     }
 
     /// The stations of a mechanism, its columns, and which rows are there.
-    fn rows(&self, scene: &mut Scene) -> Result<(Stations, Vec<Vec<f64>>, Vec<bool>), Faults> {
+    fn rows(&self, scene: &mut Scene) -> Result<Rowed, Faults> {
         let demand = Demand::of(scene, self.mechanism);
         let at = self.place(scene, &demand)?;
         let scene = &*scene;

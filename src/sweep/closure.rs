@@ -6,7 +6,6 @@
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::Lane;
 use crate::geom::Vec2;
-use crate::number::Ring;
 
 /// Rounding slack of a radicand, relative to its terms: see [`crate::position::kernel`], whose rule this is.
 const TOUCH: f64 = 8.0 * f64::EPSILON;
@@ -112,7 +111,7 @@ impl Closure<7> for CircleLine {
     #[inline(always)]
     fn margin<N: Lane>(&self, [ax, ay, r, qx, qy, tx, ty]: [N; 7]) -> Margin<N> {
         let h = Vec2::new(tx, ty).cross(Vec2::new(qx - ax, qy - ay));
-        Margin { outer: (r - h) * (r + h), inner: one(r), terms: r * r + h * h, full: r * r }
+        Margin { outer: (r - h) * (r + h), inner: r.constant(1.0), terms: r * r + h * h, full: r * r }
     }
 }
 
@@ -182,7 +181,7 @@ impl Closure<4> for Lever {
     fn margin<N: Lane>(&self, [ax, ay, bx, by]: [N; 4]) -> Margin<N> {
         let r2 = Vec2::new(bx - ax, by - ay).norm2();
         let h2 = self.h * self.h;
-        Margin { outer: r2 + -h2, inner: one(r2), terms: r2 + h2, full: r2 }
+        Margin { outer: r2 + -h2, inner: r2.constant(1.0), terms: r2 + h2, full: r2 }
     }
 }
 
@@ -207,16 +206,4 @@ impl Kernel<4, 2> for Lever {
 #[inline(always)]
 fn straight_root<N: Lane>(m: Margin<N>) -> N {
     m.outer.touching(m.terms * TOUCH).or_zero().sqrt()
-}
-
-/// One, in the numbers of `like`.
-#[inline(always)]
-fn one<N: Lane>(like: N) -> N {
-    zero(like) + 1.0
-}
-
-/// Zero, in the numbers of `like`, which is finite.
-#[inline(always)]
-fn zero<N: Ring>(like: N) -> N {
-    like - like
 }

@@ -298,11 +298,6 @@ fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
 }
 
 impl Limits {
-    /// The position of an event or an extreme that is nearest to where the driver stands going up, for cranks in [0, 2π).
-    pub fn wrapped(&self, value: f64, angular: bool) -> f64 {
-        if angular { value.rem_euclid(TAU) } else { value }
-    }
-
     /// The limits of the driver and its change points.
     pub fn events(&self) -> impl Iterator<Item = &Event> {
         self.range.ends.iter().flatten().chain(&self.range.changes)

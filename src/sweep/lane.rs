@@ -10,6 +10,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number of a sweep: one or several positions.
 pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, Output = Self> {
+    /// A constant in the numbers of this one.
+    fn constant(self, x: f64) -> Self;
+
     /// The square root; NaN of what is negative.
     fn sqrt(self) -> Self;
 
@@ -26,6 +29,11 @@ pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, O
 }
 
 impl Lane for f64 {
+    #[inline(always)]
+    fn constant(self, x: f64) -> f64 {
+        x
+    }
+
     #[inline(always)]
     fn sqrt(self) -> f64 {
         self.sqrt()
@@ -49,6 +57,11 @@ impl Lane for f64 {
 }
 
 impl<S: Simd> Lane for f64x4<S> {
+    #[inline(always)]
+    fn constant(self, x: f64) -> Self {
+        f64x4::splat(self.simd, x)
+    }
+
     #[inline(always)]
     fn sqrt(self) -> Self {
         SimdFloat::sqrt(self)
@@ -92,11 +105,10 @@ impl Width {
         if self == Width::Widest { Level::new().as_avx2() } else { None }
     }
 
-    /// The machine's four lanes, where they are wanted and there.
-    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
-    pub(super) fn four(self) -> Option<fearless_simd::Fallback> {
-        let _ = Level::new();
-        None
+    /// The machine's four lanes (two by two), where they are wanted and there.
+    #[cfg(target_arch = "aarch64")]
+    pub(super) fn four(self) -> Option<fearless_simd::Neon> {
+        if self == Width::Widest { Level::new().as_neon() } else { None }
     }
 }
 
@@ -167,6 +179,10 @@ impl Add<f64> for Dual {
 }
 
 impl Lane for Dual {
+    fn constant(self, x: f64) -> Dual {
+        Dual::fixed(x)
+    }
+
     fn sqrt(self) -> Dual {
         let value = self.value.sqrt();
         Dual { value, slope: 0.5 * self.slope / value }
@@ -198,7 +214,8 @@ mod tests {
             let x: [f64; 4] = w.try_into().unwrap();
             let y = [1e-15, 1e-16, 0.7, -3.0];
             let (vx, vy) = (f64x4::from_slice(simd, &x), f64x4::from_slice(simd, &y));
-            let both: [(f64x4<_>, fn(f64, f64) -> f64); 6] = [
+            type One = fn(f64, f64) -> f64;
+            let both: [(f64x4<_>, One); 6] = [
                 (vx.touching(vy), |x, y| x.touching(y)),
                 (vx.or_zero(), |x, _| x.or_zero()),
                 (Lane::sqrt(vx), |x, _| x.sqrt()),

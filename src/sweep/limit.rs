@@ -135,16 +135,18 @@ impl<'a> Probe<'a> {
         // A change point is left behind by half a step; there are no more of them than steps.
         loop {
             let steps = self.steps_to(from, until);
-            let xs: Vec<f64> =
-                (0..=steps).map(|i| if i == steps { until } else { from + (until - from) * (i as f64 / steps as f64) }).collect();
+            let step = (until - from) / steps as f64;
+            // One sample more than the way has, so that what lies at its very end is seen too.
+            let xs: Vec<f64> = (0..=steps + 1).map(|i| from + step * i as f64).collect();
             match self.first_event(&xs) {
                 None => return (None, changes),
+                Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
                 Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
                 Some(change) => {
-                    from = change.value + 0.5 * (xs[1] - xs[0]);
+                    from = change.value + 0.5 * step;
                     self.program.flip(change.joint.unwrap_or(0));
                     changes.push(change);
-                    if (until - from) * (xs[1] - xs[0]) <= 0.0 {
+                    if (until - from) * step <= 0.0 {
                         return (None, changes);
                     }
                 }

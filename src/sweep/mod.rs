@@ -206,12 +206,12 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
         if value < now { (0, down.iter().filter(|c| c.value > value).count()) } else { (1, up.iter().filter(|c| c.value < value).count()) }
     };
     let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
-    for way in 0..2 {
+    for (way, changes) in changes.iter().enumerate() {
         let mut program = program.clone();
-        for k in 0..=changes[way].len() {
+        for k in 0..=changes.len() {
             let rows: Vec<usize> = all.iter().copied().filter(|&i| passed(stations.values[i]) == (way, k)).collect();
             parts.push((program.clone(), rows));
-            if let Some(joint) = changes[way].get(k).and_then(|c| c.joint) {
+            if let Some(joint) = changes.get(k).and_then(|c| c.joint) {
                 program.flip(joint);
             }
         }

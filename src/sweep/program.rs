@@ -232,15 +232,14 @@ impl Program {
 
     /// Runs some of the steps.
     pub(super) fn run_steps<'a>(&self, steps: impl Iterator<Item = &'a [Step]>, buffer: &mut Buffer, width: Width) {
-        match width.four() {
-            Some(simd) => {
-                simd.vectorize(
-                    #[inline(always)]
-                    || run_all(steps, &mut Four { simd, columns: &mut buffer.columns }),
-                );
-            }
-            None => run_all(steps, &mut One { columns: &mut buffer.columns }),
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
+        if let Some(simd) = width.four() {
+            return simd.vectorize(
+                #[inline(always)]
+                || run_all(steps, &mut Four { simd, columns: &mut buffer.columns }),
+            );
         }
+        run_all(steps, &mut One { columns: &mut buffer.columns });
     }
 
     /// Registers of one position with the inputs filled in, each with its derivative by the swept quantity. `per_value`: the

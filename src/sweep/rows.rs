@@ -323,7 +323,7 @@ impl Kernel<11, 3> for Bars {
     #[inline(always)]
     fn eval<N: Lane>(&self, [cx, cy, ax, ay, bx, by, vax, vay, vbx, vby, det]: [N; 11]) -> [N; 3] {
         let (ux, uy, wx, wy) = (cx - ax, cy - ay, cx - bx, cy - by);
-        let inverse = (det - det + 1.0) / det;
+        let inverse = det.constant(1.0) / det;
         let p = (ux * vax + uy * vay) * inverse;
         let q = (wx * vbx + wy * vby) * inverse;
         [p * wy - q * uy, q * ux - p * wx, inverse]

@@ -71,11 +71,15 @@ pub struct Track {
 const SMALLEST: f64 = 1e-9;
 
 /// Most steps of Newton's method in an accepted move: from a good prediction quadratic convergence needs three or four.
-const PATIENCE: usize = 6;
+const PATIENCE: usize = 5;
 
 /// Largest correction, as a part of the predicted move: the tangent of a smooth path is truer than this, the way to another
 /// assembly is not.
 const LEAP: f64 = 0.3;
+
+/// Most by which the determinant may grow or shrink in one move: toward a fold it goes with the root of the distance, so that
+/// the distance itself may shrink sixteenfold.
+const STEADY: f64 = 4.0;
 
 /// A correction below this (relative to the mechanism) is no leap, however short the move.
 const SLIGHT: f64 = 1e-6;
@@ -250,6 +254,15 @@ impl Track {
             return None;
         }
         let slope = (Vec2::new(slope[0], slope[1]), slope[2] / self.unit);
+        if !first {
+            // The tangent at the new place leads back to the old one, and the determinant has not changed by much: between two
+            // assemblies that come close to each other it passes through a small value, or through two zeros.
+            let back = (own - slope.0 * moved - last.own).norm() / self.unit + (axis.divide_by(last.axis).angle() - slope.1 * moved).abs();
+            let ratio = det / last.det;
+            if back > SLIGHT + LEAP * predicted.max(corrected) || !(1.0 / STEADY..=STEADY).contains(&ratio) {
+                return None;
+            }
+        }
         Some((Followed { own, axis, slope, det }, corrected < 0.1 * LEAP * predicted))
     }
 }

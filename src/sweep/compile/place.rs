@@ -10,7 +10,7 @@ use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
 use crate::sweep::closure::{CircleLine, Circles, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::Joint;
-use crate::sweep::reading::{Length, Quotient};
+use crate::sweep::reading::{Length, Quotient, Sum};
 use crate::sweep::track::{Held, Track};
 
 /// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
@@ -185,13 +185,12 @@ impl Compiler<'_> {
             return Err(self.without_kernel(g));
         };
         let start = (through - pivot).divide_by(direction);
-        let (s, one) = (self.driver_value(driver), self.constant(1.0));
+        let s = self.driver_value(driver);
         let from = self.constant(start.x);
-        let way = self.emit(P, crate::sweep::reading::Sum { a: from, b: s, k: 1.0 }, 1);
+        let way = self.emit(P, Sum { a: from, b: s, k: 1.0 }, 1);
         let side = self.constant(start.y);
         let straight = Pair { x: way, y: side };
         let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
-        let _ = one;
         Ok((q, way, self.driver_rates(driver)))
     }
 
@@ -387,10 +386,9 @@ impl Compiler<'_> {
                     let slot = self.slot(guide)?.ok_or_else(|| self.without_kernel(g))?;
                     let Some(Path::Line { direction, .. }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
                     // The slider keeps the distance from its guide that it has at the instant.
-                    let (now, k) = (self.now(spot), direction.perp());
+                    let now = self.now(spot);
                     let pose = self.at.poses[other.0].unwrap_or(Pose::GROUND);
                     let through = self.spot(Spot::Fixed(other, pose.to_local(now)), P)?;
-                    let _ = k;
                     self.rows[g].push(Row::Guided { p: spot, on: other, n: slot.normal, rates: [0.0; 2] });
                     Ok((spot, Locus::Line { through, direction: slot.direction, now: (now, direction) }))
                 } else {
@@ -490,17 +488,7 @@ impl Compiler<'_> {
         self.bodies[link.0] = Some(body);
         // The rows come after the track: they need the link's places.
         for leg in legs {
-            match *leg {
-                Leg::Glide { .. } => {
-                    self.held(g, link, leg)?;
-                }
-                Leg::InSlot { pin, guide } => {
-                    self.in_slot(g, link, Spot::Pin(pin), guide)?;
-                }
-                _ => {
-                    self.held(g, link, leg)?;
-                }
-            }
+            self.held(g, link, leg)?;
         }
         Ok(())
     }

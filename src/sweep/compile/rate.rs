@@ -254,8 +254,8 @@ impl Compiler<'_> {
         }
     }
 
-    /// ω of the line AB in which a driver pushes B along a guide of direction t: AB × (v_B − v_A − ṡ t)/|AB|², and α with
-    /// AB × (a_B − a_A − 2 ω × ṡ t − s̈ t)/|AB|², less 2 ω AB·(v_B − v_A − ṡ t) = 0.
+    /// The turning of a link AB in which a driver pushes B along a guide of direction t: ω = AB × (v_B − v_A − ṡ t)/|AB|² and
+    /// α = AB × (a_B − a_A − 2 ω × ṡ t − s̈ t)/|AB|².
     fn turning_of_ram(
         &mut self,
         link: LinkId,
