@@ -9,7 +9,7 @@ use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
 use crate::mechanism::{Level, Mechanism};
 use crate::scene::{Asked, Scene};
-use crate::sweep::{self, Placed, Width};
+use crate::sweep::{self, Placed, Width, zoom};
 use std::process::ExitCode;
 
 /// Runs the command.
@@ -37,7 +37,8 @@ pub fn run(a: Curves) -> Run {
         return Err(failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
-    let diagram = Diagram::of(&input.scene, &table, &style.marks.over(&notation));
+    let located = |column: &str, range: [f64; 2], highest: bool| zoom::extreme(&placed, driver, column, range, highest);
+    let diagram = Diagram::of(&input.scene, &table, &style.marks.over(&notation), &located);
     files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?;
     files::print(&format!("{}\n", a.output))?;
     input.notes.extend(table.notes);

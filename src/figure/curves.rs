@@ -32,6 +32,11 @@ const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0];
 /// Lines of one panel are told apart without colour.
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+/// Units of driver and panels, upright in the label language.
+const DEGREE: &str = "\\degree";
+const MM: &str = "\\text{mm}";
+/// What is smaller than this part of a line's largest value is where it passes zero: a magnitude's kink is found to 1e-6 of a step.
+const ZERO: f64 = 1e-6;
 /// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
 const DIGITS: usize = 4;
 
@@ -42,6 +47,8 @@ pub struct Curve {
     pub symbol: String,
     /// Its values in the unit of its panel, one for each place of the driver.
     pub values: Vec<f64>,
+    /// Its highest and lowest point: place of the driver and value.
+    pub extremes: Vec<(f64, f64)>,
     /// The link whose motion it shows.
     pub link: Option<usize>,
 }
@@ -69,7 +76,10 @@ pub struct Diagram {
 impl Diagram {
     /// The answers of a sweep of one driver: displacements, angles, velocities, turning rates, accelerations, their rates, a
     /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
-    pub fn of(scene: &Scene, table: &Table, notation: &Notation) -> Diagram {
+    ///
+    /// `located` tells where between the stations a column is highest (`true`) or lowest: from a range of the driver (SI) to
+    /// its place and value (SI).
+    pub fn of(scene: &Scene, table: &Table, notation: &Notation, located: &dyn Fn(&str, [f64; 2], bool) -> Option<(f64, f64)>) -> Diagram {
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
         let turns = first.is_some_and(|c| c.unit == "rad");
@@ -80,27 +90,43 @@ impl Diagram {
             None => name.to_owned(),
         };
         let factor = if turns { 1.0_f64.to_degrees() } else { 1e3 };
-        let places = first.map_or_else(Vec::new, |c| c.values.iter().map(|v| v * factor).collect());
+        let si: &[f64] = first.map_or(&[], |c| &c.values);
+        let places = si.iter().map(|v| v * factor).collect();
         let mut panels: Vec<(usize, Panel)> = Vec::new();
         for find in &scene.find {
-            let (order, unit, factor) = kind(&find.what);
-            let [x, y] = [".x", ".y"].map(|part| column(&format!("{}{part}", find.text)));
-            let values = match (x, y) {
-                (Some(x), Some(y)) if vanishes(&y, &x) => Some(x),
-                (Some(x), Some(y)) if vanishes(&x, &y) => Some(y),
-                _ => column(&find.text),
+            let (order, unit, times) = kind(&find.what);
+            let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
+            let name = match parts.each_ref().map(|p| column(p)) {
+                [Some(x), Some(y)] if vanishes(&y, &x) => &parts[0],
+                [Some(x), Some(y)] if vanishes(&x, &y) => &parts[1],
+                _ => &find.text,
             };
-            let Some(values) = values else { continue };
-            let values: Vec<f64> = values.iter().map(|v| v * factor).collect();
-            let values = if unit == "\\degree" { unwound(&values) } else { values };
-            let curve = Curve { symbol: symbol(find, notation), values, link: link(scene, &find.what) };
+            let Some(values) = column(name) else { continue };
+            let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
+            let shown = if unit == DEGREE { unwound(&shown) } else { shown };
+            let mut extremes = Vec::new();
+            for highest in [true, false] {
+                let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
+                let Some(k) = (0..shown.len()).max_by(by) else { continue };
+                let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
+                // An angle is sought on the turn on which the line has it, so not across its jump.
+                let found = located(name, around, highest).filter(|(_, v)| unit != DEGREE || (v - values[k]).abs() < 1.0);
+                let (at, value) = found.unwrap_or((si[k], values[k]));
+                let value = if value.abs() < ZERO * most { 0.0 } else { value };
+                extremes.push((at * factor, shown[k] + (value - values[k]) * times));
+            }
+            if extremes.len() == 2 && extremes[0].1 <= extremes[1].1 {
+                extremes.pop();
+            }
+            let curve = Curve { symbol: symbol(find, notation), values: shown, extremes, link: link(scene, &find.what) };
             match panels.iter_mut().find(|(o, _)| *o == order) {
                 Some((_, panel)) => panel.curves.push(curve),
                 None => panels.push((order, Panel { unit: unit.to_owned(), curves: vec![curve] })),
             }
         }
         panels.sort_by_key(|p| p.0);
-        let unit = if turns { "\\degree" } else { "mm" };
+        let unit = if turns { DEGREE } else { MM };
         Diagram { driver: [driver, unit.to_owned()], places, panels: panels.into_iter().map(|p| p.1).collect() }
     }
 }
@@ -108,12 +134,12 @@ impl Diagram {
 /// Which panel a quantity belongs to, the unit there, and how many of them an SI unit has.
 fn kind(what: &Asked) -> (usize, &'static str, f64) {
     match what {
-        Asked::Coordinate(..) | Asked::Distance(..) => (0, "mm", 1e3),
-        Asked::LinkAngle(_) => (1, "\\degree", 1.0_f64.to_degrees()),
-        Asked::Omega(_) | Asked::RelativeOmega(..) => (3, "rad/s", 1.0),
-        Asked::Alpha(_) | Asked::RelativeAlpha(..) => (5, "rad/s^2", 1.0),
-        _ if level_of(what) == Level::Acceleration => (4, "m/s^2", 1.0),
-        _ => (2, "m/s", 1.0),
+        Asked::Coordinate(..) | Asked::Distance(..) => (0, MM, 1e3),
+        Asked::LinkAngle(_) => (1, DEGREE, 1.0_f64.to_degrees()),
+        Asked::Omega(_) | Asked::RelativeOmega(..) => (3, "\\text{rad/s}", 1.0),
+        Asked::Alpha(_) | Asked::RelativeAlpha(..) => (5, "\\text{rad/s}^2", 1.0),
+        _ if level_of(what) == Level::Acceleration => (4, "\\text{m/s}^2", 1.0),
+        _ => (2, "\\text{m/s}", 1.0),
     }
 }
 
@@ -148,7 +174,7 @@ pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Fi
     let n = diagram.panels.len().max(1) as f64;
     let width_mm = LEFT_MM + PLOT_MM[0] + RIGHT_MM;
     let height_mm = ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM;
-    let x = Axis::of(&diagram.places, diagram.driver[1] == "\\degree", 12);
+    let x = Axis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
     let title = scene.title.get(lang);
     let heading = if title.is_empty() { tr(lang, "Motion", "运动线图").to_owned() } else { title.to_owned() };
     let mut items = Vec::new();
@@ -163,7 +189,7 @@ pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Fi
     for (k, panel) in diagram.panels.iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
         let origin = Point::new(LEFT_MM, top - PLOT_MM[1]);
-        let mut plot = Plot::new(style, origin, &x, panel, k);
+        let mut plot = Plot::new(style, origin, &x, panel, k, &diagram.driver[1]);
         plot.axes(k + 1 == diagram.panels.len(), &diagram.driver);
         plot.curves(&diagram.places, &mut said);
         items.extend(plot.finish());
@@ -243,16 +269,27 @@ struct Plot<'a> {
     y: Axis,
     panel: &'a Panel,
     index: usize,
+    driver_unit: &'a str,
     items: Vec<Item>,
     /// Labels that want a place, and the link of each.
     wanted: Vec<(LabelRequest, Option<usize>)>,
 }
 
 impl<'a> Plot<'a> {
-    fn new(style: &'a Style, origin: Point, x: &'a Axis, panel: &'a Panel, index: usize) -> Plot<'a> {
+    fn new(style: &'a Style, origin: Point, x: &'a Axis, panel: &'a Panel, index: usize, driver_unit: &'a str) -> Plot<'a> {
         // Zero belongs to the diagram where it is near: only then is seen what changes its sense.
         let values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).chain([0.0]).collect();
-        Plot { style, origin, x, y: Axis::of(&values, panel.unit == "\\degree", 6), panel, index, items: Vec::new(), wanted: Vec::new() }
+        Plot {
+            style,
+            origin,
+            x,
+            y: Axis::of(&values, panel.unit == DEGREE, 6),
+            panel,
+            index,
+            driver_unit,
+            items: Vec::new(),
+            wanted: Vec::new(),
+        }
     }
 
     fn at(&self, x: f64, y: f64) -> Point {
@@ -317,18 +354,15 @@ impl<'a> Plot<'a> {
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
                 self.push("curve", Item::new("curve", shape), curve.link);
             }
-            let Some(low) = known.iter().copied().min_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-            let Some(high) = known.iter().copied().max_by(|a, b| a.1.total_cmp(&b.1)) else { continue };
-            let mut ends = vec![high];
-            if low.1 < high.1 {
-                ends.push(low);
-            }
-            let texts: Vec<String> = ends
+            let texts: Vec<String> = curve
+                .extremes
                 .iter()
-                .map(|(x, y)| format!("{} = {} {} ({})", curve.symbol, number(*y, DIGITS), panel.unit, number(*x, DIGITS)))
+                .map(|(x, y)| {
+                    format!("{} = {}\\,{} ({}\\,{})", curve.symbol, number(*y, DIGITS), panel.unit, number(*x, DIGITS), self.driver_unit)
+                })
                 .collect();
             said.extend(texts.iter().map(|t| Label::math(t.as_str()).plain()));
-            for (x, y) in ends {
+            for &(x, y) in &curve.extremes {
                 let at = self.at(x, y);
                 let dot = Shape::Circle { centre: at, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) };
                 self.push("extreme", Item::new("extreme", dot), curve.link);

@@ -162,6 +162,10 @@ impl Drawing {
             for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
                 item.link = w.link;
                 let id = &w.id;
+                if k > 0 {
+                    // It comes and goes with its label, but is none.
+                    item.class = format!("{} leader", w.class.trim_end_matches(PLACED).trim_end());
+                }
                 // The label comes first in this order and keeps the name; its leader line is named after it.
                 self.items.push(if k == 0 { item.with_id(id.clone()) } else { item.with_id(format!("{id}-leader")) });
             }

@@ -260,7 +260,10 @@ fn unit(find: &Find) -> &'static str {
 pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
         (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
-            Label::text(format!("∠ {}°", certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()))))
+            let degrees = certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()));
+            // A number alone is upright in the label language; only one with a power of ten needs it.
+            let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
+            Label::text("∠ ").then(number).then(Label::text("°"))
         }
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
             Label::text(words.sense(c.part(Kind::Scalar).map_or(s, |n| n.sign())))

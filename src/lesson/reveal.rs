@@ -12,7 +12,6 @@ use crate::worked::Worked;
 
 use super::frames::LEVELS;
 use super::mathml::escaped;
-use super::scenery::lead;
 
 /// Between two drawings.
 const GAP_MM: f64 = 6.0;
@@ -38,7 +37,6 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
             Single::Polygon(level) => Some(*level),
             _ => None,
         };
-        lead(&mut figure.items);
         let list = elements.of(&figure.items)?;
         let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| step(i))).collect();
         let most = of.iter().flatten().max().map_or(0, |n| n + 1);

@@ -3,12 +3,9 @@
 //! Decided here: the paper (what holds all poses) and the order in which labels are placed, each where it stood in the frame
 //! before if it can.
 
-use std::collections::HashMap;
-
 use crate::diag::Faults;
 use crate::figure::drawing::{Habits, Part};
 use crate::figure::extent::Rect;
-use crate::figure::item::Item;
 use crate::figure::mechanism::{self, Course};
 use crate::figure::polygon;
 use crate::figure::style::Style;
@@ -99,7 +96,6 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     for (k, part) in parts.into_iter().enumerate() {
         let Some(mut part) = part else { continue };
         part.translate(shift);
-        lead(&mut part.items);
         track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
     }
     Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
@@ -127,17 +123,6 @@ fn part(frames: &Frames, k: usize, looks: &Looks, shows: Shows, habits: &mut Hab
             // Letters only: the language does not matter.
             let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };
             Some(polygon::drawing(style, &w, p).finish_after(habits))
-        }
-    }
-}
-
-/// Gives leader lines the steps of their labels, so that they come with them.
-pub fn lead(items: &mut [Item]) {
-    let labels: HashMap<String, String> = items.iter().map(|i| (format!("{}-leader", i.id), i.class.clone())).collect();
-    for item in items {
-        let Some(class) = labels.get(&item.id) else { continue };
-        for step in class.split(' ').filter(|w| w.starts_with("step-")) {
-            item.class.push_str(&format!(" {step}"));
         }
     }
 }

@@ -25,6 +25,7 @@ pub mod station;
 pub mod table;
 pub mod track;
 pub mod vary;
+pub mod zoom;
 
 pub use compile::compile;
 pub use lane::Width;
