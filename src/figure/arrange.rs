@@ -19,7 +19,7 @@ pub(super) struct Pieces {
 }
 
 /// Between drawings, and between drawings and text.
-const GAP_MM: f64 = 12.0;
+const GAP_MM: f64 = 10.0;
 /// Between equations.
 const LINE_GAP_MM: f64 = 2.4;
 /// Above a heading in the middle of a column.

@@ -113,7 +113,8 @@ impl Maker<'_> {
     fn trial(&self, pose: &Pose) -> Option<Trial> {
         let scene = scene_at(self.scene, self.driver, pose.travel);
         let worked = self.work(&scene, &pose.configuration).ok()?;
-        worked.solution.singular.is_empty().then_some(Trial { travel: pose.travel, worked })
+        let regular = worked.solution.singular.is_empty() && worked.solution.refused.is_empty();
+        regular.then_some(Trial { travel: pose.travel, worked })
     }
 
     /// The poses beside a singular one.

@@ -42,8 +42,11 @@ pub fn html(document: &Document) -> Result<String, Faults> {
     let mut out = format!(
         "<!DOCTYPE html>\n<html xmlns=\"http://www.w3.org/1999/xhtml\" lang=\"{lang}\" xml:lang=\"{lang}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{title}</title>\n<style>{STYLE}</style>\n</head>\n\
-         <body>\n<h1>{title}</h1>\n"
+         <body>\n"
     );
+    let begin = out.len();
+    out += &format!("<h1>{title}</h1>\n");
+    let mut drawn: Vec<svg::Elements> = Vec::new();
     let mut sides = 0;
     for block in &document.blocks {
         match block {
@@ -65,25 +68,33 @@ pub fn html(document: &Document) -> Result<String, Faults> {
             }
             Block::Table(table) => out += &rows(table),
             Block::Formula(parts) => out += &format!("<div class=\"scroll\">{}</div>\n", mathml_display(parts)),
-            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure)?),
+            Block::Figure { figure, .. } => out += &format!("<figure>\n{}</figure>\n", drawing(figure, &mut drawn)?),
         }
+    }
+    // The letters of all drawings, each once: names may not come twice in a page.
+    if !drawn.is_empty() {
+        let letters = svg::Elements::letters(&drawn);
+        out.insert_str(
+            begin,
+            &format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"0\" height=\"0\" style=\"position:absolute\" aria-hidden=\"true\">{letters}</svg>\n"),
+        );
     }
     out += "</body>\n</html>\n";
     Ok(out)
 }
 
 /// A drawing inside the page. Its parts have no names: several drawings may not share them.
-fn drawing(figure: &Figure) -> Result<String, Faults> {
+fn drawing(figure: &Figure, drawn: &mut Vec<svg::Elements>) -> Result<String, Faults> {
     let nameless = |item: &Item| Item { id: String::new(), class: String::new(), ..item.clone() };
     let items: Vec<Item> = figure.items.iter().map(nameless).collect();
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let (title, desc) = (escaped(&figure.title), escaped(&figure.desc));
     let mut elements = svg::Elements::new(figure.height_mm);
-    let drawn = elements.of(&items)?.join("\n");
-    let letters = svg::Elements::letters([&elements]);
+    let markup = elements.of(&items)?.join("\n");
+    drawn.push(elements);
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{w}mm\" height=\"{h}mm\" viewBox=\"0 0 {w} {h}\" role=\"img\">\n\
-         <title>{title}</title>\n<desc>{desc}</desc>\n{letters}\n{drawn}\n</svg>\n"
+         <title>{title}</title>\n<desc>{desc}</desc>\n{markup}\n</svg>\n"
     ))
 }
 

@@ -15,8 +15,10 @@ use hodograph::worked::{Scope, work};
 
 /// Positions of the driver.
 const POSES: usize = 24;
-/// The smallest type, printed on A4 (a sheet that is larger is made smaller for it).
+/// The smallest type, printed on A4 (a sheet that is larger is made smaller for it); on A3 where there are more links than
+/// `A4_LINKS`.
 const SMALLEST_MM: f64 = 2.2;
+const A4_LINKS: usize = 8;
 /// A label that a line only grazes is read all the same.
 const GRAZE_MM: f64 = 0.3;
 
@@ -64,23 +66,26 @@ impl Found {
     }
 }
 
-/// The part of its size at which a sheet fits on A4, upright or across; never larger than it is.
-fn on_a4(figure: &Figure) -> f64 {
+/// The part of its size at which a sheet fits on the paper, upright or across; never larger than it is.
+fn printed(figure: &Figure, links: usize) -> f64 {
+    let [long, short] = if links > A4_LINKS { [420.0, 297.0] } else { [297.0, 210.0] };
     let fits = |w: f64, h: f64| (w / figure.width_mm).min(h / figure.height_mm);
-    fits(297.0, 210.0).max(fits(210.0, 297.0)).min(1.0)
+    fits(long, short).max(fits(short, long)).min(1.0)
 }
 
-fn look(figure: &Figure) -> Found {
+fn look(figure: &Figure, links: usize) -> Found {
     let labels: Vec<(&Item, Rect)> =
         figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
     let mut found = Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };
     let paper = Rect::new(Point::ORIGIN, Point::new(figure.width_mm, figure.height_mm));
-    let lines: Vec<Item> = figure.items.iter().filter(|i| !matches!(i.shape, Shape::Label { .. })).cloned().collect();
+    // The ring around an inset is a line, not a joint.
+    let is_ink = |i: &&Item| !matches!(i.shape, Shape::Label { .. } | Shape::Circle { fill: None, .. });
+    let lines: Vec<Item> = figure.items.iter().filter(is_ink).cloned().collect();
     let ink = Obstacles::of(&lines);
     let meets = |r: Rect, a: Point, b: Point, half: f64| clipped(a, b, r.grown(half)) > GRAZE_MM;
     for (k, (item, r)) in labels.iter().enumerate() {
         let Shape::Label { size_mm, .. } = &item.shape else { continue };
-        found.smallest_mm = found.smallest_mm.min(size_mm * on_a4(figure));
+        found.smallest_mm = found.smallest_mm.min(size_mm * printed(figure, links));
         found.outside += usize::from(paper.union(*r) != paper);
         found.overlaps += labels[..k].iter().filter(|(_, o)| r.overlap_mm2(*o) > 0.0).count();
         let thick = ink.bars.iter().filter(|b| b.half_width_mm > 0.15);
@@ -143,7 +148,7 @@ fn every_pose_can_be_read() {
                     let notation = Notation::named(notation).unwrap();
                     let name = format!("{} pose {k} {lang:?} {}", t.name, notation.name);
                     let figure = sheet(pose, &worked.value, &Options { notation, ..Options::of_language(lang) }).unwrap();
-                    let found = look(&figure);
+                    let found = look(&figure, pose.links.len());
                     if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
                         faults.push(format!(
                             "{name}: {} overlaps, {} outside, smallest type {:.2} mm",
