@@ -27,8 +27,8 @@ impl Default for Boxes {
 
 /// A polygon with more vectors than this needs more room for their names than the usual box has.
 const USUAL_VECTORS: f64 = 9.0;
-/// The largest polygon, against the usual one: on larger sheets the type would be too small when they are printed on A4.
-const LARGEST: f64 = 1.55;
+/// The largest polygon, against the usual one: a sheet of A3.
+const LARGEST: f64 = 2.0;
 /// Parts of a fixed paper's width and height that the mechanism and each polygon may take; the rest is for captions,
 /// equations and results.
 const DIAGRAM_PART: [f64; 2] = [0.34, 0.38];

@@ -171,7 +171,8 @@ impl Maker<'_> {
         let mut worst: f64 = 0.0;
         for (i, truth) in found.iter().enumerate() {
             let Some(truth) = truth else { continue };
-            let known: Option<Vec<(f64, Point)>> = keys.iter().map(|(t, marks)| Some((*t, marks[i]?))).collect();
+            // A pose next to a singular one may have fewer marks.
+            let known: Option<Vec<(f64, Point)>> = keys.iter().map(|(t, marks)| Some((*t, (*marks.get(i)?)?))).collect();
             let Some(known) = known else { continue };
             let axis =
                 |of: fn(&Point) -> f64| curve::between(&known.iter().map(|(t, p)| (*t, of(p))).collect::<Vec<_>>(), at, middle.travel);

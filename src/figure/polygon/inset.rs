@@ -113,7 +113,10 @@ impl Draft<'_> {
         let (lo, hi) = around(all.iter().copied());
         let off = inset.outer_mm() + GAP_MM;
         let sides = [Point::new(hi.x + off, centre.y), Point::new(lo.x - off, centre.y), Point::new(centre.x, lo.y - off)];
-        inset.at = sides.into_iter().min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre))).unwrap_or(centre);
+        let at = sides.into_iter().min_by(|a, b| a.distance(centre).total_cmp(&b.distance(centre))).unwrap_or(centre);
+        // Clear of the ring around the cluster, which may reach beyond the polygon.
+        let u = (at - centre).unit().unwrap_or(Vec2::new(1.0, 0.0));
+        inset.at = centre + u * at.distance(centre).max(inset.radius_mm + inset.outer_mm() + GAP_MM / 2.0);
         Some(inset)
     }
 
@@ -126,7 +129,9 @@ impl Draft<'_> {
         let near = inset.radius_mm;
         let lead = Shape::Line { from: inset.centre + u * near, to: inset.at - u * inset.outer_mm(), stroke: style.thin };
         d.frame("inset-of", &class, ring(inset.centre, near));
-        d.frame("inset-frame", &class, ring(inset.at, near * inset.times));
+        let (centre, radius_mm) = (inset.at, near * inset.times);
+        let edge = Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: std::f64::consts::TAU, stroke: style.thin };
+        d.shape("inset-frame", &class, edge);
         d.shape("inset-lead", &class, lead);
         let ends: Vec<Point> = inset.arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let inner = middle(ends.iter().map(|p| inset.map(*p)));
