@@ -14,13 +14,13 @@ use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
 use hodograph::lesson;
-use hodograph::lesson::sweep::Follower;
 use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Lang, PointId, templates};
+use hodograph::sweep::follow::Follower;
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 

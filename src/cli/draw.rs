@@ -9,10 +9,10 @@ use crate::figure::sheet::{Options, Single, diagram, sheet, single};
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
 use crate::json::fields::suggest;
-use crate::lesson::sweep::Follower;
 use crate::mechanism::Level;
 use crate::render::{pdf, png, svg};
 use crate::scene::{PointId, Scene};
+use crate::sweep::follow::Follower;
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
 
@@ -174,7 +174,7 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Ve
         let d = Diagnostic::error("output", format!("{} is one file; {} figures are asked for", a.output, figures.len()));
         return Err(d.help("name a folder, such as -o out/, or ask for one figure").into());
     }
-    let stem = Path::new(scene).file_stem().and_then(|s| s.to_str()).filter(|_| scene != "standard input").unwrap_or("sheet");
+    let stem = files::stem(scene, "sheet");
     let file = |word: &str, f: Format| {
         let dash = if word.is_empty() { "" } else { "-" };
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))

@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
-use super::sweep::{Follower, Pose, Sweep, scene_at};
+use crate::sweep::follow::{Follower, Pose, Sweep, scene_at};
 
 /// A pose with all that is known of it.
 pub struct Frame {

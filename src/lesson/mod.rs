@@ -1,6 +1,6 @@
 //! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
 //!
-//! Decided here: what the page holds. [`sweep`] follows the mechanism through its driver's travel, [`frames`] works each pose to
+//! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
 //! one common scale, [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
 //! characters, [`bank`] does the same for sentences ([`mathml`] sets their formulas), [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
@@ -17,7 +17,6 @@ mod page;
 mod reveal;
 mod scenery;
 mod steps;
-pub mod sweep;
 mod track;
 mod words;
 
@@ -28,8 +27,8 @@ use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene};
 use crate::worked::{Scope, work};
 
+use crate::sweep::follow::Follower;
 use frames::Maker;
-use sweep::Follower;
 
 /// How a lesson is written.
 #[derive(Clone, Debug, PartialEq)]

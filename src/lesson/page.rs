@@ -18,10 +18,10 @@ use super::frames::{Frame, Frames};
 use super::mathml::{escaped, formula};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
-use super::sweep::Sweep;
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
 use super::{Options, limit, pack};
+use crate::sweep::follow::Sweep;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");

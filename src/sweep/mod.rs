@@ -5,6 +5,7 @@
 //! positions, four side by side where the machine can ([`lane`]); class III groups are followed ([`track`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
+//! [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -14,6 +15,7 @@ pub mod carry;
 pub mod closure;
 pub mod compile;
 pub mod extreme;
+pub mod follow;
 mod general;
 pub mod kernel;
 pub mod lane;

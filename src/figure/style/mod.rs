@@ -132,7 +132,7 @@ impl Style {
             plate: Colour::grey(232),
             label_mm: 4.7,
             caption_mm: 4.1,
-            small_mm: 3.5,
+            small_mm: 3.6,
             palette: Palette::default(),
             marks: Marks::default(),
         }
