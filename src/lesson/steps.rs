@@ -2,8 +2,10 @@
 
 use serde_json::{Value, json};
 
+use rayon::prelude::*;
+
 use crate::accuracy::ladder::Certified;
-use crate::accuracy::{certify, steps as certified_steps, toggle};
+use crate::accuracy::{Steps, certify, steps as certified_steps, toggle};
 use crate::figure::results::{DIGITS, amount, sense, symbol};
 use crate::figure::words::words;
 use crate::mechanism::Level;
@@ -22,8 +24,10 @@ pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 /// The steps after the mechanism's own: level, index of the action (−1 for the pole), and what is said, English and Chinese.
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
+    let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
     for level in LEVELS {
-        let said = LANGS.map(|lang| frames.list.iter().map(|f| of_level(f, level, notation, lang)).collect::<Vec<_>>());
+        let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| of_level(f, t, level, notation, lang)).collect::<Vec<_>>();
+        let said = LANGS.map(of);
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);
         let key = if level == Level::Acceleration { "acceleration" } else { "velocity" };
         for n in 0..count {
@@ -43,10 +47,10 @@ fn in_both(said: impl Fn(usize) -> Vec<Option<String>>, formulas: &mut Formulas)
     [en, zh]
 }
 
-fn of_level(frame: &Frame, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
+fn of_level(frame: &Frame, told: &Steps, level: Level, notation: &Notation, lang: Lang) -> Vec<String> {
     let Some(p) = frame.worked.construction.polygon(level).filter(|_| !frame.end) else { return Vec::new() };
     let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang };
-    sentences(&w, &frame.worked.construction, p, &certified_steps(&frame.scene, &frame.worked, None)).iter().map(source).collect()
+    sentences(&w, &frame.worked.construction, p, told).iter().map(source).collect()
 }
 
 /// A sentence with its formulas between dollar signs again.
@@ -60,7 +64,7 @@ fn source(phrase: &Phrase) -> String {
 
 /// The answers: for each question its value in all frames, English and Chinese.
 pub fn answers(frames: &Frames, driver: usize, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
-    let certified: Vec<Vec<Certified>> = frames.list.iter().map(|f| certified(f, driver)).collect();
+    let certified: Vec<Vec<Certified>> = frames.list.par_iter().map(|f| certified(f, driver)).collect();
     let finds = frames.list.first().map_or(0, |f| f.scene.find.len());
     (0..finds)
         .map(|i| {

@@ -24,6 +24,9 @@ struct Choice {
     picked: usize,
     /// The place that it had in the figure before.
     before: Option<usize>,
+    /// Whether all places have their cost. While the place of the figure before costs less than leaving it, no other can be
+    /// better, and none needs a cost.
+    priced: bool,
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
 }
@@ -32,9 +35,15 @@ impl Choice {
     fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
         for place in places {
             let leave = self.leave(self.places.len());
-            self.fixed.push(cost::fixed(&place, wanted, obstacles, paper) + leave);
+            self.fixed.push(if self.priced { cost::fixed(&place, wanted, obstacles, paper) + leave } else { f64::INFINITY });
             self.places.push(place);
         }
+    }
+
+    /// Gives every place its cost.
+    fn price(&mut self, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
+        self.priced = true;
+        self.fixed = (0..self.places.len()).map(|k| cost::fixed(&self.places[k], wanted, obstacles, paper) + self.leave(k)).collect();
     }
 
     /// The box around all its places and leader lines.
@@ -60,19 +69,44 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
         .enumerate()
         .map(|(i, w)| {
             let before = before.get(i).copied().flatten();
-            let mut choice = Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, before, neighbours: Vec::new() };
+            let mut choice =
+                Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, before, priced: before.is_none(), neighbours: Vec::new() };
             choice.offer(candidate::near(w), w, obstacles, paper);
             if before.is_some_and(|b| b >= choice.places.len()) {
                 choice.offer(candidate::far(w), w, obstacles, paper);
             }
-            choice.picked = before.filter(|b| *b < choice.places.len()).unwrap_or_else(|| argmin(&choice.fixed));
+            match before {
+                Some(b) if b < choice.places.len() => {
+                    choice.picked = b;
+                    choice.fixed[b] = cost::fixed(&choice.places[b], w, obstacles, paper);
+                    if choice.fixed[b] >= LEAVE {
+                        choice.price(w, obstacles, paper);
+                    }
+                }
+                Some(_) => {
+                    choice.before = None;
+                    choice.price(w, obstacles, paper);
+                    choice.picked = argmin(&choice.fixed);
+                }
+                None => choice.picked = argmin(&choice.fixed),
+            }
             choice
         })
         .collect();
     // In a series the figure before has settled what stands where: one descent mends what has come in the way.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
     settle(&mut choices, rounds);
-    let poor: Vec<usize> = (0..choices.len()).filter(|&i| total(&choices, i, choices[i].picked) > POOR).collect();
+    loop {
+        let unpriced: Vec<usize> =
+            (0..choices.len()).filter(|&i| !choices[i].priced && total(&choices, i, choices[i].picked) >= LEAVE).collect();
+        if unpriced.is_empty() {
+            break;
+        }
+        unpriced.into_iter().for_each(|i| choices[i].price(&wanted[i], obstacles, paper));
+        settle(&mut choices, rounds);
+    }
+    let is_poor = |i: &usize| choices[*i].priced && total(&choices, *i, choices[*i].picked) > POOR;
+    let poor: Vec<usize> = (0..choices.len()).filter(is_poor).collect();
     if !poor.is_empty() {
         for i in poor {
             if choices[i].places.iter().any(|c| c.leader.is_some()) {
