@@ -9,18 +9,20 @@ mod worksheet;
 
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
+use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::mechanism::{Overlay, Track};
 use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
 use hodograph::lesson;
-use hodograph::mechanism::Level;
+use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, construction, drafting, plan, plan_json};
-use hodograph::scene::{self, Lang, PointId, templates};
+use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
 use hodograph::sweep::follow::Follower;
+use hodograph::sweep::{self, Placed, Stations, Width, extreme, zoom};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 
@@ -231,6 +233,35 @@ fn kinds_of_figures_look_as_accepted() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name).join(format!("{kind}.png"));
         let drawn = svg::write(&figure).unwrap().value;
         check_png(&path, &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A slider's displacement, velocity and acceleration: signs, extremes between the stations, what turns unwound.
+#[test]
+fn line_diagrams_look_as_accepted() {
+    let mut failures = Vec::new();
+    let source = edit::with_find(templates::get("shaper").unwrap(), &["x_C", "phi_3", "v_C", "v_B", "a_C"]).unwrap();
+    let scene = scene::read(source).unwrap().value;
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
+    let located = |column: &str, range: [f64; 2], highest: bool| zoom::extreme(&placed, 0, column, range, highest);
+    for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+        let diagram = Diagram::of(&scene, &table, &Notation::of_language(lang), &located);
+        let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("golden/shaper/curves.{suffix}.png"));
+        check_png(&path, &raster::render(&svg::write(&figure).unwrap().value, 110.0).unwrap(), &mut failures);
+        // The ram stands where the lever turns back: its extremes are those that `limits` locates by Newton's method.
+        let limits = extreme::limits(&scene, &mechanism, 0).unwrap();
+        let stroke = diagram.panels[0].curves[0]
+            .extremes
+            .iter()
+            .map(|e| e.1)
+            .fold([f64::NEG_INFINITY, f64::INFINITY], |[h, l], v| [h.max(v), l.min(v)]);
+        let found = stroke[0] - stroke[1];
+        let nearest = limits.swings.iter().filter_map(|s| s.stroke).map(|m| (m * 1e3 - found).abs()).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-6, "stroke {found} mm, {nearest} mm from that of the limits");
     }
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
 }

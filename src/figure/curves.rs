@@ -62,6 +62,9 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
+/// Tells where a column is highest (`true`) or lowest in a range of the driver: its place and value, all in SI.
+pub type Located<'a> = dyn Fn(&str, [f64; 2], bool) -> Option<(f64, f64)> + 'a;
+
 /// What is drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagram {
@@ -79,7 +82,7 @@ impl Diagram {
     ///
     /// `located` tells where between the stations a column is highest (`true`) or lowest: from a range of the driver (SI) to
     /// its place and value (SI).
-    pub fn of(scene: &Scene, table: &Table, notation: &Notation, located: &dyn Fn(&str, [f64; 2], bool) -> Option<(f64, f64)>) -> Diagram {
+    pub fn of(scene: &Scene, table: &Table, notation: &Notation, located: &Located) -> Diagram {
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
         let turns = first.is_some_and(|c| c.unit == "rad");
