@@ -158,9 +158,20 @@ fn descend(choices: &mut [Choice]) {
     for _ in 0..SWEEPS_MAX {
         let mut moved = false;
         for i in 0..choices.len() {
-            let costs: Vec<f64> = (0..choices[i].places.len()).map(|k| total(choices, i, k)).collect();
-            let best = argmin(&costs);
-            if costs[best] < costs[choices[i].picked] {
+            let (mut best, mut least) = (choices[i].picked, total(choices, i, choices[i].picked));
+            let now = least;
+            for k in 0..choices[i].places.len() {
+                // Beside others a place only becomes dearer: most need not be looked at.
+                if choices[i].fixed[k] > least || k == choices[i].picked {
+                    continue;
+                }
+                let cost = total(choices, i, k);
+                // Of equals the first, as everywhere.
+                if cost < least || cost == least && k < best && cost < now {
+                    (best, least) = (k, cost);
+                }
+            }
+            if least < now {
                 choices[i].picked = best;
                 moved = true;
             }
