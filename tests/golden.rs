@@ -10,7 +10,7 @@ mod worksheet;
 use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::curves::{self, Diagram};
-use hodograph::figure::mechanism::{Overlay, Track};
+use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
@@ -21,8 +21,7 @@ use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
-use hodograph::sweep::follow::Follower;
-use hodograph::sweep::{self, Placed, Stations, Width, extreme, zoom};
+use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::worked::{Scope, work};
 use std::path::{Path, PathBuf};
 
@@ -217,15 +216,8 @@ fn kinds_of_figures_look_as_accepted() {
             "equations" => single(&scene, &worked, &options, Single::Equations).unwrap(),
             "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
             "overlay" => {
-                let sweep = Follower::new(&scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(72);
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
-                let places = sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect();
-                let overlay = Overlay {
-                    vectors: Some(Level::Velocity),
-                    dimensions: false,
-                    poses: sweep.poses.iter().step_by(12).map(|p| p.configuration.clone()).collect(),
-                    paths: vec![Track { point, places, closed: sweep.full }],
-                };
+                let overlay = Overlay { vectors: Some(Level::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
                 diagram(&scene, &worked, &options, &overlay)
             }
             _ => sheet(&scene, &worked, &options).unwrap(),
@@ -246,9 +238,8 @@ fn line_diagrams_look_as_accepted() {
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = Placed::new(&scene, &mechanism).unwrap();
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 360), Width::Widest).unwrap();
-    let located = |column: &str, range: [f64; 2], highest: bool| zoom::extreme(&placed, 0, column, range, highest);
     for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
-        let diagram = Diagram::of(&scene, &table, &Notation::of_language(lang), &located);
+        let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
         let figure = curves::figure(&scene, &diagram, &Style::default(), lang);
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("golden/shaper/curves.{suffix}.png"));
         check_png(&path, &raster::render(&svg::write(&figure).unwrap().value, 110.0).unwrap(), &mut failures);

@@ -238,6 +238,28 @@ fn the_limit_of_the_walking_leg() {
     assert!(ends.iter().any(|e| (e - 3.166_736_461_625_599_3).abs() < 1e-15), "{limits:?}");
 }
 
+/// At a limit of the driver an output has run to its end, not to the last sample before it: a trammel's slider to the crossing of the
+/// guides (0) and back, from 300 mm; a boom from straight down its cylinder's line to straight up, half a turn.
+#[test]
+fn outputs_at_the_limits_of_the_driver() {
+    let trammel = limits_of(&read(templates::get("elliptic-trammel").unwrap()).unwrap().value);
+    let ends: Vec<f64> = trammel.swings[0].extremes.iter().map(|e| e.output).collect();
+    assert!(ends[0] == 0.0 && ends[2] == 0.0 && (ends[1] - 0.3).abs() < 1e-15, "{ends:?}");
+    let excavator = limits_of(&read(templates::get("excavator").unwrap()).unwrap().value);
+    assert!((excavator.swings[0].stroke.unwrap() - std::f64::consts::PI).abs() < 1e-11, "{:?}", excavator.swings);
+    // A class III group: what is left of the way goes as its root to the end.
+    let scene = scene("class-iii-six-bar", &["phi_4"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let limits = limits_of(&scene);
+    let upper = limits.range.ends[1].as_ref().unwrap().value;
+    let end = limits.swings[0].extremes.last().unwrap();
+    let stations = Stations::of_values((0..40).map(|k| upper - 0.1 * 0.6f64.powi(k)).collect(), 1.0);
+    let table = sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::One).unwrap();
+    let way = |k: usize| (end.output - table.column("phi_4").unwrap().values[k]) / (upper - stations.values[k]).sqrt();
+    assert!(end.at_limit && table.rows() == 40, "{end:?} {}", table.rows());
+    assert!((way(39) / way(30) - 1.0).abs() < 5e-3 && (way(39) / way(35) - 1.0).abs() < 1e-3, "{} {} {}", way(30), way(35), way(39));
+}
+
 /// Khurmi & Gupta, ch. 5: centres 240 mm, crank 120 mm, lever 450 mm: inclination 30 degrees, time ratio 2, stroke 450 mm (the
 /// lever's end, across); centres 200, crank 100, lever 400: stroke 400 mm.
 #[test]

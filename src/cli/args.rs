@@ -201,11 +201,10 @@ pub struct Accuracy {
     pub patience: u64,
 }
 
+/// A driver's or parameter's values, and what is asked at each.
 #[derive(ClapArgs, Debug)]
-pub struct Sweep {
-    #[command(flatten)]
-    pub common: Common,
-    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`) or a parameter of the scene
+pub struct Range {
+    /// What is swept: a driver (`driver`, `driver2`, `phi_1`, `s_B`, `l_BC`); of `sweep` also a parameter of the scene
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
     /// Where it begins, with a unit (default: 0, or as far as the driver goes)
@@ -214,12 +213,20 @@ pub struct Sweep {
     /// Where it ends (default: a full turn, or as far as the driver goes)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
-    /// Equal steps from one to the other; both ends are rows
-    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
-    pub steps: usize,
     /// Other questions than the scene's, such as v_E,a_E,omega_3
     #[arg(long, value_name = "LIST")]
     pub find: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Sweep {
+    #[command(flatten)]
+    pub common: Common,
+    #[command(flatten)]
+    pub range: Range,
+    /// Equal steps from one to the other; both ends are rows
+    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
+    pub steps: usize,
     /// Write to this file, ending in .csv or .json, instead of standard output (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
@@ -229,21 +236,11 @@ pub struct Sweep {
 pub struct Curves {
     #[command(flatten)]
     pub common: Common,
-    /// Which driver: `driver`, `driver2`, `phi_1`, `s_B`, `l_BC`
-    #[arg(long, value_name = "NAME")]
-    pub over: Option<String>,
-    /// Where it begins, with a unit (default: 0, or where it stands)
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub from: Option<String>,
-    /// Where it ends (default: a full turn)
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub to: Option<String>,
-    /// Equal steps from one to the other
+    #[command(flatten)]
+    pub range: Range,
+    /// Equal steps from one to the other; both ends are rows
     #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
     pub steps: usize,
-    /// Quantities instead of the scene's, such as x_C,v_C,a_C
-    #[arg(long, value_name = "LIST")]
-    pub find: Option<String>,
     /// Style, as for `draw`
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
@@ -367,21 +364,11 @@ pub struct Batch {
     /// Another seed gives other random mechanisms
     #[arg(long, value_name = "S", default_value_t = 1)]
     pub seed: u64,
-    /// Which driver is swept for each mechanism, by its name
-    #[arg(long, value_name = "NAME")]
-    pub over: Option<String>,
-    /// Where the driver's positions begin (default: 0)
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub from: Option<String>,
-    /// Where they end (default: a full turn)
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    pub to: Option<String>,
+    #[command(flatten)]
+    pub range: Range,
     /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
     #[arg(long, value_parser = steps)]
     pub steps: Option<usize>,
-    /// Other questions than the scene's, such as v_E,a_E
-    #[arg(long, value_name = "LIST")]
-    pub find: Option<String>,
     /// Write to this file, ending in .csv
     #[arg(short, long, value_name = "FILE")]
     pub output: String,

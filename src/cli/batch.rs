@@ -5,7 +5,7 @@
 //! written in full is removed: whoever finds the output finds all of it.
 
 use super::args::Batch as Args;
-use super::sweep::{ask, driver_named, stations};
+use super::sweep::{ask, driver_of, stations};
 use super::{Failure, Input, Run, files};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
@@ -43,7 +43,7 @@ struct State {
 
 pub fn batch(a: Args) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    ask(&mut input, a.find.as_deref())?;
+    ask(&mut input, a.range.find.as_deref())?;
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let out = PathBuf::from(&a.output);
     if out.extension().and_then(|e| e.to_str()) != Some("csv") {
@@ -52,7 +52,15 @@ pub fn batch(a: Args) -> Run {
     }
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
     let batch = plan(&input.scene, &mechanism, &a).map_err(failed)?;
-    let job = format!("{:?} {:?} {:?} {:?} {:?} {:?}", a.vary, a.random, a.seed, (&a.over, &a.from, &a.to, a.steps), a.find, input.source);
+    let job = format!(
+        "{:?} {:?} {:?} {:?} {:?} {:?}",
+        a.vary,
+        a.random,
+        a.seed,
+        (&a.range.over, &a.range.from, &a.range.to, a.steps),
+        a.range.find,
+        input.source
+    );
     let (code, state) = write(&batch, &out, job)?;
     let positions = batch.mechanisms().saturating_mul(batch.positions() as u64);
     if code == ExitCode::SUCCESS {
@@ -91,13 +99,10 @@ fn plan<'a>(scene: &'a Scene, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     for (name, (from, to, n)) in names.iter().zip(&ranges) {
         values.push(variation.range(scene, name, from, to, n.saturating_sub(1))?);
     }
-    let driver = match a.over.as_deref() {
-        None | Some("driver") => 0,
-        Some(name) => driver_named(scene, name).ok_or_else(|| super::sweep::unknown_driver(scene, name))?,
-    };
+    let driver = driver_of(scene, a.range.over.as_deref())?;
     let stations = match a.steps {
         None => None,
-        Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, a.from.as_deref(), a.to.as_deref(), steps)?),
+        Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, &a.range, steps)?),
     };
     let choice = a.random.map_or(Choice::Grid, |count| Choice::Random { count, seed: a.seed });
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })

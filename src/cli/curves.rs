@@ -2,33 +2,30 @@
 
 use super::args::Curves;
 use super::draw::read_style;
-use super::sweep::{ask, driver_named, stations, unknown_driver};
+use super::sweep::{ask, driver_of, stations};
 use super::{Failure, Input, Run, choices, files};
-use crate::answer::level_of;
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
-use crate::mechanism::{Level, Mechanism};
-use crate::scene::{Asked, Scene};
-use crate::sweep::{self, Placed, Width, zoom};
+use crate::mechanism::Mechanism;
+use crate::position::Path;
+use crate::scene::{Asked, PointId};
+use crate::sweep::{self, Placed, Width};
 use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
     let style = read_style(&a.style)?;
     let mut input = Input::read(&a.common.scene)?;
-    let find = match &a.find {
+    let find = match &a.range.find {
         Some(find) => find.clone(),
-        None => with_positions(&input.scene).join(","),
+        None => with_positions(&input)?.join(","),
     };
     ask(&mut input, Some(&find))?;
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
-    let driver = match a.over.as_deref() {
-        None | Some("driver") => 0,
-        Some(name) => driver_named(&input.scene, name).ok_or_else(|| failed(unknown_driver(&input.scene, name)))?,
-    };
+    let driver = driver_of(&input.scene, a.range.over.as_deref()).map_err(failed)?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(failed)?;
-    let stations = stations(&placed, driver, a.from.as_deref(), a.to.as_deref(), a.steps).map_err(failed)?;
+    let stations = stations(&placed, driver, &a.range, a.steps).map_err(failed)?;
     let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(failed)?;
     if table.rows() < 2 {
         let d = Diagnostic::error("no-motion", "fewer than two positions of the driver can be assembled: there is no curve");
@@ -37,8 +34,7 @@ pub fn run(a: Curves) -> Run {
         return Err(failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
-    let located = |column: &str, range: [f64; 2], highest: bool| zoom::extreme(&placed, driver, column, range, highest);
-    let diagram = Diagram::of(&input.scene, &table, &style.marks.over(&notation), &located);
+    let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
     files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?;
     files::print(&format!("{}\n", a.output))?;
     input.notes.extend(table.notes);
@@ -46,39 +42,44 @@ pub fn run(a: Curves) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The scene's questions, and the positions whose rates they ask for: where a point moves both ways only its rates, as there no
-/// coordinate is its displacement.
-fn with_positions(scene: &Scene) -> Vec<String> {
+/// The scene's questions, each after the displacement that it is a rate of: the angle of a link, the coordinates in which a
+/// slider on the ground moves. Of a point that moves freely no coordinate is its displacement.
+fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
+    let scene = &input.scene;
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let mechanism = Mechanism::new(scene).map_err(failed)?.value;
+    let placed = Placed::new(scene, &mechanism).map_err(failed)?;
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
-        let position = match find.what {
-            Asked::Omega(l) | Asked::Alpha(l) => Some(format!("phi_{}", scene.link_name(l))),
+        match find.what {
+            Asked::Omega(l) | Asked::Alpha(l) => words.push(format!("phi_{}", scene.link_name(l))),
             Asked::Velocity(p) | Asked::Acceleration(p) if p.link.is_none() => {
-                slides(scene, p.point).map(|axis| format!("{axis}_{}", scene.point_name(p.point)))
+                words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
-            _ => None,
-        };
-        words.extend(position);
-        if level_of(&find.what) >= Level::Position {
-            words.push(find.text.clone());
+            _ => {}
+        }
+        words.push(find.text.clone());
+    }
+    let mut seen: Vec<String> = Vec::new();
+    for word in words {
+        if !seen.contains(&word) {
+            seen.push(word);
         }
     }
-    let mut seen = Vec::new();
-    words.retain(|w| {
-        !seen.contains(w) && {
-            seen.push(w.clone());
-            true
-        }
-    });
-    words
+    Ok(seen)
 }
 
-/// Along which axis a point of a slider on the ground moves.
-fn slides(scene: &Scene, point: crate::scene::PointId) -> Option<&'static str> {
-    use crate::scene::GuidePath;
-    let guide = scene.guides.iter().find(|g| g.pin == Some(point) && g.on == scene.ground)?;
-    match &guide.path {
-        GuidePath::Line { .. } => Some("x"),
-        GuidePath::Arc { .. } => None,
+/// A guide nearer to an axis than this (sine) is along it: what is left is the rounding of its angle.
+const ALONG: f64 = 1e-9;
+
+/// In which coordinates a pin on a straight guide of the ground moves.
+fn axes(placed: &Placed, point: PointId) -> &'static [&'static str] {
+    let guides = placed.scene.guides.iter().zip(&placed.at.guides);
+    let on_ground = guides.filter(|(g, _)| g.pin == Some(point) && g.on == placed.scene.ground);
+    match on_ground.map(|(_, path)| path).next() {
+        Some(Some(Path::Line { direction, .. })) if direction.y.abs() < ALONG => &["x"],
+        Some(Some(Path::Line { direction, .. })) if direction.x.abs() < ALONG => &["y"],
+        Some(Some(Path::Line { .. })) => &["x", "y"],
+        _ => &[],
     }
 }

@@ -2,9 +2,9 @@
 
 use super::args::{self, Format, Picture, Text, Vectors};
 use super::{Failure, Input, Run, choices, files, verdict};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::item::Figure;
-use crate::figure::mechanism::{Overlay, Track};
+use crate::figure::mechanism::Overlay;
 use crate::figure::sheet::{Options, Single, diagram, sheet, single};
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
@@ -12,12 +12,8 @@ use crate::json::fields::suggest;
 use crate::mechanism::Level;
 use crate::render::{pdf, png, svg};
 use crate::scene::{PointId, Scene};
-use crate::sweep::follow::Follower;
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
-
-/// Positions along a path: a chord of a full turn's circle is then off it by less than a thousandth of its radius.
-const PATH_STEPS: usize = 180;
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
@@ -49,8 +45,8 @@ pub fn run(a: args::Draw) -> Run {
     }
     let names = names(&a, &input.name, &figures).map_err(failed)?;
     for ((_, figure), targets) in figures.iter().zip(names) {
-        write(figure, &targets, &a).map_err(|e| match e {
-            Unwritten::Faults(faults) => failed(faults),
+        write(figure, &targets, &a, &mut input.notes).map_err(|e| match e {
+            Unwritten::Faults(faults) => Failure::Input(faults, input.name.clone(), input.source.clone()),
             Unwritten::File(f) => f,
         })?;
     }
@@ -145,20 +141,7 @@ fn overlay(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Option<Over
     }
     let mut overlay = Overlay { vectors, dimensions: a.dimensions, ..Overlay::default() };
     if a.poses > 0 || !points.is_empty() {
-        let sweep = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(PATH_STEPS);
-        let at = |k: usize| sweep.poses[k].configuration.clone();
-        let n = usize::from(a.poses);
-        // Evenly through the travel; the ends of a bounded one are positions too.
-        let last = if sweep.full { sweep.poses.len() } else { sweep.poses.len() - 1 };
-        overlay.poses = (0..n).map(|k| at(k * last / if sweep.full { n } else { (n - 1).max(1) })).collect();
-        overlay.paths = points
-            .iter()
-            .map(|&point| Track {
-                point,
-                places: sweep.poses.iter().filter_map(|p| p.configuration.points[point.0]).collect(),
-                closed: sweep.full,
-            })
-            .collect();
+        overlay = overlay.with_motion(scene, worked, usize::from(a.poses), &points);
     }
     Ok(Some(overlay))
 }
@@ -187,25 +170,29 @@ enum Unwritten {
     File(Failure),
 }
 
-fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw) -> Result<(), Unwritten> {
-    let svg = svg::write(figure).map_err(Unwritten::Faults)?.value;
-    let editable = (a.text == Text::Editable).then(|| svg::write_editable(figure)).transpose().map_err(Unwritten::Faults)?;
-    let shown = editable.as_ref().map_or(&svg, |w| &w.value);
-    for (format, path) in targets {
-        let picture;
-        let bytes = match format {
-            Format::Svg => shown.as_bytes(),
-            Format::Png => {
-                picture = png::render(&svg, a.dpi).map_err(|d| Unwritten::Faults(d.into()))?;
-                &picture
-            }
-            Format::Pdf => {
-                picture = pdf::pdf(std::slice::from_ref(figure)).map_err(Unwritten::Faults)?.value;
-                &picture
-            }
-        };
-        files::write(path, bytes).map_err(Unwritten::File)?;
+/// Writes a figure in each of its formats. What has no letters in the embedded fonts is noted once.
+fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw, notes: &mut Vec<Diagnostic>) -> Result<(), Unwritten> {
+    for (k, (format, path)) in targets.iter().enumerate() {
+        let Warned { value: bytes, notes: missing } = bytes(figure, *format, a).map_err(Unwritten::Faults)?;
+        if k == 0 {
+            notes.extend(missing.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+        }
+        files::write(path, &bytes).map_err(Unwritten::File)?;
         files::print(&format!("{}\n", path.display())).map_err(Unwritten::File)?;
     }
     Ok(())
+}
+
+fn bytes(figure: &Figure, format: Format, a: &args::Draw) -> Result<Warned<Vec<u8>>, Faults> {
+    match format {
+        Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
+        Format::Svg => {
+            let Warned { value, notes } = if a.text == Text::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
+            Ok(Warned { value: value.into_bytes(), notes })
+        }
+        Format::Png => {
+            let Warned { value, notes } = svg::write(figure)?;
+            Ok(Warned { value: png::render(&value, a.dpi)?, notes })
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
-use super::args::{Limits, Sweep};
+use super::args::{Limits, Range, Sweep};
 use super::tables::{self, Kind};
 use super::{Failure, Input, Run, files};
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -18,7 +18,7 @@ pub const STEPS: usize = 360;
 
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    ask(&mut input, a.find.as_deref())?;
+    ask(&mut input, a.range.find.as_deref())?;
     let failed = |faults: Faults, input: &Input| Failure::Input(faults, input.name.clone(), input.source.clone());
     let table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
     input.notes.extend(table.notes.iter().cloned());
@@ -38,10 +38,7 @@ pub fn limits(a: Limits) -> Run {
     let (lang, _) = super::choices(&input.scene, &a.common);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
-    let driver = match a.over.as_deref() {
-        None | Some("driver") => 0,
-        Some(name) => driver_named(&input.scene, name).ok_or_else(|| failed(unknown_driver(&input.scene, name)))?,
-    };
+    let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;
     let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(failed)?;
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
@@ -52,9 +49,14 @@ pub fn limits(a: Limits) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-pub fn unknown_driver(scene: &Scene, name: &str) -> Faults {
-    let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
-    Diagnostic::error("no-driver", format!("the scene has no driver `{name}`")).help(format!("its drivers are {}", names.join(", "))).into()
+/// The driver that `--over` names; the first where it names none.
+pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Faults> {
+    let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
+    driver_named(scene, name).ok_or_else(|| {
+        let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
+        let d = Diagnostic::error("no-driver", format!("the scene has no driver `{name}`"));
+        d.help(format!("its drivers are {}", names.join(", "))).into()
+    })
 }
 
 /// Puts other questions in the place of the scene's.
@@ -74,19 +76,16 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
 
 fn table(scene: &Scene, a: &Sweep) -> Result<Table, Faults> {
     let mechanism = Mechanism::new(scene)?.value;
-    let parameter = a.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
+    let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
     if let Some(name) = parameter {
-        let (from, to) = (bound(a.from.as_deref(), "--from")?, bound(a.to.as_deref(), "--to")?);
+        let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
         let variation = Variation::new(scene, &[name])?;
         let values = variation.range(scene, name, &from, &to, a.steps)?;
         return sweep::vary::sweep(scene, &mechanism, &variation, &values);
     }
-    let driver = a.over.as_deref().and_then(|o| driver_named(scene, o)).unwrap_or(0);
-    if driver >= scene.drivers.len() {
-        return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
-    }
+    let driver = driver_of(scene, a.range.over.as_deref())?;
     let placed = Placed::new(scene, &mechanism)?;
-    let stations = stations(&placed, driver, a.from.as_deref(), a.to.as_deref(), a.steps)?;
+    let stations = stations(&placed, driver, &a.range, a.steps)?;
     sweep::run(&placed, driver, &stations, Width::Widest)
 }
 
@@ -101,22 +100,25 @@ pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
     (0..scene.drivers.len()).find(|&d| sweep::driver_name(scene, d).0 == name || name == format!("driver{}", d + 1))
 }
 
-/// The stations of a driver between two values as the scene would write them; a full turn where it turns.
-pub fn stations(placed: &Placed, driver: usize, from: Option<&str>, to: Option<&str>, steps: usize) -> Result<Stations, Faults> {
-    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
-    if let DriverKind::Turn { .. } = placed.scene.drivers[driver].kind {
-        let read = |text: Option<&str>, default: f64| match text {
-            Some(text) => scene::edit::angle(text),
-            None => Ok(Angle::Deg(default)),
-        };
+/// The stations of a driver between two values as the scene would write them; without them a full turn where it turns, and as far
+/// as it goes where it slides.
+pub fn stations(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Stations, Faults> {
+    let (from, to) = (range.from.as_deref(), range.to.as_deref());
+    let Some(d) = placed.scene.drivers.get(driver) else {
+        return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
+    };
+    if let DriverKind::Turn { .. } = d.kind {
+        let read = |text: Option<&str>, default: f64| text.map_or(Ok(Angle::Deg(default)), edit::angle);
         return Ok(Stations::turned(read(from, 0.0)?, read(to, 360.0)?, steps));
     }
-    match (from, to) {
-        (Some(from), Some(to)) => Ok(Stations::slid(edit::length(from)?, edit::length(to)?, steps, per_value)),
+    let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
+    let [low, high] = match (from, to) {
+        (Some(from), Some(to)) => [edit::length(from)?, edit::length(to)?],
         _ => {
-            let now = station::position_now(placed.scene, &placed.at, driver);
+            let [low, high] = extreme::limits(placed.scene, placed.mechanism, driver)?.range.bounds();
             let given = |text: Option<&str>, default: f64| text.map_or(Ok(default), edit::length);
-            Ok(Stations::slid(given(from, now)?, given(to, now)?, steps, per_value))
+            [given(from, low)?, given(to, high)?]
         }
-    }
+    };
+    Ok(Stations::slid(low, high, steps, per_value))
 }

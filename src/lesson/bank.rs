@@ -4,9 +4,10 @@ use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
+use crate::figure::label::Label;
+use crate::render::escaped;
+use crate::report::math::mathml;
 use crate::report::phrase::{Phrase, Piece};
-
-use super::mathml;
 
 /// Formulas without changing numbers, each once: they come again and again.
 #[derive(Default)]
@@ -96,8 +97,8 @@ fn form(words: &[String], numbers: &[&str], open: &[bool], formulas: &mut Formul
     let mut html = String::new();
     for piece in Phrase::new(&text).pieces() {
         let mut markup = match piece {
-            Piece::Words(words) => mathml::escaped(words),
-            Piece::Formula(source) => mathml::formula(source),
+            Piece::Words(words) => escaped(words),
+            Piece::Formula(source) => mathml(&Label::math(source.as_str())),
         };
         for n in (0..open.len()).filter(|n| open[*n]) {
             markup = markup.replace(&keeper(n), &HOLE.to_string());

@@ -1,6 +1,6 @@
 //! Why a driver can go no farther, in words: which links lie in line.
 //!
-//! Decided here: what is said. The place was found by halving ([`super::sweep`]); there the two loci of a dyad's pin touch, so
+//! Decided here: what is said. The place was found by halving ([`crate::sweep::follow`]); there the two loci of a dyad's pin touch, so
 //! that the two lines square to them fall together.
 
 use crate::geom::Vec2;

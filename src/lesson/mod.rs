@@ -2,7 +2,7 @@
 //!
 //! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
 //! one common scale, [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
-//! characters, [`bank`] does the same for sentences ([`mathml`] sets their formulas), [`page`] puts it together, and
+//! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 //! Not decided here: how anything is drawn or solved.
 
@@ -11,7 +11,6 @@ mod course;
 mod curve;
 mod frames;
 mod limit;
-mod mathml;
 mod pack;
 mod page;
 mod reveal;

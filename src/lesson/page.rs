@@ -6,16 +6,18 @@ use serde_json::{Value, json};
 
 use crate::accuracy::toggle::driver_position;
 use crate::diag::Faults;
+use crate::figure::label::Label;
 use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::render::escaped;
 use crate::render::svg::Elements;
+use crate::report::math::mathml;
 use crate::scene::{DriverKind, Lang, Scene};
 
 use super::bank::Formulas;
 use super::frames::{Frame, Frames};
-use super::mathml::{escaped, formula};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
@@ -113,7 +115,7 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> {}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
-        formula(&scale),
+        mathml(&Label::math(&scale)),
     )
 }
 
@@ -143,7 +145,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
     };
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;
-    json!({"turns": turns, "symbol": formula(&symbol), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
+    json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
 }
 
 /// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.

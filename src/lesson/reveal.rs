@@ -2,7 +2,6 @@
 
 use crate::diag::{Faults, Warned};
 use crate::figure::extent::Rect;
-use crate::figure::item::Item;
 use crate::figure::sheet::{self, Single};
 use crate::geom::Point;
 use crate::render::number::mm;
@@ -11,7 +10,7 @@ use crate::scene::Scene;
 use crate::worked::Worked;
 
 use super::frames::LEVELS;
-use super::mathml::escaped;
+use crate::render::escaped;
 
 /// Between two drawings.
 const GAP_MM: f64 = 6.0;
@@ -38,7 +37,8 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
             _ => None,
         };
         let list = elements.of(&figure.items)?;
-        let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| step(i))).collect();
+        // An item that several steps draw comes with the first.
+        let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| i.steps().min())).collect();
         let most = of.iter().flatten().max().map_or(0, |n| n + 1);
         // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
         for (element, of) in list.iter().zip(&of) {
@@ -61,9 +61,4 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
         Elements::letters([&elements])
     );
     Ok(Warned { value, notes: Vec::new() })
-}
-
-/// The step that draws an item of a polygon: the first, where several do.
-fn step(item: &Item) -> Option<usize> {
-    item.class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse().ok()).min()
 }

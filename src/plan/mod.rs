@@ -51,6 +51,17 @@ pub struct Vertex {
     pub fixed: bool,
 }
 
+impl Vertex {
+    /// The link that a point belongs to: of a pin's links the first of the scene that moves.
+    pub fn link(&self, scene: &Scene) -> Option<LinkId> {
+        let pinned = || match self.spot {
+            Spot::Point(p) => scene.mover(p),
+            Spot::Special { .. } => None,
+        };
+        self.on.or(self.number).or_else(pinned)
+    }
+}
+
 /// A body that turns: a link, or the line of a cylinder.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Body {

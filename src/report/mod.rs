@@ -5,6 +5,7 @@ pub mod construction;
 pub mod diagnostics;
 pub mod drafting;
 pub mod limits;
+pub mod math;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;

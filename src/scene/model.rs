@@ -397,6 +397,11 @@ impl Scene {
         &self.links[l.0].name
     }
 
+    /// The first moving link that carries a point.
+    pub fn mover(&self, p: PointId) -> Option<LinkId> {
+        self.carriers(p).find(|l| *l != self.ground)
+    }
+
     /// The links that carry a point, in order.
     pub fn carriers(&self, p: PointId) -> impl Iterator<Item = LinkId> + '_ {
         self.links.iter().enumerate().filter(move |(_, l)| l.points.contains(&p)).map(|(i, _)| LinkId(i))

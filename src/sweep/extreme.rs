@@ -93,6 +93,9 @@ pub struct Limits {
 /// Samples over the whole motion, between which a rate changes its sign at most once.
 const SAMPLES: usize = 720;
 
+/// A position or rate that is smaller than this part of the largest is zero.
+const ROUNDING: f64 = 1e-12;
+
 /// An angle of 90° to what rounding leaves of its sine.
 const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
 
@@ -187,9 +190,14 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
             }
         }
     }
+    // A position in the same turn as the sample beside it.
+    let near = |here: f64, i: usize| match output {
+        Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
+        Output::Sliding(_) => here,
+    };
     let x = &stations.values;
     let full = range.full() && (x[x.len() - 1] - x[0] - TAU).abs() < 1e-9;
-    let rounding = 1e-12 * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
+    let rounding = ROUNDING * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
     // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
     let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
     if full && let Some(&(first, i)) = moving.first() {
@@ -203,11 +211,7 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         if joined && (v[i] > 0.0) != (v[k] > 0.0) {
             let driver = zero(a, b, v[i], at);
             let Some([here, ..]) = at(driver) else { continue };
-            let output = match output {
-                Output::Turning(_) => here - libm::rint((here - position[i]) / TAU) * TAU,
-                Output::Sliding(_) => here,
-            };
-            extremes.push(Extreme { driver, output, at_limit: false });
+            extremes.push(Extreme { driver, output: near(here, i), at_limit: false });
         }
     }
     let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
@@ -219,16 +223,31 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         _ => None,
     };
     if !range.full() {
-        for (event, end) in range.ends.iter().zip([known.first(), known.last()]) {
+        let way = range.bounds()[1] - range.bounds()[0];
+        for ((event, end), inward) in range.ends.iter().zip([known.first(), known.last()]).zip([way, -way]) {
             if let (Some(event), Some(&i)) = (event, end) {
-                extremes.push(Extreme { driver: event.value, output: position[i], at_limit: true });
+                let there = at_limit(event.value, inward, &|x| Some(near(at(x)?[0], i))).unwrap_or(position[i]);
+                extremes.push(Extreme { driver: event.value, output: there, at_limit: true });
             }
         }
     }
+    // What is zero but for the rounding of the positions it comes from is zero.
+    let most = known.iter().map(|&i| position[i].abs()).fold(0.0, f64::max);
+    extremes.iter_mut().filter(|e| e.output.abs() < ROUNDING * most).for_each(|e| e.output = 0.0);
     extremes.sort_by(|a, b| a.driver.total_cmp(&b.driver));
     let least = extremes.iter().map(|e| e.output).fold(f64::INFINITY, f64::min);
     let most = extremes.iter().map(|e| e.output).fold(f64::NEG_INFINITY, f64::max);
     Swing { output, stroke: (most >= least).then_some(most - least), extremes, time_ratio }
+}
+
+/// A position at a limit of the driver, where the two branches meet: near it the position is a smooth function of the root of the
+/// distance from it. The polynomial through a few places on the way `inward` is taken back to the limit itself.
+fn at_limit(limit: f64, inward: f64, at: &dyn Fn(f64) -> Option<f64>) -> Option<f64> {
+    // At six places within this part of the whole way, what the polynomial leaves out is 1e-14 of the travel.
+    const NEAR: f64 = 1e-4;
+    const PLACES: [(f64, f64); 6] = [(1.0, 6.0), (2.0, -15.0), (3.0, 20.0), (4.0, -15.0), (5.0, 6.0), (6.0, -1.0)];
+    let place = |root: f64| at(limit + inward * NEAR * root * root / 36.0);
+    PLACES.iter().map(|(root, weight)| Some(weight * place(*root)?)).sum()
 }
 
 /// A zero of a rate between two positions: Newton's method with the acceleration, kept between the bounds.

@@ -1,13 +1,13 @@
 //! A worksheet as one HTML file: formulas in MathML, drawings as SVG inside it, a style for screen and print. It fetches
 //! nothing. The file is well-formed XML too.
 
-use super::math::{mathml, mathml_display};
 use super::{Block, Document, Table, TableKind};
 use crate::diag::Faults;
 use crate::figure::item::{Figure, Item};
 use crate::figure::label::Label;
 use crate::figure::words::words;
 use crate::render::{escaped, number::mm, svg};
+use crate::report::math::{mathml, mathml_display};
 use crate::report::phrase::{Phrase, Piece};
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.

@@ -1,11 +1,11 @@
 //! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as SVG files beside it (what
 //! shows Markdown seldom shows drawings inside it).
 
-use super::math::{tex, tex_display};
 use super::{Beside, Block, Document, Table, guarded, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::render::svg;
+use crate::report::math::{tex, tex_display};
 use crate::report::phrase::{Phrase, Piece};
 
 /// Writes the document, and its drawings under names that begin with `stem`.

@@ -13,7 +13,6 @@ mod given;
 pub mod html;
 mod lines;
 pub mod markdown;
-pub mod math;
 pub mod pages;
 mod problem;
 mod results;
@@ -22,11 +21,11 @@ pub mod typst;
 
 use crate::accuracy::{Certified, Steps, certify, steps};
 use crate::figure::item::Figure;
-use crate::figure::label::Label;
 use crate::figure::sheet;
 use crate::figure::words::{Words, words};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
+use crate::report::math::Math;
 use crate::report::phrase::{Phrase, tr};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
@@ -113,28 +112,6 @@ pub enum TableKind {
     Equation,
     /// Values: cells from the left, a line below the head.
     Values,
-}
-
-/// A part of a formula that stands on a line of its own.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Math {
-    /// A row of signs.
-    Row(Label),
-    /// One row over another.
-    Fraction(Label, Label),
-    /// The square root of a row.
-    Root(Label),
-}
-
-impl Math {
-    /// In one line of characters: `(a)/(b)`, `√(a)`.
-    pub fn plain(&self) -> String {
-        match self {
-            Math::Row(row) => row.plain(),
-            Math::Fraction(over, under) => format!("({})/({})", over.plain(), under.plain()),
-            Math::Root(row) => format!("√({})", row.plain()),
-        }
-    }
 }
 
 /// A file that belongs to a document, such as a picture.

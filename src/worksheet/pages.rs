@@ -8,13 +8,14 @@ use std::collections::VecDeque;
 
 use super::display::built;
 use super::lines::wrapped;
-use super::{Block, Document, Math, Table, TableKind};
+use super::{Block, Document, Table, TableKind};
 use crate::figure::extent::{bounds, translate};
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::geom::{Point, Vec2};
 use crate::render::pdf::{Kind, Page, Part};
+use crate::report::math::Math;
 use crate::report::phrase::Phrase;
 
 /// A4.

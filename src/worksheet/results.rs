@@ -1,12 +1,13 @@
 //! The results with their senses, and how the drawing compares with the loop equations.
 
-use super::{Block, Maker, Math, Table, TableKind};
+use super::{Block, Maker, Table, TableKind};
 use crate::accuracy::ladder::Why;
 use crate::answer::Value;
 use crate::figure::label::Label;
 use crate::figure::remarks::remarks;
 use crate::figure::results::{Answers, amount, measured, number, sense, symbol};
 use crate::report::answers::{Line, lines, reason, verdict, worst};
+use crate::report::math::Math;
 use crate::report::phrase::Phrase;
 use crate::scene::Lang;
 use crate::worked::Outcome;
@@ -130,7 +131,7 @@ fn size(value: Value, digits: usize) -> String {
 
 /// What a figure writes in a cell: words, where it is one piece, else a formula.
 fn of_label(label: &Label) -> Phrase {
-    if label.row().len() > 1 || label.source().contains('\\') { math(label.source()) } else { Phrase::new(label.source()) }
+    if label.row().len() > 1 { math(label.source()) } else { Phrase::new(label.source()) }
 }
 
 fn math(source: &str) -> Phrase {

@@ -1,6 +1,6 @@
 //! The solution's side: freedom and groups, scales, then for each level equations, turning rates, polygon and steps.
 
-use super::{Block, Maker, Math, Table, TableKind};
+use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
 use crate::effort::is_carried;
 use crate::figure::label::Label;
@@ -10,6 +10,7 @@ use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
 use crate::plan::{Body, Chain, GroupSteps, Method, Rate, Spot, Step, VertexId};
 use crate::report::construction::sentences;
+use crate::report::math::Math;
 use crate::report::phrase::Phrase;
 use crate::report::plan::group_words;
 use crate::scene::Lang;

@@ -1,11 +1,11 @@
 //! A worksheet as Typst source: native formulas and tables, drawings as SVG files beside it.
 
-use super::math::{typst as formula, typst_display};
 use super::{Beside, Block, Document, Table, TableKind, guarded, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::words::words;
 use crate::render::{number::mm, svg};
+use crate::report::math::{typst as formula, typst_display};
 use crate::report::phrase::{Phrase, Piece};
 
 /// Widest drawing on a page: A4 less its margins. A wider one would be cut; it is made as wide as the page, and its scales

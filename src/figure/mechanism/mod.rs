@@ -24,7 +24,7 @@ use super::item::{Colour, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
-pub use overlay::{Overlay, Track, overlaid};
+pub use overlay::{Overlay, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;

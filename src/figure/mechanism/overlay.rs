@@ -14,10 +14,13 @@ use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
 use crate::quantity::shortest;
 use crate::scene::{PointId, Scene};
+use crate::sweep::follow::Follower;
 use crate::worked::Worked;
 
 use super::{Course, Draft};
 
+/// Positions along a path: a chord of a full turn's circle is then off it by less than a thousandth of its radius.
+const PATH_STEPS: usize = 180;
 /// Room for the longest vector: a third of the usual diagram.
 const VECTOR_MM: f64 = 45.0;
 /// A vector shorter than this has neither head nor direction for the eye.
@@ -52,6 +55,17 @@ pub struct Track {
 }
 
 impl Overlay {
+    /// The same with so many positions through the travel of the first driver, and the paths of these points.
+    pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
+        let sweep = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(PATH_STEPS);
+        // Evenly through the travel; the ends of a bounded one are positions too.
+        let (last, parts) = if sweep.full { (sweep.poses.len(), poses) } else { (sweep.poses.len() - 1, poses.saturating_sub(1).max(1)) };
+        self.poses = (0..poses).map(|k| sweep.poses[k * last / parts].configuration.clone()).collect();
+        let places = |p: PointId| sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect();
+        self.paths = points.iter().map(|&point| Track { point, places: places(point), closed: sweep.full }).collect();
+        self
+    }
+
     /// The scale of the vectors (SI per mm); `None` where none are drawn.
     pub fn mu(&self, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
@@ -94,20 +108,20 @@ impl Draft<'_> {
             for (l, form) in other.forms.iter().enumerate() {
                 let Some(form) = form else { continue };
                 for (from, to) in form.segments() {
-                    self.d.frame(&format!("pose-{k}-link-{l}"), "pose", Shape::Line { from, to, stroke: thin });
+                    self.d.shape(&format!("pose-{k}-link-{l}"), "pose", Shape::Line { from, to, stroke: thin });
                 }
             }
             for at in (0..self.scene.points.len()).map(PointId).filter(|p| other.is_pin(*p) && !other.is_fixed_pivot(*p)) {
                 let Some(centre) = other.point(at) else { continue };
                 let dot = Shape::Circle { centre, radius_mm: self.style.dot_radius_mm, stroke: None, fill: Some(BEHIND) };
-                self.d.frame(&format!("pose-{k}-pin"), "pose", dot);
+                self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
             }
         }
         for path in &overlay.paths {
             let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
             let stroke = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
             let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
-            self.d.frame(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
+            self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
         }
     }
 
@@ -138,12 +152,7 @@ impl Draft<'_> {
             let Some(from) = worked.construction.diagram.spots[v.0].filter(|_| vector.norm() > SHORTEST_MM) else { continue };
             let to = from + vector;
             let symbol = w.vector(level, v);
-            let vertex = worked.plan.vertex(v);
-            let pinned = || match vertex.spot {
-                Spot::Point(p) => self.scene.carriers(p).find(|l| *l != self.scene.ground),
-                Spot::Special { .. } => None,
-            };
-            self.d.of_link(vertex.on.or(vertex.number).or_else(pinned).map(|l| l.0));
+            self.d.of_link(worked.plan.vertex(v).link(self.scene).map(|l| l.0));
             let owner =
                 self.d.shape(&format!("vector-{symbol}"), "vector", Shape::Arrow { from, to, stroke: style.vector, head: style.head });
             let request = LabelRequest::along(Label::math(&symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);

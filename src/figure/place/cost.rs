@@ -89,6 +89,21 @@ pub(super) fn fixed(c: &Candidate, wanted: &Wanted, obstacles: &Obstacles, paper
     cost
 }
 
+/// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
+/// foreign line as thick as the label's own. A thin line through it does neither.
+pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool {
+    let own_half_mm = match wanted.target {
+        Target::Segment { clear_mm, .. } | Target::Arc { clear_mm, .. } => clear_mm,
+        Target::Point { .. } => 0.0,
+    };
+    let foreign = |bar: &&Bar| bar.owner.is_none() || bar.owner != wanted.owner;
+    let under = |bar: &Bar| clipped_mm(bar.from, bar.to, rect.grown(bar.half_width_mm)) > 0.0;
+    obstacles.bars.iter().filter(foreign).any(|bar| bar.half_width_mm >= own_half_mm && under(bar))
+        || obstacles.heads.iter().any(under)
+        || obstacles.discs.iter().any(|d| nearest(rect, d.centre).distance(d.centre) < d.radius_mm)
+        || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
+}
+
 /// What two places cost beside one another.
 pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));

@@ -163,15 +163,19 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
         .collect()
 }
 
-/// Finds places as [`place_after`], and leaves out optional labels that cover something at their best; the others then have
-/// more room. `None` for those left out.
+/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label or on a line as thick as
+/// their own; the others then have more room. `None` for those left out.
 pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Option<Placement>> {
     let mut kept: Vec<usize> = (0..requests.len()).collect();
     loop {
         let wanted: Vec<LabelRequest> = kept.iter().map(|&i| requests[i].clone()).collect();
         let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(|&i| before[i]).collect() };
         let places = place_after(&wanted, obstacles, bounds, &habits);
-        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| wanted[k].optional && places[k].cost >= CROWDED).collect();
+        let hides = |k: usize| {
+            let (own, here) = (Wanted::new(&wanted[k]), places[k].bounds);
+            cost::hides(here, &own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
+        };
+        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| wanted[k].optional && places[k].cost >= CROWDED && hides(k)).collect();
         if crowded.is_empty() {
             let mut out = vec![None; requests.len()];
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));

@@ -183,16 +183,6 @@ impl Draft<'_> {
         }
     }
 
-    /// The link that a point belongs to: of a pin's links the first of the scene that moves.
-    fn link_of_vertex(&self, v: VertexId) -> Option<usize> {
-        let (scene, vertex) = (self.w.scene, self.w.plan.vertex(v));
-        let pinned = || match vertex.spot {
-            Spot::Point(p) => scene.carriers(p).find(|l| *l != scene.ground),
-            _ => None,
-        };
-        vertex.on.or(vertex.number).or_else(pinned).map(|l| l.0)
-    }
-
     fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
         let same = |a: &&mut Arrow| a.from.distance(from) < SAME_MM && a.to.distance(to) < SAME_MM;
         match self.arrows.iter_mut().find(same) {
@@ -230,7 +220,7 @@ impl Draft<'_> {
         }
         let symbol = self.w.vector(self.p.level, v);
         if at.distance(Point::ORIGIN) >= ZERO_MM {
-            self.arrow((Point::ORIGIN, at), symbol, "absolute", step, self.link_of_vertex(v));
+            self.arrow((Point::ORIGIN, at), symbol, "absolute", step, self.w.plan.vertex(v).link(self.w.scene).map(|l| l.0));
         } else if !self.zeros.iter().any(|(_, note, _)| note.starts_with(&symbol)) {
             let sign = self.zero_sign(at.to_vec2().norm());
             self.zeros.push((at, format!("{symbol} {sign} 0"), step));
@@ -308,8 +298,9 @@ impl Draft<'_> {
 
     /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.
     fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, (from, to): (Point, Point), owner: u32, middle: Point) -> String {
-        // A normal part that is all there is bears the name of the whole.
-        let names: Vec<&String> = a.symbols.iter().filter(|s| a.symbols.len() == 1 || !s.contains("^{n}")).collect();
+        // A normal part that is all there is bears the name of the whole, where it has one.
+        let whole = a.symbols.iter().any(|s| !s.contains("^{n}"));
+        let names: Vec<&String> = a.symbols.iter().filter(|s| !whole || !s.contains("^{n}")).collect();
         let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
         let lettered = |p: Point| self.letters.iter().any(|l| l.at.distance(p) < SAME_MM);
         let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);

@@ -3,10 +3,31 @@
 //! One walk over a parsed [`Label`]; each language says how it writes letters, numbers, signs and scripts. Decided here:
 //! that what looks alike on the figures is written alike (letters of quantities italic, units and words upright).
 
-use super::Math;
 use crate::figure::font::Slant;
 use crate::figure::label::{Label, Node, Role};
 use crate::render::escaped;
+
+/// A part of a formula that stands on a line of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Math {
+    /// A row of signs.
+    Row(Label),
+    /// One row over another.
+    Fraction(Label, Label),
+    /// The square root of a row.
+    Root(Label),
+}
+
+impl Math {
+    /// In one line of characters: `(a)/(b)`, `√(a)`.
+    pub fn plain(&self) -> String {
+        match self {
+            Math::Row(row) => row.plain(),
+            Math::Fraction(over, under) => format!("({})/({})", over.plain(), under.plain()),
+            Math::Root(row) => format!("√({})", row.plain()),
+        }
+    }
+}
 
 /// From this on a space is one between words, in em.
 const WORD_EM: f64 = 0.2;
@@ -134,7 +155,12 @@ impl Tongue for Mathml {
     fn scripts(&self, base: String, primes: usize, sub: String, sup: String) -> String {
         let marks = if primes > 0 { format!("<mo>{}</mo>", "′".repeat(primes)) } else { String::new() };
         let (above, below) = (format!("<mrow>{marks}{sup}</mrow>"), format!("<mrow>{sub}</mrow>"));
-        let base = if base.is_empty() { "<mrow></mrow>".to_owned() } else { base };
+        // Under the descender of φ or μ a subscript would hang lower than under ω: the base is said to have no depth.
+        let base = match (base.is_empty(), sub.is_empty()) {
+            (true, _) => "<mrow></mrow>".to_owned(),
+            (false, true) => base,
+            (false, false) => format!("<mpadded depth=\"0\">{base}</mpadded>"),
+        };
         match (sub.is_empty(), marks.is_empty() && sup.is_empty()) {
             (true, _) => format!("<msup>{base}{above}</msup>"),
             (false, true) => format!("<msub>{base}{below}</msub>"),
@@ -357,9 +383,9 @@ mod tests {
         assert_eq!(typst(&l), "a_(C B)^(n) = omega_(2)^(2) l_(B C)");
         assert_eq!(
             mathml(&l),
-            "<math><mrow><msubsup><mi>a</mi><mrow><mrow><mi>C</mi><mi>B</mi></mrow></mrow><mrow><mi>n</mi></mrow></msubsup><mo>=</mo>\
-             <msubsup><mi>ω</mi><mrow><mn>2</mn></mrow><mrow><mn>2</mn></mrow></msubsup>\
-             <msub><mi>l</mi><mrow><mrow><mi>B</mi><mi>C</mi></mrow></mrow></msub></mrow></math>"
+            "<math><mrow><msubsup><mpadded depth=\"0\"><mi>a</mi></mpadded><mrow><mrow><mi>C</mi><mi>B</mi></mrow></mrow><mrow><mi>n</mi></mrow></msubsup><mo>=</mo>\
+             <msubsup><mpadded depth=\"0\"><mi>ω</mi></mpadded><mrow><mn>2</mn></mrow><mrow><mn>2</mn></mrow></msubsup>\
+             <msub><mpadded depth=\"0\"><mi>l</mi></mpadded><mrow><mrow><mi>B</mi><mi>C</mi></mrow></mrow></msub></mrow></math>"
         );
     }
 
@@ -381,7 +407,7 @@ mod tests {
         let f = [Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))];
         assert_eq!(tex_display(&f), r"\omega_{3}=\frac{v_{C}}{l_{CD}}");
         assert_eq!(typst_display(&f), "omega_(3) = frac(v_(C), l_(C D))");
-        assert!(mathml_display(&f).contains("<mfrac><mrow><msub><mi>v</mi>"));
+        assert!(mathml_display(&f).contains("<mfrac><mrow><msub><mpadded depth=\"0\"><mi>v</mi>"));
         assert_eq!(tex_display(&[Math::Root(Label::math("3^2 + 4^2"))]), r"\sqrt{3^{2}+4^{2}}");
     }
 }

@@ -1,0 +1,142 @@
+//! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
+
+use crate::answer::level_of;
+use crate::figure::results::symbol;
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::scene::{Asked, Scene};
+use crate::sweep::{Placed, Table, zoom};
+
+/// Units of driver and panels, upright in the label language.
+pub(super) const DEGREE: &str = "\\degree";
+const MM: &str = "\\text{mm}";
+/// What is smaller than this part of a line's largest value is where it passes zero: a magnitude's kink is found to 1e-6 of a step.
+const ZERO: f64 = 1e-6;
+/// One line of a diagram.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// Its symbol, in the label language.
+    pub symbol: String,
+    /// Its values in the unit of its panel, one for each place of the driver.
+    pub values: Vec<f64>,
+    /// Its highest and lowest point: place of the driver and value.
+    pub extremes: Vec<(f64, f64)>,
+    /// The link whose motion it shows.
+    pub link: Option<usize>,
+}
+
+/// Lines of one kind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The unit, in the label language.
+    pub unit: String,
+    /// The lines.
+    pub curves: Vec<Curve>,
+}
+
+/// What is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Diagram {
+    /// The driver's symbol and unit, in the label language.
+    pub driver: [String; 2],
+    /// Its places, increasing; where a step is longer than the usual one nothing is known between.
+    pub places: Vec<f64>,
+    /// The panels, from top to bottom.
+    pub panels: Vec<Panel>,
+}
+
+impl Diagram {
+    /// The answers of a sweep of one driver: displacements, angles, velocities, turning rates, accelerations, their rates, a
+    /// panel each. A vector along one axis all the time (a slider's) is shown with its sign, any other by its magnitude.
+    pub fn of(placed: &Placed, driver: usize, table: &Table, notation: &Notation) -> Diagram {
+        let scene = placed.scene;
+        let column = |name: &str| table.column(name).map(|c| c.values.clone());
+        let first = table.columns.first();
+        let turns = first.is_some_and(|c| c.unit == "rad");
+        let name = first.map_or("", |c| c.name.as_str());
+        let named = match name.split_once('_') {
+            Some(("phi", link)) => format!("\\varphi_{{{link}}}"),
+            Some((letter, of)) => format!("{letter}_{{{of}}}"),
+            None => name.to_owned(),
+        };
+        let factor = if turns { 1.0_f64.to_degrees() } else { 1e3 };
+        let si: &[f64] = first.map_or(&[], |c| &c.values);
+        let places = si.iter().map(|v| v * factor).collect();
+        let mut panels: Vec<(usize, Panel)> = Vec::new();
+        for find in &scene.find {
+            let (order, unit, times) = kind(&find.what);
+            let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
+            let name = match parts.each_ref().map(|p| column(p)) {
+                [Some(x), Some(y)] if vanishes(&y, &x) => &parts[0],
+                [Some(x), Some(y)] if vanishes(&x, &y) => &parts[1],
+                _ => &find.text,
+            };
+            let Some(values) = column(name) else { continue };
+            let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
+            let shown = if unit == DEGREE { unwound(&shown) } else { shown };
+            let mut extremes = Vec::new();
+            for highest in [true, false] {
+                let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
+                let Some(k) = (0..shown.len()).max_by(by) else { continue };
+                let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
+                // An angle is sought on the turn on which the line has it, so not across its jump.
+                let found =
+                    zoom::extreme(placed, driver, name, around, highest).filter(|(_, v)| unit != DEGREE || (v - values[k]).abs() < 1.0);
+                let (at, value) = found.unwrap_or((si[k], values[k]));
+                let value = if value.abs() < ZERO * most { 0.0 } else { value };
+                extremes.push((at * factor, shown[k] + (value - values[k]) * times));
+            }
+            if extremes.len() == 2 && extremes[0].1 <= extremes[1].1 {
+                extremes.pop();
+            }
+            let curve = Curve { symbol: symbol(find, notation), values: shown, extremes, link: link(scene, &find.what) };
+            match panels.iter_mut().find(|(o, _)| *o == order) {
+                Some((_, panel)) => panel.curves.push(curve),
+                None => panels.push((order, Panel { unit: unit.to_owned(), curves: vec![curve] })),
+            }
+        }
+        panels.sort_by_key(|p| p.0);
+        let unit = if turns { DEGREE } else { MM };
+        Diagram { driver: [named, unit.to_owned()], places, panels: panels.into_iter().map(|p| p.1).collect() }
+    }
+}
+
+/// Which panel a quantity belongs to, the unit there, and how many of them an SI unit has.
+fn kind(what: &Asked) -> (usize, &'static str, f64) {
+    match what {
+        Asked::Coordinate(..) | Asked::Distance(..) => (0, MM, 1e3),
+        Asked::LinkAngle(_) => (1, DEGREE, 1.0_f64.to_degrees()),
+        Asked::Omega(_) | Asked::RelativeOmega(..) => (3, "\\text{rad/s}", 1.0),
+        Asked::Alpha(_) | Asked::RelativeAlpha(..) => (5, "\\text{rad/s}^2", 1.0),
+        _ if level_of(what) == Level::Acceleration => (4, "\\text{m/s}^2", 1.0),
+        _ => (2, "\\text{m/s}", 1.0),
+    }
+}
+
+/// The link whose motion it is: of a pin's links the first that moves.
+fn link(scene: &Scene, what: &Asked) -> Option<usize> {
+    let link = match *what {
+        Asked::LinkAngle(l) | Asked::Omega(l) | Asked::Alpha(l) => Some(l),
+        Asked::Velocity(p) | Asked::Acceleration(p) => p.link.or_else(|| scene.mover(p.point)),
+        Asked::Coordinate(p, _) => scene.mover(p),
+        _ => None,
+    };
+    link.map(|l| l.0)
+}
+
+/// Whether one component is nothing but rounding beside the other.
+fn vanishes(small: &[f64], large: &[f64]) -> bool {
+    let most = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0, |m: f64, x| m.max(x.abs()));
+    most(small) <= 1e-9 * most(large)
+}
+
+/// Angles (degrees) without their jumps by a whole turn.
+fn unwound(degrees: &[f64]) -> Vec<f64> {
+    let mut out: Vec<f64> = Vec::with_capacity(degrees.len());
+    for d in degrees {
+        let before = out.last().copied().unwrap_or(*d);
+        out.push(d - 360.0 * libm::round((d - before) / 360.0));
+    }
+    out
+}
