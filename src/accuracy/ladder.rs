@@ -4,6 +4,7 @@
 //! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
 
 use crate::answer::{Value, evaluate};
+use crate::construct::scale;
 use crate::diag::Diagnostic;
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
@@ -130,7 +131,7 @@ impl Number {
 
     /// Whether all of `digits` are certain.
     pub(super) fn holds(&self, digits: usize, last: bool) -> bool {
-        self.zero || self.enclosure.rounded(digits).is_some() || (last && self.enclosure.rounded(digits + 1).is_some())
+        self.zero || self.enclosure.holds(digits) || (last && self.enclosure.holds(digits + 1))
     }
 
     /// To at most `digits` true digits, in a unit 10^`shift` times smaller (millimetres for metres: 3).
@@ -335,7 +336,7 @@ type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 /// What the ruler gives: |v|/μ, or |ω| l/μ for a turning rate measured on a line of length l.
 fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured?;
-    let mu = N::from_decimal(&quantity::shortest(m.mu));
+    let mu: N = scale::number(m.mu);
     let number = |x: N| x.enclosure().map(Number::new);
     let (size, arm) = match (value, m.arm_m) {
         (Value::Vector(v), None) => (v.norm(), None),

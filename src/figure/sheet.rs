@@ -101,7 +101,7 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(worked)) {
         mu = format!("{mu},\\quad {}", of_level(level, of_vectors));
     }
-    maker.alone(maker.titled(part, "", words, &mu))
+    maker.alone(maker.titled(part, words, &mu, "mu_l"))
 }
 
 /// Makes the parts of a sheet.
@@ -171,6 +171,9 @@ impl Maker<'_> {
         match which {
             Single::Mechanism => (self.words().diagram, format!("\\mu_l = {} m/mm", scale(paper.diagram.mu_l))),
             Single::Equations | Single::Results => ("", String::new()),
+            Single::Polygon(level) if paper.is_empty(level) => {
+                (self.words().polygon(level), format!("\\text{{{}}}", self.words().no_vectors))
+            }
             Single::Polygon(level) => (self.words().polygon(level), of_level(level, mu(level))),
         }
     }
@@ -184,19 +187,23 @@ impl Maker<'_> {
 
     pub fn captioned(&self, part: Part, letter: &str, which: Single) -> Part {
         let (words, mu) = self.caption(which);
-        self.titled(part, letter, words, &mu)
+        let name = match which {
+            Single::Polygon(Level::Acceleration) => "mu_a",
+            Single::Polygon(_) => "mu_v",
+            _ => "mu_l",
+        };
+        self.titled(part, &format!("{letter}{words}"), &mu, name)
     }
 
-    /// A part with its name and its scales below.
-    fn titled(&self, mut part: Part, letter: &str, words: &str, mu: &str) -> Part {
+    /// A part with its name and its scales below; `id` tells these labels from those of other parts.
+    fn titled(&self, mut part: Part, words: &str, mu: &str, id: &str) -> Part {
         let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
-        let name = mu.chars().skip(1).take_while(|c| *c != ' ').collect::<String>();
         let text = |at: Point, label: Label, size_mm: f64, what: &str| {
             let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
-            Item::new(what, shape).with_id(format!("{what}-{name}"))
+            Item::new(what, shape).with_id(format!("{what}-{id}"))
         };
-        part.items.push(text(Point::new(x, y), Label::text(format!("{letter}{words}")), self.options.style.caption_mm, "caption"));
+        part.items.push(text(Point::new(x, y), Label::text(words), self.options.style.caption_mm, "caption"));
         part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), self.options.style.small_mm, "scale"));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }

@@ -68,6 +68,8 @@ pub struct Words {
     pub at_rest: &'static str,
     /// The answers on the motion that was not taken; `{}` are they.
     pub other_motion: &'static str,
+    /// Instead of the scale of a polygon without vectors.
+    pub no_vectors: &'static str,
     /// Between the members of a list.
     pub comma: &'static str,
     /// Begins the description of a figure; `{}` is the title.
@@ -106,6 +108,7 @@ const EN: Words = Words {
     driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
     other_motion: "The other motion: {}.",
+    no_vectors: "no vectors, no scale",
     comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -142,6 +145,7 @@ const ZH: Words = Words {
     driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
     other_motion: "另一种运动：{}。",
+    no_vectors: "无矢量，不需比例尺",
     comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };

@@ -158,6 +158,15 @@ impl Enclosure {
         (a == b).then_some(a)
     }
 
+    /// Whether both ends round alike to so many significant digits.
+    pub fn holds(&self, digits: usize) -> bool {
+        let [a, b] = match self.ends {
+            Ends::Double(a, b) => [a, b],
+            Ends::Long(..) => [(self.approx - self.radius).next_down(), (self.approx + self.radius).next_up()],
+        };
+        plainly_alike(a, b, digits.max(1)) || self.rounded(digits).is_some()
+    }
+
     /// Whether zero is inside.
     pub fn contains_zero(&self) -> bool {
         match &self.ends {
@@ -192,6 +201,27 @@ impl Enclosure {
         let ([a, b], [c, d]) = (ends(self), ends(other));
         a <= d && c <= b
     }
+}
+
+/// Powers of ten that `f64` holds exactly.
+const TENS: [f64; 23] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
+
+/// Whether no boundary of rounding is even near an interval, told by a few operations instead of writing both ends: `true` is
+/// sure, `false` tells nothing.
+fn plainly_alike(a: f64, b: f64, digits: usize) -> bool {
+    // With more, a half of the last digit is no longer far above the rounding of the sums below.
+    if digits > 12 || !(a > 0.0 || b < 0.0) {
+        return false;
+    }
+    let [low, high] = if a > 0.0 { [a, b] } else { [-b, -a] };
+    let shift = digits as i32 - 1 - libm::floor(libm::log10(high)) as i32;
+    let Some(scale) = TENS.get(shift.unsigned_abs() as usize) else { return false };
+    let [low, high] = [low, high].map(|x| if shift >= 0 { x * scale } else { x / scale });
+    let slack = 2.0 * f64::EPSILON * high;
+    let (low, high) = (low - slack, high + slack);
+    let one_decade = low >= TENS[digits - 1] && high < TENS[digits];
+    one_decade && libm::floor(low + 0.5) == libm::floor(high + 0.5)
 }
 
 /// n · 10^exponent with `digits` significant digits, as `{:e}` writes numbers; halves to even.
@@ -269,5 +299,23 @@ mod tests {
         let e = Ball::new(1e-20, 1e-19).enclosure().unwrap();
         assert!(e.contains_zero() && e.meets(&Ball::new(-9e-20, 1e-21).enclosure().unwrap()));
         within(100, || assert_eq!(digits(Ball::new(Big::from_f64(99.996), 1e-9), 4).as_deref(), Some("1.000e2")));
+    }
+
+    #[test]
+    fn a_quick_look_never_says_more_than_the_digits_do() {
+        let (mut sure, mut alike, mut x) = (0, 0, 0.123_456_789_f64);
+        for k in 0..40_000 {
+            x = 3.99 * x * (1.0 - x);
+            let near = [1.0, 1.000_5, 0.999_95, 9.999_5, 99.995, 0.012_35, x][k % 7] * TENS[k % 9];
+            let mid = if k % 2 == 0 { near * (1.0 + 1e-9 * (x - 0.5)) } else { -near };
+            let e = Ball::new(mid, near * 10f64.powi(-(4 + (k % 12) as i32))).enclosure().unwrap();
+            for digits in 1..14 {
+                let Ends::Double(a, b) = e.ends else { panic!() };
+                let (quick, slow) = (plainly_alike(a, b, digits), e.rounded(digits).is_some());
+                assert!(slow || !quick, "{e:?} to {digits} digits");
+                (sure, alike) = (sure + u32::from(quick), alike + u32::from(slow));
+            }
+        }
+        assert!(f64::from(sure) > 0.8 * f64::from(alike), "{sure} of {alike}");
     }
 }
