@@ -138,6 +138,11 @@ impl Polygon {
         self.images.iter().flatten().map(|p| p.to_vec2().norm()).fold(0.0, f64::max) * self.mu
     }
 
+    /// Whether it is a single point: all its vectors are zero.
+    pub fn is_empty(&self) -> bool {
+        self.extent() == [0.0, 0.0]
+    }
+
     /// Width and height of all that is drawn, the pole included, in SI.
     pub fn extent(&self) -> [f64; 2] {
         let mut lo = Vec2::ZERO;
@@ -182,6 +187,13 @@ pub struct Construction<N = f64> {
     pub magnification: [f64; 2],
 }
 
+impl Construction {
+    /// Whether a level's polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
+    pub fn is_empty(&self, level: Level) -> bool {
+        self.polygon(level).is_some_and(Polygon::is_empty)
+    }
+}
+
 impl<N: Real> Construction<N> {
     /// The polygon of a level.
     pub fn polygon(&self, level: Level) -> Option<&Polygon<N>> {
@@ -206,11 +218,6 @@ impl<N: Real> Construction<N> {
                 })
                 .collect(),
         }
-    }
-
-    /// Whether a level's polygon is a single point, because nothing moves: it has a pole, and no scale worth telling.
-    pub fn is_empty(&self, level: Level) -> bool {
-        self.polygon(level).is_some_and(|p| p.edges.is_empty())
     }
 
     /// A vertex's vector in SI, through μ.

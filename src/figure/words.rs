@@ -108,7 +108,7 @@ const EN: Words = Words {
     driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
     other_motion: "The other motion: {}.",
-    no_vectors: "no vectors, no scale",
+    no_vectors: "all vectors are zero, no scale",
     comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -145,7 +145,7 @@ const ZH: Words = Words {
     driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
     other_motion: "另一种运动：{}。",
-    no_vectors: "无矢量，不需比例尺",
+    no_vectors: "各矢量均为零，不需比例尺",
     comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };

@@ -276,7 +276,9 @@ impl Draft<'_> {
             }
         }
         d.of_link(None);
-        for (at, note, step) in &self.zeros {
+        // Where all of them are zero the caption says so.
+        let zeros = if self.p.is_empty() { &[][..] } else { &self.zeros };
+        for (at, note, step) in zeros {
             let class = format!("zero step-{step}");
             d.draw("zero", &class, sym::dot(style, *at));
             d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
@@ -348,7 +350,11 @@ mod tests {
     use crate::worked::{Scope, work};
 
     fn drawn(name: &str, level: Level) -> Vec<(String, Shape)> {
-        let scene = read(templates::get(name).unwrap()).unwrap().value;
+        drawn_of(templates::get(name).unwrap(), level)
+    }
+
+    fn drawn_of(text: &str, level: Level) -> Vec<(String, Shape)> {
+        let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let notation = Notation::of_language(Lang::En);
         let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
@@ -376,6 +382,18 @@ mod tests {
         assert!(!arrows(&items).iter().any(|a| a.contains("CB")));
         let dots = items.iter().filter(|(id, _)| id.starts_with("velocity-zero")).count();
         assert_eq!(dots, 1);
+    }
+
+    #[test]
+    fn a_mechanism_at_rest_has_its_pole_and_nothing_else() {
+        let still = templates::instantiate("crank-rocker", &[("omega_1", "0 rad/s")]).unwrap();
+        for (level, letters) in [(Level::Velocity, "o, b, c, e"), (Level::Acceleration, "o', b', c', e'")] {
+            let items = drawn_of(&still, level);
+            let labels: Vec<&str> =
+                items.iter().filter_map(|(_, s)| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None }).collect();
+            assert_eq!(labels, [letters]);
+            assert!(arrows(&items).is_empty());
+        }
     }
 
     #[test]
