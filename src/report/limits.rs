@@ -146,8 +146,9 @@ impl<'a> Words<'a> {
             Kind::Limit => tr(self.lang, "limit", "极限位置"),
             Kind::ChangePoint => tr(self.lang, "change point", "变点"),
         };
-        let line = tr(self.lang, "in line", "共线");
-        format!("{what} {}: {} {line}", self.at(e.value), self.joint(&e.links, e.pin))
+        let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
+        let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
+        format!("{what} {}: {why}", self.at(e.value))
     }
 
     fn output(&self, output: Output) -> String {
