@@ -10,7 +10,7 @@ use crate::geom::Vec2;
 use crate::quantity::direction_degrees;
 use crate::report::phrase::{Phrase, tr};
 use crate::scene::{PointId, Scene};
-use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, motion, questions};
+use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
 use crate::worked::{Worked, work_placed};
 
 use super::arrange::{AIM_MM, Tree};
@@ -21,7 +21,7 @@ use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
 use super::results::{number, symbol};
-use super::series::{LEVELS, extent, most};
+use super::series::{LEVELS, extent};
 use super::sheet::{MARGIN_MM, Maker, Options, Single, driver_symbol, of_level};
 use crate::sweep::follow::Follower;
 
@@ -180,7 +180,7 @@ impl Page<'_> {
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();
             let own = self.moved.moments.iter().find(|m| m.travel == 0.0);
             let own = own.into_iter().flat_map(|m| m.vectors.iter().filter_map(|v| v[l])).map(Vec2::norm).fold(0.0, f64::max);
-            let Some(most) = most(sizes, own, self.moved.full) else { continue };
+            let Some(most) = bounded(sizes, own, self.moved.full) else { continue };
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
@@ -272,8 +272,7 @@ impl Page<'_> {
             "Next to a limit the vectors grow beyond all bounds; there the hodographs leave the paper.",
             "接近极限位置时矢量趋于无穷大，该处的矢端曲线超出图纸。",
         );
-        let alone =
-            tr(lang, "One driver moves, the others stand still.", "一个原动件运动，其余原动件静止。");
+        let alone = tr(lang, "One driver moves, the others stand still.", "一个原动件运动，其余原动件静止。");
         let mut said = Vec::new();
         said.extend(self.cut.then_some(cut));
         said.extend((self.scene().drivers.len() > 1).then_some(alone));

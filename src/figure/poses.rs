@@ -32,8 +32,8 @@ use super::{mechanism, polygon};
 
 /// Steps in which the mechanism is followed through a turn: 2°.
 const STEPS: usize = 180;
-/// Room for the drawings of one pose: a row of three is as wide as A4 upright, and the eye takes in several rows at once.
-const BOXES: Boxes = Boxes { diagram: [66.0, 60.0], polygon: [56.0, 52.0] };
+/// Room for the drawings of one pose: a row of three is about as wide as A4 across, and twelve of them are A1.
+const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [90.0, 78.0] };
 /// Air around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
 /// Width of the column that says which pose a row shows, and height of the table's head.
@@ -89,6 +89,7 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     }
     let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
     let scales = Scales::of(&scene.paper, &sized, sweep.full, BOXES);
+    let now = position_now(scene, &worked.configuration, wanted.driver);
     let rows: Vec<Row> = trials
         .iter()
         .filter_map(|(pose, trial)| {
@@ -96,13 +97,12 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
             scales.fix(&mut scene.paper);
             let worked = work(&scene, pose)?;
             let shown = LEVELS.map(|level| scales.holds(trial, level));
-            let driver = position_now(&scene, &pose.configuration, wanted.driver);
+            let driver = now + pose.travel;
             Some(Row { scene, worked, shown, driver })
         })
         .collect();
-    let moved = (!wanted.points.is_empty()).then(|| {
-        motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0)
-    });
+    let moved = (!wanted.points.is_empty())
+        .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = Options { style, ..options.clone() };
     let table = Table { options: &options, rows: &rows, full: sweep.full, driver: wanted.driver, moved, scales };
@@ -137,6 +137,17 @@ struct Table<'a> {
 enum Shows {
     Mechanism,
     Polygon(Level),
+}
+
+impl Shows {
+    /// In one word, for names.
+    fn word(self) -> &'static str {
+        match self {
+            Shows::Mechanism => "mechanism",
+            Shows::Polygon(Level::Acceleration) => "acceleration",
+            Shows::Polygon(_) => "velocity",
+        }
+    }
 }
 
 /// A column: a drawing for each row, and the box that holds each of them with ground or pole at one place.
@@ -227,9 +238,10 @@ impl Table<'_> {
                     match row.worked.construction.polygon(level).filter(|_| shown) {
                         Some(p) => {
                             let w = Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang };
-                            polygon::polygon(style, &w, p)
+                            // An inset would take more room than the pose.
+                            polygon::drawing(style, &w, p).finish()
                         }
-                        None => Part::of(self.absent(row, level)),
+                        None => Part::of(self.absent(row)),
                     }
                 }
             };
@@ -239,7 +251,8 @@ impl Table<'_> {
                 part = Part::of(items);
             }
             for item in &mut part.items {
-                item.id = format!("pose-{}-{}", k + 1, item.id);
+                let word = if item.id == "absent" { format!("absent-{}", shows.word()) } else { item.id.clone() };
+                item.id = format!("pose-{}-{word}", k + 1);
             }
             parts.push(part);
         }
@@ -247,16 +260,14 @@ impl Table<'_> {
     }
 
     /// What stands where there is no polygon.
-    fn absent(&self, row: &Row, level: Level) -> Vec<Item> {
+    fn absent(&self, row: &Row) -> Vec<Item> {
         let lang = self.options.lang;
-        let bounded = row.worked.solution.refused.is_empty();
-        let said = match (bounded, level) {
-            (true, Level::Acceleration) => tr(lang, "too large for the paper", "超出图纸"),
-            (true, _) => tr(lang, "too large for the paper", "超出图纸"),
-            (false, Level::Acceleration) => tr(lang, "limit: unbounded", "极限位置：无穷大"),
-            (false, _) => tr(lang, "limit: unbounded", "极限位置：无穷大"),
+        let said = if row.worked.solution.refused.is_empty() {
+            tr(lang, "too large for the paper", "超出图纸")
+        } else {
+            tr(lang, "limit: unbounded", "极限位置：无穷大")
         };
-        vec![text("absent", Point::ORIGIN, Label::text(said), self.options.style.small_mm, Anchor::Middle)]
+        vec![text("absent", Point::ORIGIN, Label::text(said), self.options.style.small_mm, Anchor::Middle).with_id("absent")]
     }
 
     /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
@@ -285,7 +296,7 @@ impl Table<'_> {
             };
             for (n, points) in lines.into_iter().enumerate() {
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None };
-                items.push(Item::new("curve", shape).with_id(format!("curve-{name}-{n}")));
+                items.push(Item::new("curve", shape).with_id(format!("{}-curve-{name}-{n}", shows.word())));
             }
         }
         items
@@ -347,8 +358,7 @@ impl Page<'_> {
             "The mechanism with its velocity and acceleration polygons in {} positions at equal steps of {1}, all to the same scales.",
             "机构在 {1} 等间隔的 {} 个位置上的运动简图、速度多边形和加速度多边形，采用同一组比例尺。",
         );
-        figure.desc =
-            words.replace("{}", &table.rows.len().to_string()).replace("{1}", &crate::report::phrase::formula(&driver));
+        figure.desc = words.replace("{}", &table.rows.len().to_string()).replace("{1}", &crate::report::phrase::formula(&driver));
         figure
     }
 

@@ -5,13 +5,11 @@ use crate::construct::scale::{self, Boxes};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::scene::Paper;
+use crate::sweep::points::bounded;
 use crate::worked::Worked;
 
 /// The levels that have a polygon.
 pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
-/// A polygon next to a limit leaves the paper when it is so many times as large as half of all, unless it is the scene's own.
-const OFF_PAPER: f64 = 2.5;
 
 /// One scale for each drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +33,7 @@ impl Scales {
         for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
             let size = |w: &Worked| size(w, level, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
-            let Some(most) = most(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
+            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.filter_map(|w| w.construction.polygon(level)).flat_map(|p| {
                 let mu = p.mu;
@@ -59,14 +57,6 @@ impl Scales {
     }
 }
 
-/// The largest of some sizes that one paper holds: all of a full turn; of a bounded motion not those that are many times as
-/// large as half of all, but in any case the scene's `own`. `None` where there are none.
-pub fn most(mut sizes: Vec<f64>, own: f64, full: bool) -> Option<f64> {
-    sizes.sort_by(f64::total_cmp);
-    let largest = *sizes.last()?;
-    Some(if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
-}
-
 /// How large a polygon is (SI per mm of its box).
 fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
     let [w, h] = worked.construction.polygon(level)?.extent();
@@ -81,18 +71,4 @@ pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
         hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
     }
     if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_grows_beyond_all_bounds_is_not_on_the_paper() {
-        let sizes = vec![1.0, 1.5, 90.0, 1.2, 2.0];
-        assert_eq!(most(sizes.clone(), 1.0, true), Some(90.0));
-        assert_eq!(most(sizes.clone(), 1.0, false), Some(3.75));
-        assert_eq!(most(sizes, 8.0, false), Some(8.0));
-        assert_eq!(most(vec![], 0.0, true), None);
-    }
 }

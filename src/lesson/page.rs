@@ -11,9 +11,9 @@ use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
-use crate::position::toggle::Toggle;
 use crate::report::math::mathml;
 use crate::scene::{DriverKind, Lang, Scene};
 

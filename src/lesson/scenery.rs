@@ -17,8 +17,8 @@ use crate::plan::text::Writer;
 use crate::scene::Lang;
 
 use super::frames::{Frame, Frames};
-use crate::figure::series::LEVELS;
 use super::track::Track;
+use crate::figure::series::LEVELS;
 
 /// Around all ink of all poses.
 const MARGIN_MM: f64 = 3.0;

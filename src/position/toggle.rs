@@ -119,7 +119,8 @@ impl Toggle {
 
     /// The links that it names.
     pub fn links(&self) -> Vec<LinkId> {
-        let of = |legs: &[Leg]| legs.iter().filter_map(|l| if let Leg::Bar { link, .. } = l { Some(*link) } else { None }).collect::<Vec<_>>();
+        let of =
+            |legs: &[Leg]| legs.iter().filter_map(|l| if let Leg::Bar { link, .. } = l { Some(*link) } else { None }).collect::<Vec<_>>();
         match self {
             Toggle::Line { legs, .. } => of(legs),
             Toggle::Legs { link, legs, .. } => std::iter::once(*link).chain(of(legs)).collect(),

@@ -5,9 +5,9 @@
 //! derivative, the driver running at unit speed. Where it stands still the mechanism is in a dead centre if it is driven from there.
 
 use super::compile::outputs;
+use super::follow::Follower;
 use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
-use super::follow::Follower;
 use super::station::{Stations, angle_per_value, position_now};
 use super::walked::Walk;
 use super::{Placed, Rows, Width, run_parts};

@@ -21,9 +21,8 @@ const BEND: f64 = 1e-3;
 const ROUNDS: usize = 7;
 /// More poses than this are not halved again: a curve of the size of a page has no room for them.
 const MOST_MOMENTS: usize = 3000;
-/// Next to a limit vectors grow beyond all bounds: what is so many times as long as half of all is not drawn, and so
-/// needs no poses.
-const FAR: f64 = 3.0;
+/// Next to a limit vectors grow beyond all bounds: what is so many times as large as half of all leaves the paper.
+const OFF_PAPER: f64 = 2.5;
 
 /// One pose, and how the points move there.
 #[derive(Clone, Debug)]
@@ -63,6 +62,14 @@ pub fn alone(scene: &Scene, driver: usize) -> Scene {
     scene
 }
 
+/// The largest of some sizes that one paper holds: all of a full turn; of a bounded motion not those that are many times as
+/// large as half of all, but in any case the scene's `own`. `None` where there are none.
+pub fn bounded(mut sizes: Vec<f64>, own: f64, full: bool) -> Option<f64> {
+    sizes.sort_by(f64::total_cmp);
+    let largest = *sizes.last()?;
+    Some(if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
+}
+
 /// So many poses at equal steps of the driver: from the scene's own through a full turn, or from one end of the travel to the
 /// other.
 pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
@@ -92,7 +99,10 @@ struct Tracer<'a> {
     demand: Demand,
     follower: &'a Follower<'a>,
     driver: usize,
+    /// Where the driver stands in the scene's own pose.
+    now: f64,
     points: &'a [PointId],
+    full: bool,
 }
 
 /// Follows the points of a placed scene through the travel of a driver, and marks `marks` poses at equal steps of it.
@@ -112,7 +122,8 @@ pub fn motion(
     let wanted = Demand::of_questions(&scene, mechanism, &asked).with_all_positions();
     let follower = Follower::new(&scene, mechanism, demand, at, driver);
     let sweep = follower.sweep(STEPS);
-    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, driver, points };
+    let now = position_now(&scene, at, driver);
+    let tracer = Tracer { scene, mechanism, demand: wanted, follower: &follower, driver, now, points, full: sweep.full };
     let limits = [0, sweep.poses.len() - 1].map(|k| sweep.is_limit(k));
     let mut moments: Vec<Moment> = sweep.poses.iter().map(|p| tracer.moment(p)).collect();
     if sweep.full
@@ -150,16 +161,12 @@ impl Tracer<'_> {
             Value::Scalar(_) => None,
         };
         let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
-        Moment { travel: pose.travel, driver: position_now(&self.scene, at, self.driver), configuration: at.clone(), vectors }
+        Moment { travel: pose.travel, driver: self.now + pose.travel, configuration: at.clone(), vectors }
     }
 
     /// Adds poses where a curve is farther from its chord than can be printed; whether there were any.
     fn refine(&self, moments: &mut Vec<Moment>) -> bool {
-        let most = |of: &dyn Fn(&Moment) -> Option<f64>| {
-            let mut sizes: Vec<f64> = moments.iter().filter_map(of).collect();
-            sizes.sort_by(f64::total_cmp);
-            sizes.last().map_or(0.0, |m| m.min(FAR * sizes[sizes.len() / 2]))
-        };
+        let most = |of: &dyn Fn(&Moment) -> Option<f64>| bounded(moments.iter().filter_map(of).collect(), 0.0, self.full).unwrap_or(0.0);
         let sizes: Vec<[f64; 3]> = (0..self.points.len())
             .map(|k| {
                 let level = |l: usize| most(&|m: &Moment| m.vectors[k][l].map(Vec2::norm));
@@ -210,5 +217,19 @@ impl Tracer<'_> {
             })
         });
         bends.then_some(middle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_grows_beyond_all_bounds_is_not_on_the_paper() {
+        let sizes = vec![1.0, 1.5, 90.0, 1.2, 2.0];
+        assert_eq!(bounded(sizes.clone(), 1.0, true), Some(90.0));
+        assert_eq!(bounded(sizes.clone(), 1.0, false), Some(3.75));
+        assert_eq!(bounded(sizes, 8.0, false), Some(8.0));
+        assert_eq!(bounded(vec![], 0.0, true), None);
     }
 }

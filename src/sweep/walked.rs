@@ -88,7 +88,8 @@ impl<'a> Walk<'a> {
 
     fn moving(&self, at: &Configuration, output: Output) -> Option<[f64; 3]> {
         let Placed { scene, mechanism, .. } = self.placed;
-        let demand = Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
+        let demand =
+            Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;
         let all = match output {
             Output::Turning(l) => {

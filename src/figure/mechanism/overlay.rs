@@ -93,7 +93,7 @@ pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overl
     let alone = Course::default();
     let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
     // Numbers of positions and numbers of links would be taken for one another.
-    draft.link_numbers = overlay.paths.iter().all(|path| path.marks.is_empty());
+    draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
     draft.behind(overlay);
     draft.everything();
     draft.vectors(w, overlay);
@@ -124,20 +124,25 @@ impl Draft<'_> {
                 self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
             }
         }
-        for path in &overlay.paths {
-            let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
-            let behind = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
-            let stroke = if path.marks.is_empty() { behind } else { self.style.vector };
-            self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !path.marks.is_empty()));
-            let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
-            self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
-        }
+        overlay.paths.iter().filter(|path| path.marks.is_empty()).for_each(|path| self.path(path));
+    }
+
+    /// A path: behind the mechanism thin, as the subject of a figure over it, and thick.
+    fn path(&mut self, path: &Track) {
+        let behind = path.marks.is_empty();
+        let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
+        let thin = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
+        let stroke = if behind { thin } else { self.style.vector };
+        self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !behind));
+        let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
+        self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
         self.d.of_link(None);
     }
 
     /// The numbered places of paths.
     fn marks(&mut self, overlay: &Overlay) {
-        for path in &overlay.paths {
+        for path in overlay.paths.iter().filter(|path| !path.marks.is_empty()) {
+            self.path(path);
             self.d.of_link(self.scene.mover(path.point).map(|l| l.0));
             for (k, at) in path.marks.iter().enumerate() {
                 let (at, name) = (self.paper(*at), format!("path-{}-{}", self.scene.point_name(path.point), k + 1));
