@@ -329,12 +329,10 @@ fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f
     parts.push(text);
     parts.extend(title);
     let level = |k: usize| leaves(1 + k * per_level, per_level);
-    let hodographs: [fn(Vec<Vec<Tree>>) -> Tree; 2] = [
-        |levels| Tree::row(levels.into_iter().map(Tree::column).collect()),
-        |levels| Tree::column(levels.into_iter().map(Tree::row).collect()),
-    ];
-    let layouts = hodographs.iter().map(|beside| {
-        let right = beside((0..levels).map(level).collect());
+    // Levels side by side, the points of each below one another; or the other way.
+    let rows = || Tree::row((0..levels).map(|k| Tree::column(level(k))).collect());
+    let columns = || Tree::column((0..levels).map(|k| Tree::row(level(k))).collect());
+    let layouts = [rows(), columns()].map(|right| {
         let body = Tree::row(vec![Tree::Leaf(0), right]);
         Tree::column(heading.map(Tree::Leaf).into_iter().chain([body, Tree::Leaf(table)]).collect())
     });
@@ -342,7 +340,7 @@ fn stand(title: Option<Part>, drawings: Vec<Part>, text: Part) -> (Vec<Item>, [f
         let [w, h] = t.size(&parts);
         (w / AIM_MM[0]).max(h / AIM_MM[1])
     };
-    let best = layouts.min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
+    let best = layouts.into_iter().min_by(|a, b| scale(a).total_cmp(&scale(b))).unwrap_or(Tree::Leaf(0));
     let [w, h] = best.size(&parts);
     let size = [w + 2.0 * MARGIN_MM, h + 2.0 * MARGIN_MM];
     best.put(&mut parts, crate::geom::Point::new(MARGIN_MM, size[1] - MARGIN_MM));

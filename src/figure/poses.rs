@@ -83,10 +83,6 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     // Their own scales first, to see how large everything is.
     let trials: Vec<(&Pose, Worked)> =
         poses.iter().filter_map(|p| Some((p, work(&scene_at(scene, wanted.driver, p.travel), p)?))).collect();
-    if trials.is_empty() || poses.len() < 2 && wanted.count > 1 {
-        let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose");
-        return Err(d.help("give another pose, or ask for the sheet of this one").into());
-    }
     let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
     let scales = Scales::of(&scene.paper, &sized, sweep.full, BOXES);
     let now = position_now(scene, &worked.configuration, wanted.driver);
@@ -101,6 +97,11 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
             Some(Row { scene, worked, shown, driver })
         })
         .collect();
+    // A table has at least one row.
+    if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
+        let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose");
+        return Err(d.help("give another pose, or ask for the sheet of this one").into());
+    }
     let moved = (!wanted.points.is_empty())
         .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
@@ -110,6 +111,10 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let mut notes = Vec::new();
     if rows.len() < wanted.count {
         notes.push(Diagnostic::note("poses", format!("{} of {} poses can be drawn", rows.len(), wanted.count)));
+    }
+    if scene.drivers.len() > 1 {
+        let text = "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates";
+        notes.push(Diagnostic::note("poses-driver", text));
     }
     Ok(Warned { value: pages, notes })
 }
@@ -158,10 +163,10 @@ struct Column {
 }
 
 impl Table<'_> {
-    fn maker(&self, row: &Row) -> Maker<'_> {
-        // Nothing of the results is shown: they need no digits. (The rows outlive every maker.)
-        let k = self.rows.iter().position(|r| std::ptr::eq(r, row)).unwrap_or(0);
-        Maker { scene: &self.rows[k].scene, worked: &self.rows[k].worked, options: self.options, certified: Vec::new() }
+    /// Titles and captions are those of any pose, and nothing of the results is shown.
+    fn maker(&self) -> Maker<'_> {
+        let first = &self.rows[0];
+        Maker { scene: &first.scene, worked: &first.worked, options: self.options, certified: Vec::new() }
     }
 
     fn pages(&self, paper: Option<[f64; 2]>) -> Result<Vec<Figure>, Faults> {
@@ -317,7 +322,7 @@ struct Page<'a> {
 impl Page<'_> {
     fn figure(&self, rows: std::ops::Range<usize>, pages: usize) -> Figure {
         let table = self.table;
-        let maker = table.maker(&table.rows[0]);
+        let maker = table.maker();
         let lang = table.options.lang;
         let across = self.across.min(rows.len().div_ceil(self.down));
         let left = (self.size_mm[0] - across as f64 * self.width_mm) / 2.0;
@@ -366,7 +371,7 @@ impl Page<'_> {
     fn head(&self, block: usize, x: f64, top: f64, rows: usize) -> Vec<Item> {
         let table = self.table;
         let (style, lang) = (&table.options.style, table.options.lang);
-        let maker = table.maker(&table.rows[0]);
+        let maker = table.maker();
         let bottom = top - HEAD_MM - rows as f64 * self.row_mm;
         let mut items = Vec::new();
         let mut line = |from: Point, to: Point, stroke: Stroke| {

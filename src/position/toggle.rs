@@ -47,7 +47,7 @@ impl Toggle {
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
-                [a, b] if [a, b].iter().all(|l| holds(l)) => Some(Toggle::Line { pin: *pin, legs: [a.clone(), b.clone()] }),
+                [a, b] if [a, b].iter().all(|l| holds(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
                 _ => None,
             },
             Core::Link { link, legs } if group.class() == Some("III") => {
@@ -98,7 +98,7 @@ impl Toggle {
                 let link = scene.link_name(*link);
                 match lang {
                     Lang::En => {
-                        let how = if *parallel { "run parallel" } else { "point to one point" };
+                        let how = if *parallel { "run parallel" } else { "lie on lines through one point" };
                         format!("{}, the legs of link {link}, {how}", listed(&legs, lang))
                     }
                     Lang::Zh => {
@@ -111,7 +111,7 @@ impl Toggle {
                 let names: Vec<String> = links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
                 match lang {
                     Lang::En => format!("links {} leave one freedom open", listed(&names, lang)),
-                    Lang::Zh => format!("构件 {} 处于奇异位置，失去一个约束", listed(&names, lang)),
+                    Lang::Zh => format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang)),
                 }
             }
         }

@@ -65,6 +65,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
             "driver": e.value,
             "links": links(&e.links),
             "pin": e.pin.map(|p| scene.point_name(p)),
+            "why": e.toggle.as_ref().map(|t| t.words(scene, Lang::En)),
         })
     };
     let swings: Vec<Json> = limits

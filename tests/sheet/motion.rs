@@ -130,7 +130,7 @@ fn sheets_of_poses_can_be_read() {
         let (scene, worked) = open(name);
         let wanted = poses::Wanted { count: 5, driver: 0, points: Vec::new() };
         let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
-        assert_eq!((pages.value.len(), pages.notes.len()), (1, 0), "{name}");
+        assert!(pages.value.len() == 1 && pages.notes.iter().all(|n| n.code == "poses-driver"), "{name}: {:?}", pages.notes);
         readable(name, &pages.value[0], scene.links.len(), true);
     }
 }
