@@ -239,7 +239,9 @@ impl Table<'_> {
                     part
                 }
                 Shows::Polygon(level) => {
-                    let shown = row.shown[usize::from(level == Level::Acceleration)];
+                    // At a limit nothing but the driver has a vector: that is no polygon.
+                    let bounded = row.worked.solution.refused.is_empty();
+                    let shown = bounded && row.shown[usize::from(level == Level::Acceleration)];
                     match row.worked.construction.polygon(level).filter(|_| shown) {
                         Some(p) => {
                             let w = Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang };
