@@ -340,3 +340,63 @@ fn accuracy_tells_every_way_and_what_it_costs() {
     assert!(String::from_utf8_lossy(&out.get_output().stderr).contains("the driver turns fully"));
     hodograph().args(["accuracy", near, "--patience", "1", "-o", "costs.txt"]).assert().code(2);
 }
+
+/// A path as a file of its own; what has no path is told with the point, and nothing is written.
+#[test]
+fn a_path_is_drawn_or_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    hodograph().current_dir(&folder).args(["new", "crank-rocker", "-o", "scene.json"]).assert().success();
+    hodograph().current_dir(&folder).args(["path", "scene.json", "--point", "E", "--poses", "4"]).assert().success();
+    let drawn = std::fs::read_to_string(folder.path().join("scene-path.svg")).unwrap();
+    assert!(drawn.contains("id=\"caption-mu_v-E\"") && drawn.contains("id=\"mechanism-path-E-4\""), "{}", &drawn[..2000]);
+    for (args, words) in [
+        (&["--point", "F"][..], "no point `F`"),
+        (&["--point", "A"], "point A belongs to no moving link"),
+        (&["--point", "E", "--over", "phi_9"], "no driver `phi_9`"),
+    ] {
+        let run = hodograph().current_dir(&folder).args(["path", "scene.json", "-o", "bad.svg"]).args(args).assert().code(2);
+        let said = text(&run.get_output().stderr);
+        assert!(said.contains(words), "no {words:?} in\n{said}");
+    }
+    hodograph().current_dir(&folder).args(["path", "scene.json", "--point", "E", "-o", "bad.txt"]).assert().code(2);
+    assert!(!folder.path().join("bad.svg").exists() && !folder.path().join("bad.txt").exists());
+}
+
+/// `--poses` is a table of positions as the sheet, an overlay with the mechanism; each keeps its own file.
+#[test]
+fn positions_make_a_sheet_or_lie_over_one_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |args: &[&str]| {
+        let scene = templates_path("slider-crank");
+        hodograph().current_dir(&folder).arg("draw").arg(scene).args(args).assert().success();
+    };
+    run(&["-o", "out", "--format", "svg", "--poses", "4", "--figure", "sheet,mechanism"]);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
+    let (sheet, over) = (read("slider-crank-poses.svg"), read("slider-crank-mechanism.svg"));
+    for k in 1..=4 {
+        assert!(sheet.contains(&format!("id=\"pose-{k}-velocity-edge-v_CB\"")), "pose {k}");
+    }
+    assert!(over.contains("id=\"mechanism-pose-3-pin\"") && !over.contains("velocity-edge"));
+    run(&["-o", "vectors.svg", "--vectors", "velocity", "--poses", "4"]);
+    assert!(folder.path().join("vectors.svg").exists());
+}
+
+fn templates_path(name: &str) -> String {
+    format!("{}/templates/{name}.json", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A group of class IV has a range and strokes; a link on three legs stops where they meet.
+#[test]
+fn limits_of_higher_groups_are_told() {
+    let scene = r#"{"links": {"1": ["O","A"], "2": ["A","B","C"], "3": ["B","D"], "4": ["C","E"], "5": ["D","E","G"], "6": ["O","G"]},
+        "ground": "6", "find": ["v_D"], "units": {"length": "m"}, "driver": {"link": "1", "omega": "2 rad/s"},
+        "points": {"O": [0,0], "A": [1,2], "B": [3,4], "C": [4,1.5], "D": [6,5], "E": [7,2], "G": [9,1]}}"#;
+    let run = hodograph().args(["limits", "-"]).write_stdin(scene).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("phi_1 goes") && said.contains("phi_5 swings"), "{said}");
+    let run = hodograph().args(["limits", &templates_path("class-iii-six-bar")]).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("the legs of link"), "{said}");
+    let run = hodograph().args(["limits", &templates_path("class-iii-six-bar"), "--lang", "zh"]).assert().success();
+    assert!(text(&run.get_output().stdout).contains("三条支链"));
+}

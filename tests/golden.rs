@@ -14,6 +14,7 @@ use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
+use hodograph::figure::{path, poses};
 use hodograph::lesson;
 use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::notation::Notation;
@@ -253,6 +254,46 @@ fn line_diagrams_look_as_accepted() {
         let found = stroke[0] - stroke[1];
         let nearest = limits.swings.iter().filter_map(|s| s.stroke).map(|m| (m * 1e3 - found).abs()).fold(f64::INFINITY, f64::min);
         assert!(nearest < 1e-6, "stroke {found} mm, {nearest} mm from that of the limits");
+    }
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// Paths with their hodographs: a coupler curve, a foot in other positions too, a crank that is stopped, a slider and its pin;
+/// and the sheet of many poses, with hodographs behind its polygons.
+#[test]
+fn pictures_of_motion_look_as_accepted() {
+    let mut failures = Vec::new();
+    for (name, points, poses, style) in [
+        ("crank-rocker", &["E"][..], 0, "print"),
+        ("jansen-leg", &["G"], 6, "slides"),
+        ("class-iii-six-bar", &["P"], 0, "print"),
+        ("offset-slider-crank", &["C", "S"], 0, "dark"),
+    ] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let of = |name: &&str| PointId(scene.points.iter().position(|p| p.name == **name).unwrap());
+        let wanted = path::Wanted { points: points.iter().map(of).collect(), driver: 0, marks: 12, poses };
+        for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+            let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
+            let figure = path::figure(&scene, &worked, &options, &wanted).unwrap_or_else(|f| panic!("{name}: {f}")).value;
+            let drawn = svg::write(&figure).unwrap();
+            assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("golden/{name}/path.{suffix}.png"));
+            check_png(&file, &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+        }
+    }
+    for (name, point, count) in [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)] {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let of = |name: &str| PointId(scene.points.iter().position(|p| p.name == name).unwrap());
+        let wanted = poses::Wanted { count, driver: 0, points: point.map(of).into_iter().collect() };
+        for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+            let pages = poses::sheets(&scene, &worked, &Options::of_language(lang), &wanted).unwrap_or_else(|f| panic!("{name}: {f}"));
+            let drawn = svg::write(&pages.value[0]).unwrap();
+            assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("golden/{name}/poses.{suffix}.png"));
+            check_png(&file, &raster::render(&drawn.value, 60.0).unwrap(), &mut failures);
+        }
     }
     assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
 }

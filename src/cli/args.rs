@@ -38,6 +38,8 @@ pub enum Command {
     Batch(Batch),
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver, extremes marked
     Curves(Curves),
+    /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
+    Path(Path),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
     /// Write a template's scene, with other parameters if wanted
@@ -87,10 +89,12 @@ pub struct Draw {
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<Vectors>,
-    /// With the mechanism: so many other positions of its first driver behind it
+    /// So many positions of the first driver: the sheet becomes a table of them, each with its mechanism and polygons, all to one
+    /// set of scales; with `--figure mechanism` they lie behind the mechanism
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72), conflicts_with = "steps")]
     pub poses: u16,
-    /// With the mechanism: the paths of these points through the travel of the first driver
+    /// The paths of these points through the travel of the first driver, with the mechanism; with `--poses` on the sheet, their
+    /// hodographs behind the polygons too
     #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
     pub path: Vec<String>,
     /// With the mechanism: the given lengths as dimensions, in mm
@@ -247,6 +251,31 @@ pub struct Curves {
     /// The file, ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The numbers of the curves as a table: hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv")]
+pub struct Path {
+    #[command(flatten)]
+    pub common: Common,
+    /// The points whose paths are drawn, such as E or E,F
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', required = true)]
+    pub point: Vec<String>,
+    /// The mechanism in so many positions at equal steps of the driver, one over another
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=72))]
+    pub poses: u16,
+    /// So many positions at equal steps of the driver, numbered alike on paths and hodographs (default: those of --poses, else 12)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=72))]
+    pub marks: Option<u16>,
+    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    /// Style, as for `draw`
+    #[arg(long, value_name = "STYLE", default_value = "print")]
+    pub style: String,
+    /// The file, ending in .svg, .png or .pdf (default: named after the scene)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

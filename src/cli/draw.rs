@@ -5,6 +5,7 @@ use super::{Failure, Input, Run, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::item::Figure;
 use crate::figure::mechanism::Overlay;
+use crate::figure::poses;
 use crate::figure::sheet::{Options, Single, diagram, sheet, single};
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
@@ -30,8 +31,10 @@ pub fn run(a: args::Draw) -> Run {
     let figures = if a.steps {
         steps::figures(&input.scene, &worked, &options).into_iter().enumerate().map(|(k, f)| (format!("step-{:02}", k + 1), f)).collect()
     } else {
-        let overlay = overlay(&input.scene, &worked, &a).map_err(failed)?;
-        pictures(&input.scene, &worked, &options, &a.figure, overlay.as_ref()).map_err(failed)?
+        let with = with_mechanism(&input.scene, &worked, &a).map_err(failed)?;
+        let Warned { value, notes } = pictures(&input.scene, &worked, &options, &a, &with).map_err(failed)?;
+        input.notes.extend(notes);
+        value
     };
     if files::ending(&a.output) == Some(Format::Pdf.ending()) {
         // A document holds them all, a page each.
@@ -77,20 +80,29 @@ fn pictures(
     scene: &Scene,
     worked: &Worked,
     options: &Options,
-    which: &[Picture],
-    overlay: Option<&Overlay>,
-) -> Result<Vec<(String, Figure)>, Faults> {
-    // What goes with the mechanism asks for it.
-    let which = if overlay.is_some() && !which.contains(&Picture::Mechanism) { &[Picture::Mechanism] } else { which };
+    a: &args::Draw,
+    with: &WithMechanism,
+) -> Result<Warned<Vec<(String, Figure)>>, Faults> {
+    let which = with.figures(a);
     let mut out = Vec::new();
+    let mut notes = Vec::new();
     let mut missing = Faults::default();
     for (k, p) in which.iter().enumerate() {
         if which[..k].contains(p) {
             continue;
         }
         let (word, figure) = match p {
+            Picture::Sheet if a.poses > 0 => {
+                let wanted = poses::Wanted { count: usize::from(a.poses), driver: 0, points: with.points.clone() };
+                let sheets = poses::sheets(scene, worked, options, &wanted)?;
+                notes.extend(sheets.notes);
+                let one = sheets.value.len() == 1;
+                let word = |page: usize| if one { "poses".to_owned() } else { format!("poses-{}", page + 1) };
+                out.extend(sheets.value.into_iter().enumerate().map(|(page, f)| (word(page), f)));
+                continue;
+            }
             Picture::Sheet => ("", Some(sheet(scene, worked, options)?)),
-            Picture::Mechanism if overlay.is_some() => ("mechanism", overlay.map(|o| diagram(scene, worked, options, o))),
+            Picture::Mechanism if with.asked(a) => ("mechanism", Some(diagram(scene, worked, options, &with.overlay(scene, worked, a)))),
             Picture::Mechanism => ("mechanism", single(scene, worked, options, Single::Mechanism)),
             Picture::Velocity => ("velocity", single(scene, worked, options, Single::Polygon(Level::Velocity))),
             Picture::Acceleration => ("acceleration", single(scene, worked, options, Single::Polygon(Level::Acceleration))),
@@ -105,45 +117,77 @@ fn pictures(
             }
         }
     }
-    if missing.has_errors() { Err(missing) } else { Ok(out) }
+    if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
 }
 
-/// What is drawn with the mechanism, if anything.
-fn overlay(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Option<Overlay>, Faults> {
+/// What is drawn with the mechanism.
+struct WithMechanism {
+    vectors: Option<Level>,
+    points: Vec<PointId>,
+}
+
+/// # Errors
+/// Vectors that the questions do not call for, points that the scene does not have.
+fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<WithMechanism, Faults> {
     let vectors = a.vectors.map(|v| match v {
         Vectors::Velocity => Level::Velocity,
         Vectors::Acceleration => Level::Acceleration,
     });
-    if vectors.is_none() && a.poses == 0 && a.path.is_empty() && !a.dimensions {
-        return Ok(None);
-    }
     let mut faults = Faults::default();
     if let Some(level) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
         let kind = if level == Level::Acceleration { "accelerations" } else { "velocities" };
         faults.push(Diagnostic::error("no-figure", format!("the scene's questions call for no {kind}")).help("ask for one in \"find\""));
     }
+    match points_named(scene, &a.path) {
+        Ok(points) if !faults.has_errors() => Ok(WithMechanism { vectors, points }),
+        Ok(_) => Err(faults),
+        Err(unknown) => {
+            faults.list.extend(unknown.list);
+            Err(faults)
+        }
+    }
+}
+
+impl WithMechanism {
+    /// Whether anything is.
+    fn asked(&self, a: &args::Draw) -> bool {
+        self.vectors.is_some() || a.dimensions || a.poses > 0 || !self.points.is_empty()
+    }
+
+    /// The figures to draw: what goes with the mechanism alone asks for it; positions have a sheet of their own.
+    fn figures<'a>(&self, a: &'a args::Draw) -> &'a [Picture] {
+        let alone = self.vectors.is_some() || a.dimensions || a.poses == 0 && !self.points.is_empty();
+        if alone && !a.figure.contains(&Picture::Mechanism) { &[Picture::Mechanism] } else { &a.figure }
+    }
+
+    fn overlay(&self, scene: &Scene, worked: &Worked, a: &args::Draw) -> Overlay {
+        let overlay = Overlay { vectors: self.vectors, dimensions: a.dimensions, ..Overlay::default() };
+        if a.poses > 0 || !self.points.is_empty() {
+            return overlay.with_motion(scene, worked, usize::from(a.poses), &self.points);
+        }
+        overlay
+    }
+}
+
+/// The points with these names.
+///
+/// # Errors
+/// `unknown-point` for each name that the scene does not have.
+pub fn points_named(scene: &Scene, names: &[String]) -> Result<Vec<PointId>, Faults> {
+    let mut faults = Faults::default();
     let mut points = Vec::new();
-    for name in &a.path {
+    for name in names.iter().map(|n| n.trim()) {
         match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == name) {
+            Some(p) if points.contains(&p) => {}
             Some(p) => points.push(p),
             None => {
-                let names: Vec<&str> = (0..scene.points.len()).map(|p| scene.point_name(PointId(p))).collect();
-                faults.push(Diagnostic::error("unknown-point", format!("the scene has no point `{name}`")).help(suggest(
-                    name,
-                    names.into_iter(),
-                    "the points are",
-                )));
+                let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
+                let d = Diagnostic::error("unknown-point", format!("the scene has no point `{name}`"));
+                faults.push(d.help(suggest(name, known, "the points are")));
             }
         }
     }
-    if faults.has_errors() {
-        return Err(faults);
-    }
-    let mut overlay = Overlay { vectors, dimensions: a.dimensions, ..Overlay::default() };
-    if a.poses > 0 || !points.is_empty() {
-        overlay = overlay.with_motion(scene, worked, usize::from(a.poses), &points);
-    }
-    Ok(Some(overlay))
+    if faults.has_errors() { Err(faults) } else { Ok(points) }
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.

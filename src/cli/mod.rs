@@ -8,6 +8,7 @@ mod batch;
 mod curves;
 mod draw;
 mod files;
+mod path;
 mod sweep;
 mod tables;
 mod worksheet;
@@ -39,6 +40,7 @@ pub fn main() -> ExitCode {
         Command::Sweep(a) => sweep::sweep(a),
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
+        Command::Path(a) => path::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),

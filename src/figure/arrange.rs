@@ -25,19 +25,19 @@ const LINE_GAP_MM: f64 = 2.4;
 /// Above a heading in the middle of a column.
 const HEADING_AIR_MM: f64 = 3.0;
 /// A4 across: the page that sheets aim at.
-const AIM_MM: [f64; 2] = [297.0, 210.0];
+pub(super) const AIM_MM: [f64; 2] = [297.0, 210.0];
 /// What a third of an empty page costs against a sheet that is as much larger.
 const EMPTY_COST: f64 = 0.35;
 
 /// How a box's children stand.
 #[derive(Clone, Copy, PartialEq)]
-enum Along {
+pub(super) enum Along {
     Row,
     Column,
 }
 
 /// A tree of boxes; leaves are parts by index.
-enum Tree {
+pub(super) enum Tree {
     Leaf(usize),
     /// Air in a column.
     Air(f64),
@@ -50,23 +50,24 @@ enum Tree {
 }
 
 impl Tree {
-    fn row(children: Vec<Tree>) -> Tree {
+    pub fn row(children: Vec<Tree>) -> Tree {
         Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: true }
     }
 
-    fn text_row(children: Vec<Tree>) -> Tree {
+    pub fn text_row(children: Vec<Tree>) -> Tree {
         Tree::Group { along: Along::Row, gap_mm: GAP_MM, children, centred: false }
     }
 
-    fn column(children: Vec<Tree>) -> Tree {
+    pub fn column(children: Vec<Tree>) -> Tree {
         Tree::Group { along: Along::Column, gap_mm: GAP_MM, children, centred: true }
     }
 
-    fn text_column(children: Vec<Tree>) -> Tree {
+    pub fn text_column(children: Vec<Tree>) -> Tree {
         Tree::Group { along: Along::Column, gap_mm: LINE_GAP_MM, children, centred: false }
     }
 
-    fn size(&self, parts: &[Part]) -> [f64; 2] {
+    /// Width and height (mm).
+    pub fn size(&self, parts: &[Part]) -> [f64; 2] {
         match self {
             Tree::Leaf(k) => [parts[*k].bounds.width_mm(), parts[*k].bounds.height_mm()],
             Tree::Air(mm) => [0.0, *mm],
@@ -84,7 +85,7 @@ impl Tree {
     }
 
     /// Puts the parts into a box whose upper left corner is `at`.
-    fn put(&self, parts: &mut [Part], at: Point) {
+    pub fn put(&self, parts: &mut [Part], at: Point) {
         match self {
             Tree::Leaf(k) => parts[*k].stand_at(at),
             Tree::Air(_) => {}

@@ -4,19 +4,24 @@
 
 mod arrange;
 pub mod arrow;
+pub(crate) mod course;
 pub mod curves;
 pub mod drawing;
 pub mod extent;
 pub mod font;
 pub mod grid;
+pub mod hodograph;
 pub mod item;
 pub mod label;
 pub mod mechanism;
+pub mod path;
 pub mod place;
 pub mod polygon;
+pub mod poses;
 pub mod price;
 pub(crate) mod remarks;
 pub mod results;
+pub mod series;
 pub mod sheet;
 pub mod steps;
 pub mod style;

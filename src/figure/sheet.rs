@@ -10,6 +10,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{inked, shortest};
 use crate::scene::{Lang, Scene};
+use crate::sweep::driver_name;
 use crate::worked::Worked;
 
 use super::arrange::{Pieces, arrange, column};
@@ -101,7 +102,7 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(worked)) {
         mu = format!("{mu},\\quad {}", of_level(level, of_vectors));
     }
-    maker.alone(maker.titled(part, words, &mu, "mu_l"))
+    maker.alone(maker.titled(part, Label::text(words), &mu, "mu_l"))
 }
 
 /// Makes the parts of a sheet.
@@ -165,7 +166,7 @@ impl Maker<'_> {
             .collect()
     }
 
-    fn caption(&self, which: Single) -> (&'static str, String) {
+    pub fn caption(&self, which: Single) -> (&'static str, String) {
         let paper = &self.worked.construction;
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
         match which {
@@ -187,23 +188,23 @@ impl Maker<'_> {
 
     pub fn captioned(&self, part: Part, letter: &str, which: Single) -> Part {
         let (words, mu) = self.caption(which);
-        let name = match which {
+        let id = match which {
             Single::Polygon(Level::Acceleration) => "mu_a",
             Single::Polygon(_) => "mu_v",
             _ => "mu_l",
         };
-        self.titled(part, &format!("{letter}{words}"), &mu, name)
+        self.titled(part, Label::text(format!("{letter}{words}")), &mu, id)
     }
 
     /// A part with its name and its scales below; `id` tells these labels from those of other parts.
-    fn titled(&self, mut part: Part, words: &str, mu: &str, id: &str) -> Part {
+    pub fn titled(&self, mut part: Part, words: Label, mu: &str, id: &str) -> Part {
         let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
         let text = |at: Point, label: Label, size_mm: f64, what: &str| {
             let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
             Item::new(what, shape).with_id(format!("{what}-{id}"))
         };
-        part.items.push(text(Point::new(x, y), Label::text(words), self.options.style.caption_mm, "caption"));
+        part.items.push(text(Point::new(x, y), words, self.options.style.caption_mm, "caption"));
         part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), self.options.style.small_mm, "scale"));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }
@@ -214,7 +215,7 @@ impl Maker<'_> {
         Part::of(vec![Item::new(id, shape).with_id(id)])
     }
 
-    fn title(&self) -> Option<Part> {
+    pub fn title(&self) -> Option<Part> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
         (!title.is_empty()).then(|| self.line("title", title, self.options.style.caption_mm * 4.0 / 3.0))
@@ -255,4 +256,15 @@ pub fn of_level(level: Level, mu: f64) -> String {
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
 pub fn scale(mu: f64) -> String {
     inked(&shortest(mu))
+}
+
+/// A driver's position in the label language, and its unit there: `\varphi_{1}` in degrees, `s_{B}` or `l_{BC}` in millimetres.
+pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, &'static str) {
+    let (name, unit) = driver_name(scene, driver);
+    let symbol = match name.split_once('_') {
+        Some(("phi", link)) => format!("\\varphi_{{{link}}}"),
+        Some((letter, of)) => format!("{letter}_{{{of}}}"),
+        None => name,
+    };
+    (symbol, if unit == "rad" { "\\degree" } else { "\\text{mm}" })
 }

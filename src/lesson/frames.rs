@@ -3,10 +3,11 @@
 //! Decided here: the scales (all poses fit, but those next to a limit, where vectors grow beyond all bounds), and how many
 //! poses the page needs to show those between them true to a hundredth of a millimetre.
 
-use crate::construct::scale::{self, Boxes};
+use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults};
-use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::figure::series::{LEVELS, Scales};
+use crate::geom::Point;
+use crate::mechanism::{Demand, Mechanism};
 use crate::position::Configuration;
 use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
@@ -40,11 +41,6 @@ pub struct Frames {
     pub cut: bool,
 }
 
-/// The two levels that have polygons.
-pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
-/// A polygon next to a limit leaves the paper when it is so many times as large as half of all, unless it is the scene's own.
-const OFF_PAPER: f64 = 2.5;
 /// What the page shows between two frames may be off by this (mm), so that with all roundings it is true to a hundredth.
 const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
@@ -165,9 +161,9 @@ impl Maker<'_> {
     /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
     fn error(&self, trials: &[Trial], k: usize, middle: &Trial, scales: &Scales) -> f64 {
         let keys: Vec<(f64, Vec<Option<Point>>)> =
-            (k.saturating_sub(1)..(k + 3).min(trials.len())).map(|i| (trials[i].travel, scales.marks(&trials[i].worked))).collect();
+            (k.saturating_sub(1)..(k + 3).min(trials.len())).map(|i| (trials[i].travel, marks(scales, &trials[i].worked))).collect();
         let at = k - k.saturating_sub(1);
-        let found = scales.marks(&middle.worked);
+        let found = marks(scales, &middle.worked);
         let mut worst: f64 = 0.0;
         for (i, truth) in found.iter().enumerate() {
             let Some(truth) = truth else { continue };
@@ -187,33 +183,10 @@ impl Maker<'_> {
         Boxes { polygon: usual.polygon.map(|side| side * LARGER), ..usual }
     }
 
-    /// The scales at which all poses fit, but those next to a limit.
+    /// The scales of all poses.
     fn scales(&self, trials: &[Trial], full: bool) -> Scales {
-        let paper = &self.scene.paper;
-        let boxes = self.boxes(trials);
-        let places = trials.iter().flat_map(|t| t.worked.configuration.points.iter().flatten().copied());
-        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
-        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
-        for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
-            let size = |t: &Trial| size(&t.worked, level, &boxes);
-            let mut sizes: Vec<f64> = trials.iter().filter_map(size).collect();
-            sizes.sort_by(f64::total_cmp);
-            let Some(largest) = sizes.last().copied() else { continue };
-            let own = trials.iter().find(|t| t.travel == 0.0).and_then(size).unwrap_or(0.0);
-            let most = if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) };
-            let fitting = trials.iter().filter(|t| size(t).is_some_and(|s| s <= most));
-            let ends = fitting.filter_map(|t| t.worked.construction.polygon(level)).flat_map(|p| {
-                let mu = p.mu;
-                p.edges
-                    .iter()
-                    .flat_map(|e| [e.from.1, e.to.1])
-                    .chain(p.images.iter().flatten().copied())
-                    .map(move |q| (q.to_vec2() * mu).to_point())
-            });
-            scales.mu[i] = Some(fixed.unwrap_or_else(|| scale::choose(extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
-            scales.most[i] = most;
-        }
-        scales
+        let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
+        Scales::of(&self.scene.paper, &poses, full, self.boxes(trials))
     }
 
     /// Draws all poses to the common scales.
@@ -222,10 +195,8 @@ impl Maker<'_> {
         let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
         for trial in trials {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
-            scene.paper.mu_l = Some(scales.mu_l);
-            scene.paper.mu_v = scales.mu[0];
-            scene.paper.mu_a = scales.mu[1];
-            let shown = [0, 1].map(|i| size(&trial.worked, LEVELS[i], &scales.boxes).is_some_and(|s| s <= scales.most[i]));
+            scales.fix(&mut scene.paper);
+            let shown = LEVELS.map(|level| scales.holds(&trial.worked, level));
             let Ok(worked) = self.work(&scene, &trial.worked.configuration) else { continue };
             frames.cut |= LEVELS.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
@@ -243,45 +214,18 @@ impl Maker<'_> {
     }
 }
 
-/// One scale for each drawing.
-struct Scales {
-    mu_l: f64,
-    mu: [Option<f64>; 2],
-    /// The largest polygons (in boxes, SI) that the paper holds.
-    most: [f64; 2],
-    boxes: Boxes,
-}
-
-/// How large a polygon is (SI per mm of its box).
-fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
-    let [w, h] = worked.construction.polygon(level)?.extent();
-    Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
-}
-
-impl Scales {
-    /// Joints and images on paper, in a fixed order.
-    fn marks(&self, worked: &Worked) -> Vec<Option<Point>> {
-        let mut marks: Vec<Option<Point>> =
-            worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / self.mu_l)).to_point())).collect();
-        for ((level, mu), most) in LEVELS.into_iter().zip(self.mu).zip(self.most) {
-            if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
-                // What is not shown need not be true.
-                let on_paper = size(worked, level, &self.boxes).is_some_and(|s| s <= most);
-                let mark = |q: Point| on_paper.then(|| (q.to_vec2() * (p.mu / mu)).to_point());
-                marks.extend(p.images.iter().map(|q| q.and_then(mark)));
-                marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
-            }
+/// Joints and images on paper, in a fixed order.
+fn marks(scales: &Scales, worked: &Worked) -> Vec<Option<Point>> {
+    let mut marks: Vec<Option<Point>> =
+        worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / scales.mu_l)).to_point())).collect();
+    for (level, mu) in LEVELS.into_iter().zip(scales.mu) {
+        if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
+            // What is not shown need not be true.
+            let on_paper = scales.holds(worked, level);
+            let mark = |q: Point| on_paper.then(|| (q.to_vec2() * (p.mu / mu)).to_point());
+            marks.extend(p.images.iter().map(|q| q.and_then(mark)));
+            marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
         }
-        marks
     }
-}
-
-/// Width and height of what holds all places.
-fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
-    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
-    for p in places {
-        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
-        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
-    }
-    if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
+    marks
 }

@@ -7,10 +7,8 @@
 //! Not decided here: how anything is drawn or solved.
 
 mod bank;
-mod course;
 mod curve;
 mod frames;
-mod limit;
 mod pack;
 mod page;
 mod reveal;

@@ -11,6 +11,7 @@ use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
@@ -22,7 +23,7 @@ use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
-use super::{Options, limit, pack};
+use super::{Options, pack};
 use crate::sweep::follow::Sweep;
 
 const PAGE: &str = include_str!("page.html");
@@ -155,7 +156,9 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
     let said = ends.into_iter().zip(sweep.limits).map(|(pose, limit)| {
         let (Some(pose), Some(_)) = (pose, limit) else { return Value::Null };
         let key = if sweep.far(pose) { "limit_far" } else { "limit" };
-        json!(LANGS.map(|lang| limit::words(scene, mechanism, &pose.configuration, lang).unwrap_or_else(|| word(key, lang).to_owned())))
+        let toggle = Toggle::at(mechanism, &pose.configuration).filter(|_| !sweep.far(pose));
+        let told = |t: &Toggle, lang| word("limit_toggle", lang).replace("{}", &t.words(scene, lang));
+        json!(LANGS.map(|lang| toggle.as_ref().map_or_else(|| word(key, lang).to_owned(), |t| told(t, lang))))
     });
     said.collect()
 }

@@ -9,7 +9,7 @@ use crate::render::svg::Elements;
 use crate::scene::Scene;
 use crate::worked::Worked;
 
-use super::frames::LEVELS;
+use crate::figure::series::LEVELS;
 use crate::render::escaped;
 
 /// Between two drawings.

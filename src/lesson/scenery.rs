@@ -4,6 +4,7 @@
 //! before if it can.
 
 use crate::diag::Faults;
+use crate::figure::course::courses;
 use crate::figure::drawing::{Habits, Part};
 use crate::figure::extent::Rect;
 use crate::figure::mechanism::{self, Course};
@@ -15,9 +16,9 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::Lang;
 
-use super::course::courses;
-use super::frames::{Frame, Frames, LEVELS};
+use super::frames::{Frame, Frames};
 use super::track::Track;
+use crate::figure::series::LEVELS;
 
 /// Around all ink of all poses.
 const MARGIN_MM: f64 = 3.0;
@@ -73,7 +74,8 @@ pub fn scenery(frames: &Frames, notation: &Notation) -> Result<Vec<Scenery>, Fau
 fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Faults> {
     // Black on white: the page gives it the colours of its light or dark theme.
     let style = Style::default();
-    let courses = if shows == Shows::Mechanism { courses(frames, &style, notation) } else { Vec::new() };
+    let poses: Vec<_> = frames.list.iter().map(|f| (&f.scene, &f.worked)).collect();
+    let courses = if shows == Shows::Mechanism { courses(&poses, &style, notation) } else { Vec::new() };
     let looks = Looks { notation, style, courses };
     let mut parts: Vec<Option<Part>> = frames.list.iter().map(|_| None).collect();
     let mut at_base = Habits::new();

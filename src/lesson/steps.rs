@@ -16,7 +16,8 @@ use crate::report::phrase::{Phrase, Piece};
 use crate::scene::Lang;
 
 use super::bank::{self, Formulas};
-use super::frames::{Frame, Frames, LEVELS};
+use super::frames::{Frame, Frames};
+use crate::figure::series::LEVELS;
 
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];

@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 38] = [
+const WORDS: [(&str, &str, &str); 34] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -35,12 +35,7 @@ const WORDS: [(&str, &str, &str); 38] = [
         "除极限位置附近（矢量超出图纸）外，各位置采用同一组比例尺。",
     ),
     ("limit", "The driver can go no farther.", "原动件已到极限位置，不能再继续运动。"),
-    ("limit_links", "The driver can go no farther: {} lie in line.", "原动件已到极限位置，不能再继续运动：{}共线。"),
-    (
-        "limit_square",
-        "The driver can go no farther: {} stands square to the guide of {1}.",
-        "原动件已到极限位置，不能再继续运动：{}垂直于点 {1} 的导路。",
-    ),
+    ("limit_toggle", "The driver can go no farther: {}.", "原动件已到极限位置，不能再继续运动：{}。"),
     ("limit_far", "The lesson ends here: beyond, a joint leaves the paper.", "演示到此为止：再往前，运动副将超出图纸。"),
     (
         "off_velocity",
@@ -52,9 +47,6 @@ const WORDS: [(&str, &str, &str); 38] = [
         "Too large for the paper: next to the limit the accelerations grow beyond all bounds.",
         "超出图纸：接近极限位置时加速度趋于无穷大。",
     ),
-    ("link", "link {} ({1})", "构件 {}（{1}）"),
-    ("cylinder", "cylinder {1}", "油缸 {1}"),
-    ("and", " and ", "与"),
     ("keys", "Keys", "键盘操作"),
     (
         "keys_steps",

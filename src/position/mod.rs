@@ -18,6 +18,7 @@ pub mod newton;
 mod pins;
 mod proof;
 mod shape;
+pub mod toggle;
 pub(crate) mod triad;
 
 pub use assemble::{configure, later, recompute};

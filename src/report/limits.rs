@@ -65,6 +65,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
             "driver": e.value,
             "links": links(&e.links),
             "pin": e.pin.map(|p| scene.point_name(p)),
+            "why": e.toggle.as_ref().map(|t| t.words(scene, Lang::En)),
         })
     };
     let swings: Vec<Json> = limits
@@ -146,8 +147,9 @@ impl<'a> Words<'a> {
             Kind::Limit => tr(self.lang, "limit", "极限位置"),
             Kind::ChangePoint => tr(self.lang, "change point", "变点"),
         };
-        let line = tr(self.lang, "in line", "共线");
-        format!("{what} {}: {} {line}", self.at(e.value), self.joint(&e.links, e.pin))
+        let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
+        let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
+        format!("{what} {}: {why}", self.at(e.value))
     }
 
     fn output(&self, output: Output) -> String {

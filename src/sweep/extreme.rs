@@ -5,9 +5,11 @@
 //! derivative, the driver running at unit speed. Where it stands still the mechanism is in a dead centre if it is driven from there.
 
 use super::compile::outputs;
+use super::follow::Follower;
 use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
-use super::station::{Stations, angle_per_value};
+use super::station::{Stations, angle_per_value, position_now};
+use super::walked::Walk;
 use super::{Placed, Rows, Width, run_parts};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
@@ -102,24 +104,16 @@ const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
 /// The limits of a scene for one of its drivers; the others stand.
 ///
 /// # Errors
-/// A scene that cannot be placed; a group that has no compiled form; a driver that the scene does not have.
+/// A scene that cannot be placed; a driver that the scene does not have.
 pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
-    let mut scene = scene.clone();
-    let Some(d) = scene.drivers.get_mut(driver) else {
-        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
-    };
-    // Unit speed: rates are derivatives by the driver's position.
-    (d.rate.value, d.acceleration) = (1.0, None);
-    for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {
-        (d.rate.value, d.acceleration) = (0.0, None);
-    }
-    let scene = &scene;
-    let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
-    let demand = none.with_all_positions();
-    let at = crate::position::configure(scene, mechanism, &demand)?.value;
-    let placed = Placed { scene, mechanism, demand, at };
+    let scene = &at_unit_speed(scene, driver)?;
+    let placed = placed(scene, mechanism)?;
     let found = outputs_of(scene, mechanism, driver);
-    let program = outputs(scene, mechanism, &placed.at, driver, &found)?;
+    let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
+        Ok(program) => program,
+        // A group without a compiled form, or one that lies on it.
+        Err(_) => return Ok(walked(&placed, driver, &found)),
+    };
     let range = range(program.clone(), &placed, driver);
     let span = if range.full() && program.angular { [range.now, range.now + TAU] } else { range.bounds() };
     let swings = swings(&program, &placed, driver, &found, &range, span);
@@ -132,6 +126,53 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
         .collect();
     let grashof = grashof(&placed, driver);
     Ok(Limits { range, swings, transmission, grashof })
+}
+
+/// The scene with one driver running at unit speed, so that rates are derivatives by its position; the others stand.
+fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
+    let mut scene = scene.clone();
+    let Some(d) = scene.drivers.get_mut(driver) else {
+        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+    };
+    (d.rate.value, d.acceleration) = (1.0, None);
+    for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {
+        (d.rate.value, d.acceleration) = (0.0, None);
+    }
+    Ok(scene)
+}
+
+/// All of a scene placed.
+fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+    let none = Demand { groups: vec![None; mechanism.groups.len()], level: Default::default(), needs: Vec::new() };
+    let demand = none.with_all_positions();
+    let at = crate::position::configure(scene, mechanism, &demand)?.value;
+    Ok(Placed { scene, mechanism, demand, at })
+}
+
+/// The same limits without a compiled program, for comparison.
+#[cfg(test)]
+pub(super) fn limits_walked(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
+    let scene = &at_unit_speed(scene, driver)?;
+    let placed = placed(scene, mechanism)?;
+    Ok(walked(&placed, driver, &outputs_of(scene, mechanism, driver)))
+}
+
+/// The same for a mechanism that is followed: no transmission angle and no change point is looked for.
+fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
+    let now = position_now(placed.scene, &placed.at, driver);
+    let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
+    let walk = Walk::new(placed, driver, &follower, now);
+    let (range, [low, high]) = (walk.range(), walk.span());
+    let stations = Stations::slid(low, high, SAMPLES, angle_per_value(placed.scene, &placed.at, driver));
+    let swing_of = |output: &Output| {
+        let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
+        let column = |level: usize| samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect();
+        let missing = samples.iter().map(|s| s.is_none().then(Faults::default)).collect();
+        let rows = Rows { names: Vec::new(), columns: vec![column(0), column(1), column(2)], missing };
+        swing(*output, 0, &rows, &stations, &range, &|x| walk.at(x, *output))
+    };
+    let swings = found.iter().map(swing_of).collect();
+    Limits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver) }
 }
 
 fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {

@@ -12,7 +12,7 @@ use crate::answer::{Value, evaluate};
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration, newton};
 use crate::quantity::{metres, significant};
-use crate::scene::{DriverKind, LinkId, Scene};
+use crate::scene::{DriverKind, Lang, LinkId, Scene};
 
 /// The general way to single rows of a sweep.
 pub(super) struct General<'a> {
@@ -241,9 +241,15 @@ pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagn
 
 /// What a limit of the driver is told as.
 pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnostic {
-    let (links, at) = (links_words(scene, &limit.links), driver_words(scene, driver, limit.value));
-    let pin = limit.pin.map_or(String::new(), |p| format!(" at {}", scene.point_name(p)));
-    Diagnostic::note("limit", format!("the driver goes no farther than {at}: there {links} come into line{pin}"))
+    let at = driver_words(scene, driver, limit.value);
+    let what = limit.toggle.as_ref().map_or_else(
+        || {
+            let pin = limit.pin.map_or(String::new(), |p| format!(" at {}", scene.point_name(p)));
+            format!("{} come into line{pin}", links_words(scene, &limit.links))
+        },
+        |t| t.words(scene, Lang::En),
+    );
+    Diagnostic::note("limit", format!("the driver goes no farther than {at}: there {what}"))
 }
 
 /// One note for each run of missing rows; `words` names a row by its swept value.

@@ -11,6 +11,7 @@ use super::lane::{Dual, Width};
 use super::program::{CHUNK, COS, Op, Program, SIN, VALUE};
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
+use crate::position::toggle::Toggle;
 use crate::scene::{DriverKind, LinkId, PointId};
 use std::f64::consts::TAU;
 
@@ -36,6 +37,8 @@ pub struct Event {
     pub pin: Option<PointId>,
     /// Which of the program's joints; `None` for a class III group.
     pub joint: Option<usize>,
+    /// Which legs hold one another there, where it is a matter of legs.
+    pub toggle: Option<Toggle>,
 }
 
 /// How far a driver goes from where it stands.
@@ -220,7 +223,9 @@ impl<'a> Probe<'a> {
 
     fn event(&self, joint: usize, kind: Kind, value: f64) -> Event {
         let j = &self.program.joints[joint];
-        Event { value, kind, links: j.links.clone(), pin: j.pin, joint: Some(joint) }
+        let group = &self.placed.mechanism.groups[j.group];
+        let toggle = Toggle::of(group, || false).filter(|t| matches!(t, Toggle::Line { .. }));
+        Event { value, kind, links: j.links.clone(), pin: j.pin, joint: Some(joint), toggle }
     }
 
     /// A zero of a joint's crossing between a position where it is positive and one where it is negative (or has no value).
@@ -292,7 +297,8 @@ impl<'a> Probe<'a> {
         }
         let value = self.program.fold(track, stuck, &|x| self.turn(x)).unwrap_or(stuck.value);
         let group = &self.placed.mechanism.groups[self.program.tracks[track].group];
-        Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None }
+        let toggle = Toggle::of(group, || self.program.parallel(track, stuck, &|x| self.turn(x)));
+        Event { value, kind: Kind::Limit, links: group.links.clone(), pin: None, joint: None, toggle }
     }
 
     /// The smallest transmission angle of each joint over a range (rad, at most 90°), and where it is; none with class III groups.

@@ -20,6 +20,7 @@ mod general;
 pub mod kernel;
 pub mod lane;
 pub mod limit;
+pub mod points;
 pub mod program;
 pub mod reading;
 pub mod rows;
@@ -27,6 +28,7 @@ pub mod station;
 pub mod table;
 pub mod track;
 pub mod vary;
+mod walked;
 pub mod zoom;
 
 pub use compile::compile;

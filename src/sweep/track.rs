@@ -10,6 +10,7 @@ use super::kernel::{Pair, Reg};
 use super::lane::Dual;
 use super::program::Program;
 use crate::geom::{Point, Vec2};
+use crate::position::toggle::PARALLEL;
 use crate::position::triad::{TriadLeg, cramer};
 use crate::scene::LinkId;
 
@@ -165,6 +166,25 @@ impl Program {
             buffer.set(t.arm.x, row, f.axis.x * t.unit);
             buffer.set(t.arm.y, row, f.axis.y * t.unit);
         }
+    }
+
+    /// Whether the lines along which a followed link's legs hold it are parallel in a state next to its fold; else they meet in
+    /// one point.
+    pub fn parallel(&self, track: usize, at: &State, turn: Turn) -> bool {
+        let t = &self.tracks[track];
+        let (cos, sin, per_value) = turn(at.value);
+        let mut registers = self.inputs(at.value, cos, sin, per_value);
+        let mut done = 0;
+        for (before, f) in self.tracks[..=track].iter().zip(&at.links) {
+            self.derive_steps(done..before.step, &mut registers);
+            done = before.step;
+            before.store(f, &mut registers);
+        }
+        let f = &at.links[track];
+        // A leg holds the link along the gradient of its residual.
+        let along = t.legs(&registers).map(|l| l.gradient(f.own, f.axis, t.unit)).map(|g| Vec2::new(g[0], g[1]).unit());
+        let [Some(u), Some(v), Some(w)] = along else { return false };
+        [u.cross(v), v.cross(w), w.cross(u)].iter().all(|sine| sine.abs() < PARALLEL)
     }
 
     /// The determinants of the followed links' legs: where one vanishes the driver stops.

@@ -17,23 +17,23 @@ use hodograph::worked::{Scope, work};
 const POSES: usize = 24;
 /// The smallest type, printed on A4 (a sheet that is larger is made smaller for it); on A3 where there are more links than
 /// `A4_LINKS`.
-const SMALLEST_MM: f64 = 2.2;
+pub const SMALLEST_MM: f64 = 2.2;
 const A4_LINKS: usize = 8;
 /// A label that a line only grazes is read all the same.
 const GRAZE_MM: f64 = 0.3;
 
 /// What was found on sheets.
 #[derive(Clone, Copy, Default)]
-struct Found {
+pub struct Found {
     sheets: usize,
     labels: usize,
-    overlaps: usize,
-    outside: usize,
+    pub overlaps: usize,
+    pub outside: usize,
     on_thick_lines: usize,
     on_heads: usize,
     on_joints: usize,
     leaders: usize,
-    smallest_mm: f64,
+    pub smallest_mm: f64,
 }
 
 impl Found {
@@ -73,7 +73,7 @@ fn printed(figure: &Figure, links: usize) -> f64 {
     fits(long, short).max(fits(short, long)).min(1.0)
 }
 
-fn look(figure: &Figure, links: usize) -> Found {
+pub fn look(figure: &Figure, links: usize) -> Found {
     let labels: Vec<(&Item, Rect)> =
         figure.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).filter_map(|i| Some((i, i.bounds()?))).collect();
     let mut found = Found { sheets: 1, labels: labels.len(), smallest_mm: f64::INFINITY, ..Found::default() };

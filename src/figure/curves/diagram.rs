@@ -2,6 +2,7 @@
 
 use crate::answer::level_of;
 use crate::figure::results::symbol;
+use crate::figure::sheet::driver_symbol;
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::scene::{Asked, Scene};
@@ -52,13 +53,8 @@ impl Diagram {
         let scene = placed.scene;
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
-        let turns = first.is_some_and(|c| c.unit == "rad");
-        let name = first.map_or("", |c| c.name.as_str());
-        let named = match name.split_once('_') {
-            Some(("phi", link)) => format!("\\varphi_{{{link}}}"),
-            Some((letter, of)) => format!("{letter}_{{{of}}}"),
-            None => name.to_owned(),
-        };
+        let (named, unit) = driver_symbol(scene, driver);
+        let turns = unit == DEGREE;
         let factor = if turns { 1.0_f64.to_degrees() } else { 1e3 };
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
@@ -97,7 +93,6 @@ impl Diagram {
             }
         }
         panels.sort_by_key(|p| p.0);
-        let unit = if turns { DEGREE } else { MM };
         Diagram { driver: [named, unit.to_owned()], places, panels: panels.into_iter().map(|p| p.1).collect() }
     }
 }

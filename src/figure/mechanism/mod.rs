@@ -24,7 +24,7 @@ use super::item::{Colour, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
-pub use overlay::{Overlay, overlaid};
+pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
@@ -94,13 +94,15 @@ struct Draft<'a> {
     hatched: Vec<Option<Vec2>>,
     /// What is the same in a whole series.
     course: &'a Course,
+    /// Whether it belongs to a construction: links are numbered, special points and directions named.
+    constructed: bool,
 }
 
 impl<'a> Draft<'a> {
     fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a Course) -> Self {
         let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
-        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched, course };
+        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched, course, constructed: true };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft
     }
@@ -116,9 +118,11 @@ impl<'a> Draft<'a> {
         self.cylinders();
         self.joints();
         self.drivers();
-        self.special_points();
-        self.directions();
-        self.numbers();
+        if self.constructed {
+            self.special_points();
+            self.directions();
+            self.numbers();
+        }
         self.letters();
     }
 

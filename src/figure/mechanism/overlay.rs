@@ -15,6 +15,7 @@ use crate::position::Configuration;
 use crate::quantity::shortest;
 use crate::scene::{PointId, Scene};
 use crate::sweep::follow::Follower;
+use crate::sweep::points::at_equal_steps;
 use crate::worked::Worked;
 
 use super::{Course, Draft};
@@ -52,17 +53,20 @@ pub struct Track {
     pub places: Vec<Point>,
     /// Whether the last place is followed by the first.
     pub closed: bool,
+    /// Places to be numbered, from 1 on. A path that has some is the subject of its figure, any other stands back behind the
+    /// mechanism.
+    pub marks: Vec<Point>,
 }
 
 impl Overlay {
     /// The same with so many positions through the travel of the first driver, and the paths of these points.
     pub fn with_motion(mut self, scene: &Scene, worked: &Worked, poses: usize, points: &[PointId]) -> Overlay {
-        let sweep = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0).sweep(PATH_STEPS);
-        // Evenly through the travel; the ends of a bounded one are positions too.
-        let (last, parts) = if sweep.full { (sweep.poses.len(), poses) } else { (sweep.poses.len() - 1, poses.saturating_sub(1).max(1)) };
-        self.poses = (0..poses).map(|k| sweep.poses[k * last / parts].configuration.clone()).collect();
+        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+        let sweep = follower.sweep(PATH_STEPS);
+        self.poses = at_equal_steps(&follower, &sweep, poses).into_iter().map(|pose| pose.configuration).collect();
         let places = |p: PointId| sweep.poses.iter().filter_map(|pose| pose.configuration.points[p.0]).collect();
-        self.paths = points.iter().map(|&point| Track { point, places: places(point), closed: sweep.full }).collect();
+        let track = |&point: &PointId| Track { point, places: places(point), closed: sweep.full, marks: Vec::new() };
+        self.paths = points.iter().map(track).collect();
         self
     }
 
@@ -88,9 +92,12 @@ fn shown(worked: &Worked, level: Level) -> impl Iterator<Item = (VertexId, Vec2)
 pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overlay: &Overlay) -> Part {
     let alone = Course::default();
     let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
+    // Numbers of positions and numbers of links would be taken for one another.
+    draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
     draft.behind(overlay);
     draft.everything();
     draft.vectors(w, overlay);
+    draft.marks(overlay);
     if overlay.dimensions {
         draft.dimensions();
     }
@@ -117,12 +124,34 @@ impl Draft<'_> {
                 self.d.shape(&format!("pose-{k}-pin"), "pose", dot);
             }
         }
-        for path in &overlay.paths {
-            let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
-            let stroke = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
-            let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
-            self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
+        overlay.paths.iter().filter(|path| path.marks.is_empty()).for_each(|path| self.path(path));
+    }
+
+    /// A path: behind the mechanism thin, as the subject of a figure over it, and thick.
+    fn path(&mut self, path: &Track) {
+        let behind = path.marks.is_empty();
+        let points: Vec<Point> = path.places.iter().map(|p| self.paper(*p)).collect();
+        let thin = Stroke { width_mm: self.style.outline.width_mm, dash: Dash::DashDot, ..self.style.thin };
+        let stroke = if behind { thin } else { self.style.vector };
+        self.d.of_link(self.scene.mover(path.point).map(|l| l.0).filter(|_| !behind));
+        let shape = Shape::Polyline { points, closed: path.closed, stroke: Some(stroke), fill: None };
+        self.d.shape(&format!("path-{}", self.scene.point_name(path.point)), "path", shape);
+        self.d.of_link(None);
+    }
+
+    /// The numbered places of paths.
+    fn marks(&mut self, overlay: &Overlay) {
+        for path in overlay.paths.iter().filter(|path| !path.marks.is_empty()) {
+            self.path(path);
+            self.d.of_link(self.scene.mover(path.point).map(|l| l.0));
+            for (k, at) in path.marks.iter().enumerate() {
+                let (at, name) = (self.paper(*at), format!("path-{}-{}", self.scene.point_name(path.point), k + 1));
+                self.d.draw(&name, "position", sym::dot(self.style, at));
+                let request = LabelRequest::at_point(Label::math((k + 1).to_string()), self.style.small_mm, at, self.style.dot_radius_mm);
+                self.d.label(&name, "position", request);
+            }
         }
+        self.d.of_link(None);
     }
 
     /// The given lengths in millimetres, on the side away from the mechanism's middle.

@@ -2,24 +2,23 @@
 //!
 //! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
 
-use crate::figure::mechanism::Course;
-use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::position::{Path, Pose};
 use crate::scene::{GuideId, LinkId, Scene};
+use crate::worked::Worked;
 
-use super::frames::{Frame, Frames};
+use super::mechanism::Course;
+use super::style::Style;
 
-/// The course of each frame.
-pub fn courses(frames: &Frames, style: &Style, notation: &Notation) -> Vec<Course> {
-    let alone: Vec<Course> = frames.list.iter().map(|f| Course::of_one(style, &f.scene, &f.worked, notation)).collect();
-    let Some(first) = frames.list.first() else { return Vec::new() };
-    let scene = &first.scene;
+/// The course of each pose.
+pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
+    let alone: Vec<Course> = poses.iter().map(|(scene, worked)| Course::of_one(style, scene, worked, notation)).collect();
+    let Some((scene, _)) = poses.first() else { return Vec::new() };
     let supports: Vec<_> = (0..scene.points.len()).filter_map(|p| usual(alone.iter().filter_map(|c| c.supports.get(p).copied()))).collect();
     let hatched: Vec<_> =
         (0..scene.guides.len()).map(|g| usual(alone.iter().filter_map(|c| c.hatched.get(g).copied().flatten()))).collect();
-    let ways: Vec<Vec<Option<f64>>> = (0..scene.guides.len()).map(|g| way(frames, GuideId(g))).collect();
-    (0..frames.list.len())
+    let ways: Vec<Vec<Option<f64>>> = (0..scene.guides.len()).map(|g| way(poses, GuideId(g))).collect();
+    (0..poses.len())
         .map(|k| {
             let travel_mm = ways.iter().map(|way| travel(way, k)).collect();
             Course { travel_mm, supports: supports.clone(), hatched: hatched.clone() }
@@ -27,7 +26,7 @@ pub fn courses(frames: &Frames, style: &Style, notation: &Notation) -> Vec<Cours
         .collect()
 }
 
-/// The value that most frames have; of equals the first.
+/// The value that most poses have; of equals the first.
 fn usual<T: PartialEq + Copy>(values: impl Iterator<Item = T>) -> Option<T> {
     let mut counts: Vec<(T, usize)> = Vec::new();
     for v in values {
@@ -40,18 +39,18 @@ fn usual<T: PartialEq + Copy>(values: impl Iterator<Item = T>) -> Option<T> {
     counts.into_iter().find(|c| c.1 == most).map(|c| c.0)
 }
 
-/// From the least to the greatest place, seen from that of frame `k`.
+/// From the least to the greatest place, seen from that of pose `k`.
 fn travel(way: &[Option<f64>], k: usize) -> [f64; 2] {
     let Some(here) = way[k] else { return [0.0, 0.0] };
     let known = way.iter().flatten();
     [known.clone().fold(here, |a, b| a.min(*b)) - here, known.fold(here, |a, b| a.max(*b)) - here]
 }
 
-/// Where a guide's runner is along it in each frame, in mm of paper.
-fn way(frames: &Frames, g: GuideId) -> Vec<Option<f64>> {
+/// Where a guide's runner is along it in each pose, in mm of paper.
+fn way(poses: &[(&Scene, &Worked)], g: GuideId) -> Vec<Option<f64>> {
     let mut last: Option<f64> = None;
-    let places = frames.list.iter().map(|f| {
-        let (s, round) = place(f, g)?;
+    let places = poses.iter().map(|(scene, worked)| {
+        let (s, round) = place(scene, worked, g)?;
         // On a circle the place goes on where the angle begins anew.
         let s = match (last, round) {
             (Some(last), Some(round)) => s + ((last - s) / round).round() * round,
@@ -64,8 +63,8 @@ fn way(frames: &Frames, g: GuideId) -> Vec<Option<f64>> {
 }
 
 /// A runner's place along its guide, and the way once round on a circle (mm).
-fn place(f: &Frame, g: GuideId) -> Option<(f64, Option<f64>)> {
-    let (scene, at): (&Scene, _) = (&f.scene, &f.worked.configuration);
+fn place(scene: &Scene, worked: &Worked, g: GuideId) -> Option<(f64, Option<f64>)> {
+    let at = &worked.configuration;
     let guide = &scene.guides[g.0];
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
     let runner = match guide.pin {
@@ -73,7 +72,7 @@ fn place(f: &Frame, g: GuideId) -> Option<(f64, Option<f64>)> {
         None => pose(guide.slider?)?.origin,
     };
     let path = at.shapes.guides[g.0]?;
-    let mm = 1.0 / f.worked.construction.diagram.mu_l;
+    let mm = 1.0 / worked.construction.diagram.mu_l;
     let s = path.coordinate_of(pose(guide.on)?.to_local(runner)) * mm;
     Some(match path {
         Path::Line { .. } => (s, None),
@@ -86,7 +85,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn travel_is_seen_from_the_frame() {
+    fn travel_is_seen_from_the_pose() {
         let way = [Some(3.0), None, Some(-1.0), Some(5.0)];
         assert_eq!((travel(&way, 0), travel(&way, 1), travel(&way, 3)), ([-4.0, 2.0], [0.0, 0.0], [-6.0, 0.0]));
         assert_eq!(usual([1, 2, 2, 1, 3].into_iter()), Some(1));

@@ -1,0 +1,33 @@
+//! `hodograph path`: paths of points on the mechanism, and the hodographs of their velocities and accelerations.
+
+use super::args::Path;
+use super::draw::{points_named, read_style};
+use super::sweep::driver_of;
+use super::{Failure, Input, Run, choices, files};
+use crate::diag::{Faults, Warned};
+use crate::figure::path::{MARKS, Wanted, figure};
+use crate::figure::sheet::Options;
+use crate::worked::Scope;
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: Path) -> Run {
+    let style = read_style(&a.style)?;
+    let mut input = Input::read(&a.common.scene)?;
+    let worked = input.work(Scope::Figure)?;
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;
+    let points = points_named(&input.scene, &a.point).map_err(failed)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let options = Options { notation: style.marks.over(&notation), style, ..Options::of_language(lang) };
+    let poses = usize::from(a.poses);
+    let marks = a.marks.map_or(if poses > 0 { poses } else { MARKS }, usize::from);
+    let wanted = Wanted { points, driver, marks, poses };
+    let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(failed)?;
+    let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.name, "scene")));
+    files::figure(&value, &output)?;
+    files::print(&format!("{output}\n"))?;
+    input.notes.extend(notes);
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}

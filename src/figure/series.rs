@@ -1,0 +1,74 @@
+//! One set of scales for a series of poses: everything fits the paper, but what stands next to a limit, where vectors grow beyond
+//! all bounds.
+
+use crate::construct::scale::{self, Boxes};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::scene::Paper;
+use crate::sweep::points::bounded;
+use crate::worked::Worked;
+
+/// The levels that have a polygon.
+pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
+
+/// One scale for each drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scales {
+    /// Of the mechanism (m/mm).
+    pub mu_l: f64,
+    /// Of velocities and accelerations (SI/mm); `None` where there are none.
+    pub mu: [Option<f64>; 2],
+    /// The largest polygons (in boxes, SI) that the paper holds.
+    most: [f64; 2],
+    boxes: Boxes,
+}
+
+impl Scales {
+    /// The scales at which all poses fit their boxes, but those next to a limit; what the paper fixes stays. Poses come with
+    /// the driver's travel; the one with travel 0 is shown in any case.
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], full: bool, boxes: Boxes) -> Scales {
+        let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
+        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
+        let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
+        for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
+            let size = |w: &Worked| size(w, level, &boxes);
+            let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
+            let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
+            let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
+            let ends = fitting.filter_map(|w| w.construction.polygon(level)).flat_map(|p| {
+                let mu = p.mu;
+                let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+                marks.map(move |q| (q.to_vec2() * mu).to_point())
+            });
+            scales.mu[i] = Some(fixed.unwrap_or_else(|| scale::choose(extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
+            scales.most[i] = most;
+        }
+        scales
+    }
+
+    /// Whether the paper holds a pose's polygon (there is one, and it is not next to a limit).
+    pub fn holds(&self, worked: &Worked, level: Level) -> bool {
+        size(worked, level, &self.boxes).is_some_and(|s| s <= self.most[usize::from(level == Level::Acceleration)])
+    }
+
+    /// Writes the scales on a paper.
+    pub fn fix(&self, paper: &mut Paper) {
+        (paper.mu_l, paper.mu_v, paper.mu_a) = (Some(self.mu_l), self.mu[0], self.mu[1]);
+    }
+}
+
+/// How large a polygon is (SI per mm of its box).
+fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
+    let [w, h] = worked.construction.polygon(level)?.extent();
+    Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
+}
+
+/// Width and height of what holds all places.
+pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
+    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
+    for p in places {
+        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
+        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
+    }
+    if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
+}
