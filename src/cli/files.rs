@@ -1,8 +1,8 @@
 //! Files: read with a bound, written whole or not at all.
 
-use super::Failure;
+use super::{Failure, stop};
 use crate::diag::Diagnostic;
-use std::io::{Read, Write};
+use std::io::{BufWriter, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -27,9 +27,14 @@ pub fn read(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
 
 /// Prints; a reader that closed its end (`| head`) ends the run quietly.
 pub fn print(text: &str) -> Result<ExitCode, Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+    print_with(|out| out.write_all(text.as_bytes())).map(|()| ExitCode::SUCCESS)
+}
+
+/// Prints piece by piece.
+pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+    match fill(&mut std::io::stdout().lock()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
-        _ => Ok(ExitCode::SUCCESS),
+        _ => Ok(()),
     }
 }
 
@@ -40,6 +45,11 @@ pub fn ending(path: &str) -> Option<&str> {
 
 /// Writes a file whole: beside it first, then renamed.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(path, |out| out.write_all(bytes))
+}
+
+/// Writes a file piece by piece, whole or not at all: what fails or is interrupted leaves nothing behind.
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
     let folder = match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p,
@@ -53,10 +63,31 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o644));
     }
+    stop::watch();
     let mut file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
-    file.write_all(bytes).and_then(|()| file.flush()).map_err(fail)?;
+    let mut out = BufWriter::with_capacity(1 << 16, Stoppable(&mut file));
+    let filled = fill(&mut out).and_then(|()| out.flush());
+    drop(out);
+    if stop::asked() {
+        return Err(Failure::Interrupted(format!("{} is not written", path.display())));
+    }
+    filled.map_err(fail)?;
     file.persist(path).map_err(|e| fail(e.error))?;
     Ok(())
+}
+
+/// A file that takes nothing more once the user has asked to stop.
+struct Stoppable<W: Write>(W);
+
+impl<W: Write> Write for Stoppable<W> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        // Not of the kind `Interrupted`: that one is tried again.
+        if stop::asked() { Err(std::io::Error::other("interrupted")) } else { self.0.write(bytes) }
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.0.flush()
+    }
 }
 
 /// The name of a scene file without folder and ending, for the files made from it.

@@ -1,8 +1,7 @@
 //! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
 use super::args::{Limits, Range, Sweep};
-use super::tables::{self, Kind};
-use super::{Failure, Input, Run, files};
+use super::{Failure, Input, Run, choices, files, tables};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
@@ -10,7 +9,6 @@ use crate::scene::{self, Angle, DriverKind, Scene, edit};
 use crate::sweep::extreme;
 use crate::sweep::vary::Variation;
 use crate::sweep::{self, Placed, Stations, Table, Width, station};
-use std::path::Path;
 use std::process::ExitCode;
 
 /// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
@@ -18,15 +16,16 @@ pub const STEPS: usize = 360;
 
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common.scene)?;
+    if let Some(path) = a.output.as_deref() {
+        tables::ending(path, &tables::WHOLE)?;
+    }
     ask(&mut input, a.range.find.as_deref())?;
     let failed = |faults: Faults, input: &Input| Failure::Input(faults, input.name.clone(), input.source.clone());
     let table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
     input.notes.extend(table.notes.iter().cloned());
     match a.output.as_deref() {
-        Some(path) => tables::write(&table, Path::new(path))?,
-        None => {
-            files::print(&tables::text(&table, Kind::Csv))?;
-        }
+        Some(path) => tables::write(&table, input.scene.title.get(choices(&input.scene, &a.common).0), path)?,
+        None => files::print_with(|out| tables::csv(&table, out))?,
     }
     input.say_notes();
     Ok(ExitCode::SUCCESS)
@@ -35,7 +34,7 @@ pub fn sweep(a: Sweep) -> Run {
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
     let input = Input::read(&a.common.scene)?;
-    let (lang, _) = super::choices(&input.scene, &a.common);
+    let (lang, _) = choices(&input.scene, &a.common);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
     let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;
