@@ -1,5 +1,5 @@
 //! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
-//! `-- one-core` only the time of a position of a four-bar in cache, as JSON, for `bench/peers`.
+//! `-- sweep` only the time of a position of a four-bar's sweep in memory, as JSON, for `bench/peers`.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
@@ -7,9 +7,8 @@ use hodograph::mechanism::Mechanism;
 use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
-use hodograph::sweep::program::{CHUNK, COS, SIN, VALUE};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{Placed, Stations, Width, compile};
+use hodograph::sweep::{self, Placed, Stations, Width};
 use std::fs::File;
 use std::hint::black_box;
 use std::io::Write;
@@ -43,20 +42,15 @@ fn asked(find: &[&str]) -> Scene {
     read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
 }
 
-/// One chunk of the compiled program again and again: ns a position.
-fn one_core() -> f64 {
+/// A whole sweep in memory, scene to table: ns a position. The caller says on how many cores.
+fn in_memory() -> f64 {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let placed = Placed::new(&scene, &m).unwrap();
-    let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
-    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), CHUNK - 1);
-    let mut buffer = program.buffer();
-    buffer.fill(VALUE, &stations.values);
-    buffer.fill(COS, &stations.cosines);
-    buffer.fill(SIN, &stations.sines);
-    let calls = 2000;
-    let times = (0..31).map(|_| seconds(|| (0..calls).for_each(|_| program.run(black_box(&mut buffer), Width::Widest))));
-    median(times.collect()) * 1e9 / f64::from(calls) / CHUNK as f64
+    let steps = 1_000_000;
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
+    let sweep = || sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest).unwrap();
+    let times = (0..5).map(|_| seconds(|| drop(black_box(sweep()))));
+    median(times.collect()) * 1e9 / (steps + 1) as f64
 }
 
 /// Writes blocks as the command does: the next is given its form while the last one is written.
@@ -126,7 +120,9 @@ fn writing() {
     let compute = median(compute);
     let million = |t: f64| rows as f64 / t / 1e6;
     println!("{rows} rows of 11 columns; computed only: {compute:.3} s, {:.1} million positions/s", million(compute));
-    println!("\n| format | MB | writing alone, s | whole command, s | whole / writing alone | whole / computing + writing | million positions/s |");
+    println!(
+        "\n| format | MB | writing alone, s | whole command, s | whole / writing alone | whole / computing + writing | million positions/s |"
+    );
     println!("|---|---|---|---|---|---|---|");
     for (k, (ending, _)) in formats.iter().enumerate() {
         let (alone, whole) = (median(alone[k].clone()), median(whole[k].clone()));
@@ -153,8 +149,8 @@ fn starting() {
 }
 
 fn main() {
-    if std::env::args().any(|a| a == "one-core") {
-        println!("{{\"ns\": {}}}", one_core());
+    if std::env::args().any(|a| a == "sweep") {
+        println!("{{\"ns\": {}}}", in_memory());
         return;
     }
     writing();

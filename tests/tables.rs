@@ -120,7 +120,8 @@ fn a_sweep_is_the_same_in_every_format() {
 
 /// The arguments of a batch whose first parameter makes some of the mechanisms impossible.
 fn batch(count: &str, out: &Path) -> Vec<String> {
-    let words = format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
+    let words =
+        format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
     words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect()
 }
 

@@ -112,7 +112,7 @@ def main():
         linkage = by_pylinkage(fast)
         times = {name: [] for name in ("library", "command", "pylinkage", "mechanism")}
         for _ in range(ROUNDS):
-            out = subprocess.run([library, "one-core"], check=True, capture_output=True, text=True)
+            out = subprocess.run([library, "sweep"], check=True, capture_output=True, text=True)
             times["library"].append(json.loads(out.stdout)["ns"] * 1e-9)
             times["command"].append(timed(lambda: hodograph(binary, scene, fast, folder))[0] / (fast + 1))
             times["pylinkage"].append(timed(linkage)[0] / fast)
@@ -121,7 +121,7 @@ def main():
     print(f"\n| position, velocity and acceleration of joint C | ns a position | times the library's | times the command's |")
     print("|---|---|---|---|")
     rows = [
-        ("library", "hodograph, the compiled program, one core, in cache"),
+        ("library", f"hodograph, {fast:,} positions in memory, one core"),
         ("command", f"hodograph sweep, {fast:,} positions, with starting and writing .npy, one core"),
         ("pylinkage", f"pylinkage with numba, {fast:,} positions in memory"),
         ("mechanism", f"mechanism, {slow + 1} positions in memory"),

@@ -7,18 +7,16 @@
 use super::args::Batch as Args;
 use super::part::Part;
 use super::sweep::{ask, driver_of, stations};
-use super::{Failure, Input, Run, choices, files, stop, tables};
+use super::{Failure, Input, Run, choices, files, long, stop, tables};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
-use crate::report::table::{Format, GENERATOR, Head, Piece};
+use crate::report::table::{Format, GENERATOR, Head};
 use crate::scene::Scene;
 use crate::sweep::Placed;
 use crate::sweep::batch::{Batch, Choice};
 use crate::sweep::vary::Variation;
-use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{self, IsTerminal};
+use std::io;
 use std::path::Path;
-use std::sync::mpsc;
 
 /// Numbers of a block, about: some megabytes, a row group of 100 000 rows and more in Parquet.
 const BLOCK: usize = 3 << 19;
@@ -138,34 +136,24 @@ fn mechanisms_at_once(batch: &Batch) -> u64 {
 
 /// Computes and writes block after block: one is computed and given its form while the one before it is written.
 fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
-    let all = batch.mechanisms();
-    let step = mechanisms_at_once(batch);
-    let bar = if io::stderr().is_terminal() { ProgressBar::new(all) } else { ProgressBar::hidden() };
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} mechanisms  {per_sec}  {eta} left");
-    bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-    bar.set_position(part.done);
-    bar.reset_eta();
-    let (sender, pieces) = mpsc::sync_channel::<(u64, u64, io::Result<Piece>)>(1);
-    let first = part.done;
-    std::thread::scope(|s| {
-        s.spawn(move || {
-            let mut from = first;
-            while from < all && !stop::asked() {
-                let to = all.min(from + step);
-                let block = batch.block(from, to);
-                let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-                // The writer has failed and gone.
-                if sender.send((to, block.missing, format.piece(&columns))).is_err() {
-                    return;
-                }
-                from = to;
-            }
-        });
-        for (done, missing, piece) in pieces {
-            part.add(piece?, done, missing)?;
-            bar.set_position(done);
+    let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
+    let bar = long::bar(all, part.done, "mechanisms");
+    let mut from = part.done;
+    let make = || {
+        if from >= all || stop::asked() {
+            return None;
         }
-        bar.finish_and_clear();
+        let to = all.min(from + step);
+        let block = batch.block(from, to);
+        from = to;
+        let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
+        Some((to, block.missing, format.piece(&columns)))
+    };
+    long::overlapped(make, |(done, missing, piece)| {
+        part.add(piece?, done, missing)?;
+        bar.set_position(done);
         Ok(())
-    })
+    })?;
+    bar.finish_and_clear();
+    Ok(())
 }

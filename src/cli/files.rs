@@ -2,8 +2,8 @@
 
 use super::{Failure, stop};
 use crate::diag::Diagnostic;
-use std::io::{BufWriter, Read, Write};
-use std::path::Path;
+use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
@@ -49,7 +49,7 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
 }
 
 /// Writes a file piece by piece, whole or not at all: what fails or is interrupted leaves nothing behind.
-pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> std::io::Result<()>) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
     let folder = match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p,
@@ -63,11 +63,10 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> std::io::Res
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o644));
     }
-    stop::watch();
-    let mut file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
-    let mut out = BufWriter::with_capacity(1 << 16, Stoppable(&mut file));
+    let file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
+    let copy = file.as_file().try_clone().map_err(fail)?;
+    let mut out = Out { file: BufWriter::with_capacity(1 << 16, copy), folder: folder.to_owned() };
     let filled = fill(&mut out).and_then(|()| out.flush());
-    drop(out);
     if stop::asked() {
         return Err(Failure::Interrupted(format!("{} is not written", path.display())));
     }
@@ -76,17 +75,41 @@ pub fn write_with(path: &Path, fill: impl FnOnce(&mut dyn Write) -> std::io::Res
     Ok(())
 }
 
-/// A file that takes nothing more once the user has asked to stop.
-struct Stoppable<W: Write>(W);
+/// A file under way, which takes nothing more once the user has asked to stop.
+pub struct Out {
+    file: BufWriter<std::fs::File>,
+    folder: PathBuf,
+}
 
-impl<W: Write> Write for Stoppable<W> {
+impl Write for Out {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         // Not of the kind `Interrupted`: that one is tried again.
-        if stop::asked() { Err(std::io::Error::other("interrupted")) } else { self.0.write(bytes) }
+        if stop::asked() { Err(std::io::Error::other("interrupted")) } else { self.file.write(bytes) }
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        self.0.flush()
+        self.file.flush()
+    }
+}
+
+impl Out {
+    /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
+    pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> std::io::Result<()> {
+        self.file.flush()?;
+        let file = self.file.get_mut();
+        if new.len() as u64 != old {
+            let mut rest = tempfile::tempfile_in(&self.folder)?;
+            file.seek(SeekFrom::Start(old))?;
+            std::io::copy(file, &mut rest)?;
+            rest.seek(SeekFrom::Start(0))?;
+            file.set_len(0)?;
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(new)?;
+            std::io::copy(&mut rest, file)?;
+            return Ok(());
+        }
+        file.seek(SeekFrom::Start(0))?;
+        file.write_all(new)
     }
 }
 

@@ -8,6 +8,7 @@ mod batch;
 mod curves;
 mod draw;
 mod files;
+mod long;
 mod part;
 mod stop;
 mod sweep;

@@ -60,7 +60,8 @@ impl Part {
         let open = |path: &Path| OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);
         let (file, mut journal) = (open(&path)?, open(&beside(&path, ".journal"))?);
         let first = Job { job: job.to_owned(), begin: begin.len() as u64 };
-        let mut part = Part { path, file, journal: journal.try_clone()?, pieces: Vec::new(), bytes: first.begin, done: 0, rows: 0, missing: 0 };
+        let mut part =
+            Part { path, file, journal: journal.try_clone()?, pieces: Vec::new(), bytes: first.begin, done: 0, rows: 0, missing: 0 };
         let kept = part.recall(&mut journal, &first)?;
         journal.set_len(kept)?;
         journal.seek(SeekFrom::Start(kept))?;

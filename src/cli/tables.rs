@@ -1,9 +1,10 @@
 //! Tables into files: which format a name calls for, and a whole table written.
 
-use super::{Failure, files};
+use super::{Failure, files, long, stop};
 use crate::diag::Diagnostic;
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Standing};
 use crate::sweep::Table;
+use crate::sweep::long::Long;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -13,7 +14,7 @@ pub const BY_ROWS: [&str; 3] = ["csv", "npy", "parquet"];
 /// All formats of a table that is in memory.
 pub const WHOLE: [&str; 4] = ["csv", "json", "npy", "parquet"];
 
-/// Rows of a piece of a table that is in memory: a megabyte for each column.
+/// Rows of a piece: a megabyte for each column.
 const ROWS: usize = 1 << 17;
 
 /// The ending of a file's name, one of those allowed.
@@ -39,9 +40,47 @@ pub fn by_rows(ending: &str, head: Head) -> io::Result<Box<dyn Format>> {
 pub fn write(table: &Table, title: &str, path: &str) -> Result<(), Failure> {
     let ending = ending(path, &WHOLE)?;
     let head = Head::of(title, table);
+    stop::watch();
     files::write_with(Path::new(path), |out| match ending {
         "json" => table::json(&head, table, out),
         _ => rows(table, &*by_rows(ending, head)?, out),
+    })
+}
+
+/// Writes a long sweep, whole or not at all, in the memory of a piece; one is computed while the one before it is written.
+pub fn write_long(sweep: &mut Long, rows: usize, title: &str, path: &str) -> Result<(), Failure> {
+    let format = by_rows(ending(path, &BY_ROWS)?, Head::new(title, sweep.columns()))
+        .map_err(|e| Failure::Output(format!("{path} cannot be written: {e}")))?;
+    let bar = long::bar(rows as u64, 0, "positions");
+    stop::watch();
+    files::write_with(Path::new(path), |out| {
+        // What is known before: that all rows are there, unless it turns out otherwise.
+        let begin = format.begin(rows as u64, &sweep.notes());
+        out.write_all(&begin)?;
+        let (mut offset, mut written, mut from) = (begin.len() as u64, 0, 0);
+        let mut pieces = Vec::new();
+        let make = || {
+            let to = rows.min(from + ROWS);
+            let piece = (from < to && !stop::asked()).then(|| {
+                let columns = sweep.piece(from..to);
+                format.piece(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>())
+            });
+            from = to;
+            piece
+        };
+        long::overlapped(make, |piece| {
+            let piece = piece?;
+            out.write_all(&piece.bytes)?;
+            bar.inc(ROWS as u64);
+            written += piece.rows;
+            pieces.push(Standing { offset, rows: piece.rows, index: piece.index });
+            offset += piece.bytes.len() as u64;
+            Ok(())
+        })?;
+        bar.finish_and_clear();
+        let notes = sweep.notes();
+        out.write_all(&format.end(&pieces, &notes)?)?;
+        if written < rows as u64 { out.replace_beginning(begin.len() as u64, &format.begin(written, &notes)) } else { Ok(()) }
     })
 }
 

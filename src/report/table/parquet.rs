@@ -96,7 +96,13 @@ impl Parquet {
         let there = ParquetMetaDataReader::decode_metadata(&standing.index)?;
         let group = there.row_groups().first().ok_or_else(|| parquet::errors::ParquetError::General("an index without rows".into()))?;
         let columns = group.columns().iter().map(|c| moved(c, standing.offset as i64)).collect::<ParquetResult<Vec<_>>>()?;
-        group.clone().into_builder().set_column_metadata(columns).set_ordinal(ordinal as i32).set_file_offset(standing.offset as i64).build()
+        group
+            .clone()
+            .into_builder()
+            .set_column_metadata(columns)
+            .set_ordinal(ordinal as i32)
+            .set_file_offset(standing.offset as i64)
+            .build()
     }
 }
 
