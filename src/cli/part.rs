@@ -67,9 +67,11 @@ impl Part {
         journal.seek(SeekFrom::Start(kept))?;
         part.file.set_len(if kept > 0 { part.bytes } else { 0 })?;
         part.file.seek(SeekFrom::Start(if kept > 0 { part.bytes } else { 0 }))?;
-        if kept == 0 {
-            part.file.write_all(&begin)?;
-            part.note(&first)?;
+        if kept == 0
+            && let Err(e) = part.file.write_all(&begin).and_then(|()| part.note(&first))
+        {
+            part.remove();
+            return Err(e);
         }
         Ok(part)
     }
