@@ -8,6 +8,7 @@ use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Angle, DriverKind, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::long::Long;
 use hodograph::sweep::vary::Variation;
 use hodograph::sweep::{self, Placed, Stations, Table, Width, extreme, station};
 use rand_pcg::Pcg64Mcg;
@@ -316,6 +317,27 @@ fn limits_of_a_crank_rocker() {
     assert!((limits.transmission[0].angle - worst).abs() < 1e-14, "{:?} {worst}", limits.transmission);
 }
 
+/// Lecture notes 001, exam 2-4: with an advance-to-return ratio K = 1.5 the crank's angle between the extremes is 36 degrees from a
+/// half turn. The rocker's length that makes K = 1.5 is sought by halving.
+#[test]
+fn extreme_position_angle_of_a_time_ratio() {
+    let limits = |rocker: f64| {
+        let text = templates::instantiate("crank-rocker", &[("l_BC", "200"), ("l_CD", &format!("{rocker:e} m"))]).unwrap();
+        limits_of(&read(text).unwrap().value)
+    };
+    let ratio = |l: &extreme::Limits| l.swings[0].time_ratio.unwrap();
+    // Crank 100, coupler 200, frame 300 mm.
+    let (mut low, mut high) = (0.3, 0.36);
+    assert!(ratio(&limits(low)) < 1.5 && ratio(&limits(high)) > 1.5, "{} {}", ratio(&limits(low)), ratio(&limits(high)));
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if ratio(&limits(middle)) < 1.5 { low = middle } else { high = middle }
+    }
+    let ends: Vec<f64> = limits(low).swings[0].extremes.iter().map(|e| e.driver).collect();
+    let theta = ((ends[0] - ends[1]).abs() - std::f64::consts::PI).abs();
+    assert!((theta.to_degrees() - 36.0).abs() < 1e-9, "{theta} {ends:?}");
+}
+
 /// A triad's limit: the leg equations and their determinant vanish there; from both sides the fold goes with the square root.
 #[test]
 fn the_limit_of_a_triad() {
@@ -470,6 +492,43 @@ fn a_batch_is_its_parts() {
             }
         }
     }
+}
+
+/// A sweep in pieces has the rows and the notes of the whole one, to the bit: where rows are missing over the ends of pieces, past
+/// change points, and where the driver slides.
+#[test]
+fn a_long_sweep_is_its_pieces() {
+    let mut missing = 0;
+    for t in templates::list() {
+        let set: &[(&str, &str)] = if t.name == "crank-rocker" { &[("l_AB", "240")] } else { &[] };
+        let scene = read(templates::instantiate(t.name, set).unwrap()).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &m).unwrap();
+        let per_value = station::angle_per_value(&scene, &placed.at, 0);
+        let now = station::position_now(&scene, &placed.at, 0);
+        let way = match scene.drivers[0].kind {
+            DriverKind::Turn { .. } => station::Way::Turn(Angle::Deg(-30.0), Angle::Deg(450.0)),
+            _ => station::Way::Slide { from: now - placed.at.extent(), to: now + placed.at.extent(), per_value },
+        };
+        let steps = sweep::Steps { way, steps: 2000 };
+        let whole = sweep::run(&placed, 0, &steps.all(), Width::Widest).unwrap();
+        let Some(mut long) = Long::new(&placed, 0, steps) else {
+            assert!(followed(&m), "{}", t.name);
+            continue;
+        };
+        let mut columns = vec![Vec::new(); whole.columns.len()];
+        for from in (0..2001).step_by(77) {
+            columns.iter_mut().zip(long.piece(from..2001.min(from + 77))).for_each(|(c, p)| c.extend(p));
+        }
+        let heads = whole.columns.iter().map(|c| (c.name.clone(), c.unit));
+        assert!(long.columns().into_iter().eq(heads), "{}", t.name);
+        for (a, b) in columns.iter().zip(&whole.columns) {
+            assert!(a.len() == b.values.len() && a.iter().zip(&b.values).all(|(x, y)| x.to_bits() == y.to_bits()), "{} {}", t.name, b.name);
+        }
+        assert_eq!(long.notes(), whole.notes, "{}", t.name);
+        missing += 2001 - whole.rows();
+    }
+    assert!(missing > 500, "{missing} rows are missing");
 }
 
 /// Positions by the compiled program against the same position with the length written into the file.

@@ -32,9 +32,9 @@ pub enum Command {
     Worksheet(Worksheet),
     /// Measure what accuracy costs: every way to this scene's answers with its error and its time, as a table and a figure
     Accuracy(Accuracy),
-    /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON)
+    /// Sweep a driver or a parameter: the answers at all positions, as a table (CSV, JSON, NumPy, Parquet)
     Sweep(Sweep),
-    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table
+    /// Vary parameters over a grid or at random: many mechanisms, at one or many positions each, into one table (CSV, NumPy, Parquet)
     Batch(Batch),
     /// Line diagrams: displacement, velocity, acceleration against the position of the driver, extremes marked
     Curves(Curves),
@@ -231,7 +231,7 @@ pub struct Sweep {
     /// Equal steps from one to the other; both ends are rows
     #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
     pub steps: usize,
-    /// Write to this file, ending in .csv or .json, instead of standard output (CSV)
+    /// Write to this file, ending in .csv, .json, .npy or .parquet, instead of standard output (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
 }
@@ -398,7 +398,7 @@ pub struct Batch {
     /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
     #[arg(long, value_parser = steps)]
     pub steps: Option<usize>,
-    /// Write to this file, ending in .csv
+    /// Write to this file, ending in .csv, .npy or .parquet; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
 }

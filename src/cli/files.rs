@@ -1,9 +1,9 @@
 //! Files: read with a bound, written whole or not at all.
 
-use super::Failure;
+use super::{Failure, stop};
 use crate::diag::Diagnostic;
-use std::io::{Read, Write};
-use std::path::Path;
+use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
@@ -27,9 +27,14 @@ pub fn read(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
 
 /// Prints; a reader that closed its end (`| head`) ends the run quietly.
 pub fn print(text: &str) -> Result<ExitCode, Failure> {
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+    print_with(|out| out.write_all(text.as_bytes())).map(|()| ExitCode::SUCCESS)
+}
+
+/// Prints piece by piece.
+pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
+    match fill(&mut std::io::stdout().lock()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
-        _ => Ok(ExitCode::SUCCESS),
+        _ => Ok(()),
     }
 }
 
@@ -40,6 +45,11 @@ pub fn ending(path: &str) -> Option<&str> {
 
 /// Writes a file whole: beside it first, then renamed.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    write_with(path, |out| out.write_all(bytes))
+}
+
+/// Writes a file piece by piece, whole or not at all: what fails or is interrupted leaves nothing behind.
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> std::io::Result<()>) -> Result<(), Failure> {
     let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
     let folder = match path.parent() {
         Some(p) if !p.as_os_str().is_empty() => p,
@@ -53,10 +63,54 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         use std::os::unix::fs::PermissionsExt;
         builder.permissions(std::fs::Permissions::from_mode(0o644));
     }
-    let mut file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
-    file.write_all(bytes).and_then(|()| file.flush()).map_err(fail)?;
+    let file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
+    let copy = file.as_file().try_clone().map_err(fail)?;
+    let mut out = Out { file: BufWriter::with_capacity(1 << 16, copy), folder: folder.to_owned() };
+    let filled = fill(&mut out).and_then(|()| out.flush());
+    if stop::asked() {
+        return Err(Failure::Interrupted(format!("{} is not written", path.display())));
+    }
+    filled.map_err(fail)?;
     file.persist(path).map_err(|e| fail(e.error))?;
     Ok(())
+}
+
+/// A file under way, which takes nothing more once the user has asked to stop.
+pub struct Out {
+    file: BufWriter<std::fs::File>,
+    folder: PathBuf,
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        // Not of the kind `Interrupted`: that one is tried again.
+        if stop::asked() { Err(std::io::Error::other("interrupted")) } else { self.file.write(bytes) }
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Out {
+    /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
+    pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> std::io::Result<()> {
+        self.file.flush()?;
+        let file = self.file.get_mut();
+        if new.len() as u64 != old {
+            let mut rest = tempfile::tempfile_in(&self.folder)?;
+            file.seek(SeekFrom::Start(old))?;
+            std::io::copy(file, &mut rest)?;
+            rest.seek(SeekFrom::Start(0))?;
+            file.set_len(0)?;
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(new)?;
+            std::io::copy(&mut rest, file)?;
+            return Ok(());
+        }
+        file.seek(SeekFrom::Start(0))?;
+        file.write_all(new)
+    }
 }
 
 /// The name of a scene file without folder and ending, for the files made from it.

@@ -1,14 +1,17 @@
 //! The command line: the only place that reads arguments and files, prints, and decides exit codes.
 //!
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
-//! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 a batch was interrupted.
+//! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
 mod args;
 mod batch;
 mod curves;
 mod draw;
 mod files;
+mod long;
+mod part;
 mod path;
+mod stop;
 mod sweep;
 mod tables;
 mod worksheet;
@@ -56,6 +59,10 @@ pub fn main() -> ExitCode {
             eprintln!("error: {message}");
             ExitCode::from(1)
         }
+        Err(Failure::Interrupted(message)) => {
+            eprintln!("interrupted: {message}");
+            ExitCode::from(stop::INTERRUPTED)
+        }
     }
 }
 
@@ -65,6 +72,8 @@ enum Failure {
     Input(Faults, String, String),
     /// A file could not be written.
     Output(String),
+    /// The user asked to stop; what is left of the work.
+    Interrupted(String),
 }
 
 type Run = Result<ExitCode, Failure>;

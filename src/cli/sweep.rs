@@ -1,41 +1,68 @@
 //! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
 use super::args::{Limits, Range, Sweep};
-use super::tables::{self, Kind};
-use super::{Failure, Input, Run, files};
+use super::{Failure, Input, Run, choices, files, tables};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
 use crate::scene::{self, Angle, DriverKind, Scene, edit};
 use crate::sweep::extreme;
+use crate::sweep::long::Long;
+use crate::sweep::station::{self, Way};
 use crate::sweep::vary::Variation;
-use crate::sweep::{self, Placed, Stations, Table, Width, station};
-use std::path::Path;
+use crate::sweep::{self, Placed, Stations, Steps, Table, Width};
 use std::process::ExitCode;
 
 /// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
 pub const STEPS: usize = 360;
 
+/// From so many steps on a file is written piece by piece, while the next piece is computed: a shorter table is in memory anyway
+/// before a bar could be read.
+const LONG: usize = 1 << 18;
+
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common.scene)?;
-    ask(&mut input, a.range.find.as_deref())?;
-    let failed = |faults: Faults, input: &Input| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let table = table(&input.scene, &a).map_err(|f| failed(f, &input))?;
-    input.notes.extend(table.notes.iter().cloned());
-    match a.output.as_deref() {
-        Some(path) => tables::write(&table, Path::new(path))?,
-        None => {
-            files::print(&tables::text(&table, Kind::Csv))?;
-        }
+    if let Some(path) = a.output.as_deref() {
+        tables::ending(path, &tables::WHOLE)?;
     }
+    ask(&mut input, a.range.find.as_deref())?;
+    let notes = sweep_into(&input, &a)?;
+    input.notes.extend(notes);
     input.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// Writes the table to where it belongs; returns its notes.
+fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
+    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let title = input.scene.title.get(choices(&input.scene, &a.common).0);
+    let scene = &input.scene;
+    let mechanism = Mechanism::new(scene).map_err(failed)?.value;
+    let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
+    let table = if let Some(name) = parameter {
+        over_parameter(scene, &mechanism, name, a).map_err(failed)?
+    } else {
+        let driver = driver_of(scene, a.range.over.as_deref()).map_err(failed)?;
+        let placed = Placed::new(scene, &mechanism).map_err(failed)?;
+        let steps = steps(&placed, driver, &a.range, a.steps).map_err(failed)?;
+        let long = a.output.as_deref().filter(|path| a.steps >= LONG && files::ending(path) != Some("json"));
+        if let (Some(path), Some(mut long)) = (long, long.and_then(|_| Long::new(&placed, driver, steps))) {
+            tables::write_long(&mut long, a.steps + 1, title, path)?;
+            return Ok(long.notes());
+        }
+        sweep::run(&placed, driver, &steps.all(), Width::Widest).map_err(failed)?
+    };
+    match a.output.as_deref() {
+        Some(path) => tables::write(&table, title, path)?,
+        None => files::print_with(|out| tables::csv(&table, out))?,
+    }
+    Ok(table.notes)
 }
 
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
     let input = Input::read(&a.common.scene)?;
-    let (lang, _) = super::choices(&input.scene, &a.common);
+    let (lang, _) = choices(&input.scene, &a.common);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
     let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;
@@ -74,19 +101,11 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     }
 }
 
-fn table(scene: &Scene, a: &Sweep) -> Result<Table, Faults> {
-    let mechanism = Mechanism::new(scene)?.value;
-    let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
-    if let Some(name) = parameter {
-        let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-        let variation = Variation::new(scene, &[name])?;
-        let values = variation.range(scene, name, &from, &to, a.steps)?;
-        return sweep::vary::sweep(scene, &mechanism, &variation, &values);
-    }
-    let driver = driver_of(scene, a.range.over.as_deref())?;
-    let placed = Placed::new(scene, &mechanism)?;
-    let stations = stations(&placed, driver, &a.range, a.steps)?;
-    sweep::run(&placed, driver, &stations, Width::Widest)
+fn over_parameter(scene: &Scene, mechanism: &Mechanism, name: &str, a: &Sweep) -> Result<Table, Faults> {
+    let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
+    let variation = Variation::new(scene, &[name])?;
+    let values = variation.range(scene, name, &from, &to, a.steps)?;
+    sweep::vary::sweep(scene, mechanism, &variation, &values)
 }
 
 fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {
@@ -102,17 +121,21 @@ pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
 
 /// The stations of a driver between two values as the scene would write them; without them a full turn where it turns, and as far
 /// as it goes where it slides.
-pub fn stations(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Stations, Faults> {
+pub fn stations(placed: &Placed, driver: usize, range: &Range, count: usize) -> Result<Stations, Faults> {
+    Ok(steps(placed, driver, range, count)?.all())
+}
+
+fn steps(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Faults> {
     let (from, to) = (range.from.as_deref(), range.to.as_deref());
     let Some(d) = placed.scene.drivers.get(driver) else {
         return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
     };
     if let DriverKind::Turn { .. } = d.kind {
         let read = |text: Option<&str>, default: f64| text.map_or(Ok(Angle::Deg(default)), edit::angle);
-        return Ok(Stations::turned(read(from, 0.0)?, read(to, 360.0)?, steps));
+        return Ok(Steps { way: Way::Turn(read(from, 0.0)?, read(to, 360.0)?), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
-    let [low, high] = match (from, to) {
+    let [from, to] = match (from, to) {
         (Some(from), Some(to)) => [edit::length(from)?, edit::length(to)?],
         _ => {
             let [low, high] = extreme::limits(placed.scene, placed.mechanism, driver)?.range.bounds();
@@ -120,5 +143,5 @@ pub fn stations(placed: &Placed, driver: usize, range: &Range, steps: usize) -> 
             [given(from, low)?, given(to, high)?]
         }
     };
-    Ok(Stations::slid(low, high, steps, per_value))
+    Ok(Steps { way: Way::Slide { from, to, per_value }, steps })
 }

@@ -1,4 +1,4 @@
-//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics.
+//! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 pub mod answers;
 pub mod construction;
@@ -10,3 +10,4 @@ pub mod phrase;
 pub mod plan;
 pub mod plan_json;
 pub mod price;
+pub mod table;

@@ -13,6 +13,7 @@ use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration, newton};
 use crate::quantity::{metres, significant};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use std::ops::Range;
 
 /// The general way to single rows of a sweep.
 pub(super) struct General<'a> {
@@ -252,21 +253,38 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     Diagnostic::note("limit", format!("the driver goes no farther than {at}: there {what}"))
 }
 
-/// One note for each run of missing rows; `words` names a row by its swept value.
-pub(super) fn gaps(words: &dyn Fn(usize) -> String, missing: &[Option<Faults>]) -> Vec<Diagnostic> {
-    let mut notes = Vec::new();
-    let mut i = 0;
-    while i < missing.len() {
-        let Some(why) = &missing[i] else {
-            i += 1;
-            continue;
-        };
-        let end = (i..missing.len()).find(|&k| missing[k].is_none()).unwrap_or(missing.len());
-        let range = if end == i + 1 { format!("at {}", words(i)) } else { format!("from {} to {}", words(i), words(end - 1)) };
-        let reason = why.list.first().map_or(String::new(), |d| d.message.clone());
-        let rows = if end == i + 1 { "1 row is".to_owned() } else { format!("{} rows are", end - i) };
-        notes.push(Diagnostic::warning("no-position", format!("{rows} missing {range}: {reason}")));
-        i = end;
+/// A run of missing rows, and why the first of them is missing.
+pub(super) struct Gap {
+    pub rows: Range<usize>,
+    pub why: String,
+}
+
+/// The runs of missing rows, the first row of all being the `first` of the sweep.
+pub(super) fn runs(missing: &[Option<Faults>], first: usize) -> Vec<Gap> {
+    let mut gaps: Vec<Gap> = Vec::new();
+    for (i, why) in missing.iter().enumerate() {
+        let (Some(why), row) = (why, first + i) else { continue };
+        match gaps.last_mut().filter(|g| g.rows.end == row) {
+            Some(gap) => gap.rows.end = row + 1,
+            None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(String::new(), |d| d.message.clone()) }),
+        }
     }
-    notes
+    gaps
+}
+
+/// One note for each run of missing rows; `words` names a row by its swept value.
+pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Diagnostic> {
+    let note = |Gap { rows, why }: &Gap| {
+        let (count, range) = match rows.len() {
+            1 => ("1 row is".to_owned(), format!("at {}", words(rows.start))),
+            n => (format!("{n} rows are"), format!("from {} to {}", words(rows.start), words(rows.end - 1))),
+        };
+        Diagnostic::warning("no-position", format!("{count} missing {range}: {why}"))
+    };
+    gaps.iter().map(note).collect()
+}
+
+/// [`gap_notes`] of the rows of a whole sweep.
+pub(super) fn gaps(words: &dyn Fn(usize) -> String, missing: &[Option<Faults>]) -> Vec<Diagnostic> {
+    gap_notes(words, &runs(missing, 0))
 }

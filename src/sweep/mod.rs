@@ -5,7 +5,7 @@
 //! positions, four side by side where the machine can ([`lane`]); class III groups are followed ([`track`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
-//! [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`long`] sweeps go piece by piece. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -20,6 +20,7 @@ mod general;
 pub mod kernel;
 pub mod lane;
 pub mod limit;
+pub mod long;
 pub mod points;
 pub mod program;
 pub mod reading;
@@ -33,7 +34,7 @@ pub mod zoom;
 
 pub use compile::compile;
 pub use lane::Width;
-pub use station::Stations;
+pub use station::{Stations, Steps};
 pub use table::{Column, Table};
 
 use crate::diag::{Diagnostic, Faults};
@@ -42,7 +43,7 @@ use crate::position::{self, Configuration};
 use crate::scene::Scene;
 use general::General;
 pub use general::driver_name;
-use limit::Probe;
+use limit::{Event, Probe};
 use program::{Buffer, CHUNK, COS, Program, SIN, VALUE};
 use rayon::prelude::*;
 
@@ -139,17 +140,21 @@ impl Rows {
         }
     }
 
-    fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, mut notes: Vec<Diagnostic>) -> Table {
+    /// The numbers of the rows that are there, the driver's values first.
+    fn there(self, stations: &Stations) -> Vec<Vec<f64>> {
         let there: Vec<usize> = (0..stations.len()).filter(|&i| self.missing[i].is_none()).collect();
-        let pick = |values: &[f64]| there.iter().map(|&i| values[i]).collect::<Vec<_>>();
-        let (name, unit) = general::driver_name(placed.scene, driver);
-        let mut columns = vec![Column { name, unit, values: pick(&stations.values) }];
-        for ((name, unit), values) in self.names.into_iter().zip(&self.columns) {
-            columns.push(Column { name, unit, values: pick(values) });
-        }
+        // A long table is not copied for nothing.
+        let whole = there.len() == stations.len();
+        let pick = |values: Vec<f64>| if whole { values } else { there.iter().map(|&i| values[i]).collect() };
+        std::iter::once(stations.values.clone()).chain(self.columns).map(pick).collect()
+    }
+
+    fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, mut notes: Vec<Diagnostic>) -> Table {
         let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
         notes.extend(general::gaps(&words, &self.missing));
-        Table { columns, notes }
+        let heads: Vec<_> = std::iter::once(general::driver_name(placed.scene, driver)).chain(self.names.iter().cloned()).collect();
+        let columns = heads.into_iter().zip(self.there(stations)).map(|((name, unit), values)| Column { name, unit, values });
+        Table { columns: columns.collect(), notes }
     }
 }
 
@@ -191,23 +196,32 @@ fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) 
 
 /// The program of each stretch between change points, with its stations; and a note for each change point.
 fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
-    let all: Vec<usize> = (0..stations.len()).collect();
-    if !program.tracks.is_empty() || program.joints.is_empty() {
-        return (vec![(program, all)], Vec::new());
-    }
     let (now, span) = span(placed, driver, stations);
+    let changes = change_points(&program, placed, driver, now, span);
+    let notes = changes.iter().flatten().map(|c| general::change_note(placed.scene, driver, c)).collect();
+    (stretches(program, now, &changes, stations), notes)
+}
+
+/// The change points of the driver's way from where it stands downward, and those upward.
+fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Vec<Event>; 2] {
     let mut changes = [Vec::new(), Vec::new()];
-    for (changes, until) in changes.iter_mut().zip(span) {
-        if until != now {
+    if program.tracks.is_empty() && !program.joints.is_empty() {
+        for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {
             *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
         }
     }
+    changes
+}
+
+/// The program of each stretch between change points, with its stations.
+fn stretches(program: Program, now: f64, changes: &[Vec<Event>; 2], stations: &Stations) -> Vec<(Program, Vec<usize>)> {
+    let all: Vec<usize> = (0..stations.len()).collect();
     if changes.iter().all(Vec::is_empty) {
-        return (vec![(program, all)], Vec::new());
+        return vec![(program, all)];
     }
     // How many change points lie between the instant and a station, downward or upward.
     let passed = |value: f64| {
-        let [down, up] = &changes;
+        let [down, up] = changes;
         if value < now { (0, down.iter().filter(|c| c.value > value).count()) } else { (1, up.iter().filter(|c| c.value < value).count()) }
     };
     let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
@@ -222,8 +236,7 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
         }
     }
     parts.retain(|(_, rows)| !rows.is_empty());
-    let notes = changes.iter().flatten().map(|c| general::change_note(placed.scene, driver, c)).collect();
-    (parts, notes)
+    parts
 }
 
 fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {

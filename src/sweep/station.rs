@@ -4,6 +4,7 @@ use super::compile::driver_positions;
 use crate::position::{Configuration, Path};
 use crate::scene::{Angle, DriverKind, Scene};
 use crate::trig;
+use std::ops::Range;
 
 /// Values of a driver (rad or m), in order.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -19,18 +20,7 @@ pub struct Stations {
 impl Stations {
     /// `steps` equal steps from one angle to another, both ends included; degrees are reduced exactly.
     pub fn turned(from: Angle, to: Angle, steps: usize) -> Stations {
-        let angle = |i: usize| match (from, to) {
-            (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
-            _ => Angle::Rad(between(from.radians(), to.radians(), i, steps)),
-        };
-        let mut s = Stations::default();
-        for i in 0..=steps {
-            let (sin, cos) = trig::sin_cos(angle(i));
-            s.values.push(angle(i).radians());
-            s.cosines.push(cos);
-            s.sines.push(sin);
-        }
-        s
+        Steps { way: Way::Turn(from, to), steps }.all()
     }
 
     /// Given values, which mean angle·`per_value` for cosine and sine.
@@ -41,7 +31,7 @@ impl Stations {
 
     /// `steps` equal steps from one length to another, both ends included.
     pub fn slid(from: f64, to: f64, steps: usize, per_value: f64) -> Stations {
-        Stations::of_values((0..=steps).map(|i| between(from, to, i, steps)).collect(), per_value)
+        Steps { way: Way::Slide { from, to, per_value }, steps }.all()
     }
 
     /// Some of them.
@@ -58,6 +48,60 @@ impl Stations {
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.values.is_empty()
+    }
+}
+
+/// From where to where a driver goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// From one angle to another.
+    Turn(Angle, Angle),
+    /// From one value to another (rad or m), which mean angle·`per_value` for cosine and sine.
+    Slide {
+        /// The first value.
+        from: f64,
+        /// The last.
+        to: f64,
+        /// See [`angle_per_value`].
+        per_value: f64,
+    },
+}
+
+/// Equal steps of a driver, both ends included: [`Stations`] of any part of them are made where they are needed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Steps {
+    /// From where to where.
+    pub way: Way,
+    /// How many steps; there is a station more.
+    pub steps: usize,
+}
+
+impl Steps {
+    /// All stations.
+    pub fn all(&self) -> Stations {
+        self.part(0..self.steps + 1)
+    }
+
+    /// Some of the stations, the same whatever part they are asked in.
+    pub fn part(&self, rows: Range<usize>) -> Stations {
+        let steps = self.steps;
+        match self.way {
+            Way::Slide { from, to, per_value } => Stations::of_values(rows.map(|i| between(from, to, i, steps)).collect(), per_value),
+            Way::Turn(from, to) => {
+                let mut s = Stations::default();
+                for i in rows {
+                    let angle = match (from, to) {
+                        (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
+                        _ => Angle::Rad(between(from.radians(), to.radians(), i, steps)),
+                    };
+                    let (sin, cos) = trig::sin_cos(angle);
+                    s.values.push(angle.radians());
+                    s.cosines.push(cos);
+                    s.sines.push(sin);
+                }
+                s
+            }
+        }
     }
 }
 

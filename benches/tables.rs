@@ -1,0 +1,158 @@
+//! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
+//! `-- sweep` only the time of a position of a four-bar's sweep in memory, as JSON, for `bench/peers`.
+//!
+//! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
+
+use hodograph::mechanism::Mechanism;
+use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
+use hodograph::scene::{Angle, Scene, edit, read, templates};
+use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::vary::Variation;
+use hodograph::sweep::{self, Placed, Stations, Width};
+use std::fs::File;
+use std::hint::black_box;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::mpsc;
+use std::time::Instant;
+
+/// Mechanisms of the batch; 200 positions each.
+const MECHANISMS: u64 = 10_000;
+
+/// The arguments that make the command write the same batch.
+const ARGUMENTS: &str = "--vary l_AB=60..120 --vary l_BC=200..300 --vary l_CD=180..260 --random 10000 --seed 1 --from 0deg --to 358.2deg \
+    --steps 199 --find v_C,a_C -o";
+
+/// Mechanisms of a block, as the command cuts them.
+const STEP: u64 = 714;
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+fn seconds(call: impl FnOnce()) -> f64 {
+    let start = Instant::now();
+    call();
+    start.elapsed().as_secs_f64()
+}
+
+fn asked(find: &[&str]) -> Scene {
+    read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
+}
+
+/// A whole sweep in memory, scene to table: ns a position. The caller says on how many cores.
+fn in_memory() -> f64 {
+    let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let steps = 1_000_000;
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
+    let sweep = || sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest).unwrap();
+    let times = (0..5).map(|_| seconds(|| drop(black_box(sweep()))));
+    median(times.collect()) * 1e9 / (steps + 1) as f64
+}
+
+/// Writes blocks as the command does: the next is given its form while the last one is written.
+fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
+    let mut file = File::create(path).unwrap();
+    let begin = format.begin(0, &[]);
+    file.write_all(&begin).unwrap();
+    let (sender, pieces) = mpsc::sync_channel(1);
+    let mut standing = Vec::new();
+    std::thread::scope(|s| {
+        s.spawn(move || {
+            for block in blocks {
+                let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
+                sender.send(format.piece(&columns).unwrap()).unwrap();
+            }
+        });
+        let mut offset = begin.len() as u64;
+        for piece in pieces {
+            file.write_all(&piece.bytes).unwrap();
+            let length = piece.bytes.len() as u64;
+            standing.push(Standing { offset, rows: piece.rows, index: piece.index });
+            offset += length;
+        }
+    });
+    file.write_all(&format.end(&standing, &[]).unwrap()).unwrap();
+    file.sync_all().unwrap();
+}
+
+fn command(arguments: &str, last: &Path) {
+    let mut c = Command::new(env!("CARGO_BIN_EXE_hodograph"));
+    c.args(arguments.split_whitespace()).arg(last).current_dir(env!("CARGO_MANIFEST_DIR")).stdout(Stdio::null());
+    assert!(c.status().unwrap().success());
+}
+
+fn writing() {
+    let scene = asked(&["v_C", "a_C"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
+    let range = |name, from, to| variation.range(&scene, name, from, to, 1).unwrap();
+    let values = vec![range("l_AB", "60", "120"), range("l_BC", "200", "300"), range("l_CD", "180", "260")];
+    let choice = Choice::Random { count: MECHANISMS, seed: 1 };
+    let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(358.2), 199));
+    let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
+    let blocks = || (0..MECHANISMS).step_by(STEP as usize).map(|from| batch.block(from, MECHANISMS.min(from + STEP)));
+    let kept: Vec<Block> = blocks().collect();
+    let rows: usize = kept.iter().map(|b| b.columns[0].len()).sum();
+    let mut head = Head::new("", batch.columns());
+    head.columns.iter_mut().take(5).for_each(|c| c.repeats = true);
+    head.columns[0].whole = true;
+    let folder = std::env::temp_dir().join(format!("hodograph-bench-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let formats: [(&str, Box<dyn Format>); 3] = [
+        ("csv", Box::new(Csv::new(head.clone()))),
+        ("npy", Box::new(Npy::new(head.clone()))),
+        ("parquet", Box::new(Parquet::new(head).unwrap())),
+    ];
+    let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
+    let path = |ending: &str| folder.join(format!("designs.{ending}"));
+    for _ in 0..7 {
+        compute.push(seconds(|| blocks().for_each(|b| drop(black_box(b)))));
+        for (k, (ending, format)) in formats.iter().enumerate() {
+            alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
+            let arguments = format!("batch templates/crank-rocker.json {ARGUMENTS}");
+            whole[k].push(seconds(|| command(&arguments, &path(ending))));
+        }
+    }
+    let compute = median(compute);
+    let million = |t: f64| rows as f64 / t / 1e6;
+    println!("{rows} rows of 11 columns; computed only: {compute:.3} s, {:.1} million positions/s", million(compute));
+    println!(
+        "\n| format | MB | writing alone, s | whole command, s | whole / writing alone | whole / computing + writing | million positions/s |"
+    );
+    println!("|---|---|---|---|---|---|---|");
+    for (k, (ending, _)) in formats.iter().enumerate() {
+        let (alone, whole) = (median(alone[k].clone()), median(whole[k].clone()));
+        let size = std::fs::metadata(path(ending)).unwrap().len() as f64 / 1e6;
+        let (first, second) = (whole / alone, whole / (alone + compute));
+        println!("| {ending} | {size:.0} | {alone:.3} | {whole:.3} | {first:.2} | {second:.2} | {:.1} |", million(whole));
+    }
+    let _ = std::fs::remove_dir_all(&folder);
+}
+
+/// Starting the command against starting an empty program.
+fn starting() {
+    let run = |program: &str, arguments: &[&str]| {
+        let mut c = Command::new(program);
+        seconds(|| assert!(c.args(arguments).stdout(Stdio::null()).status().unwrap().success()))
+    };
+    let (mut ours, mut empty) = (Vec::new(), Vec::new());
+    for _ in 0..201 {
+        ours.push(run(env!("CARGO_BIN_EXE_hodograph"), &["--version"]));
+        empty.push(run("true", &[]));
+    }
+    let (ours, empty) = (median(ours) * 1e3, median(empty) * 1e3);
+    println!("\nstarting: hodograph --version {ours:.2} ms, an empty program {empty:.2} ms: {:.2} ms more", ours - empty);
+}
+
+fn main() {
+    if std::env::args().any(|a| a == "sweep") {
+        println!("{{\"ns\": {}}}", in_memory());
+        return;
+    }
+    writing();
+    starting();
+}
