@@ -2,6 +2,8 @@
 //!
 //! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
 
+use rayon::prelude::*;
+
 use crate::figure::mechanism::Course;
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
@@ -12,7 +14,7 @@ use super::frames::{Frame, Frames};
 
 /// The course of each frame.
 pub fn courses(frames: &Frames, style: &Style, notation: &Notation) -> Vec<Course> {
-    let alone: Vec<Course> = frames.list.iter().map(|f| Course::of_one(style, &f.scene, &f.worked, notation)).collect();
+    let alone: Vec<Course> = frames.list.par_iter().map(|f| Course::of_one(style, &f.scene, &f.worked, notation)).collect();
     let Some(first) = frames.list.first() else { return Vec::new() };
     let scene = &first.scene;
     let supports: Vec<_> = (0..scene.points.len()).filter_map(|p| usual(alone.iter().filter_map(|c| c.supports.get(p).copied()))).collect();
