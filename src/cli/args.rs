@@ -109,6 +109,10 @@ pub struct Draw {
     /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
+    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one. What it lacks is
+    /// set in the bundled fonts
+    #[arg(long, value_name = "FILE")]
+    pub font: Vec<String>,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -182,6 +186,9 @@ pub struct Worksheet {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
+    /// A font of your own, as for `draw`
+    #[arg(long, value_name = "FILE")]
+    pub font: Vec<String>,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -248,6 +255,9 @@ pub struct Curves {
     /// Style, as for `draw`
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
+    /// A font of your own, as for `draw`
+    #[arg(long, value_name = "FILE")]
+    pub font: Vec<String>,
     /// The file, ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: String,

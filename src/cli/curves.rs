@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
+    files::fonts(&a.font)?;
     let style = read_style(&a.style)?;
     let mut input = Input::read(&a.common.scene)?;
     let find = match &a.range.find {

@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
+    files::fonts(&a.font)?;
     let style = read_style(&a.style)?;
     let mut input = Input::read(&a.common.scene)?;
     let drafting = input.pencil(a.drafting.as_deref())?;

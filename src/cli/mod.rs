@@ -19,6 +19,7 @@ mod worksheet;
 use crate::accuracy::{certify, steps, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
+use crate::figure::font::own;
 use crate::figure::sheet;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
@@ -117,8 +118,9 @@ impl Input {
     }
 
     fn say_notes(&self) {
-        if !self.notes.is_empty() {
-            eprint!("{}", diagnostics::render(&Faults { list: self.notes.clone() }, &self.name, &self.source));
+        let list: Vec<_> = self.notes.iter().cloned().chain(own::lacking()).collect();
+        if !list.is_empty() {
+            eprint!("{}", diagnostics::render(&Faults { list }, &self.name, &self.source));
         }
     }
 }

@@ -12,6 +12,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(a: args::Worksheet) -> Run {
     let write = writer(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
+    files::fonts(&a.font)?;
     let mut input = Input::read(&a.common.scene)?;
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);

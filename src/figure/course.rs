@@ -2,6 +2,8 @@
 //!
 //! Decided here: that the ground stands still. Not decided here: which side is best in one pose.
 
+use rayon::prelude::*;
+
 use crate::plan::notation::Notation;
 use crate::position::{Path, Pose};
 use crate::scene::{GuideId, LinkId, Scene};
@@ -12,7 +14,7 @@ use super::style::Style;
 
 /// The course of each pose.
 pub fn courses(poses: &[(&Scene, &Worked)], style: &Style, notation: &Notation) -> Vec<Course> {
-    let alone: Vec<Course> = poses.iter().map(|(scene, worked)| Course::of_one(style, scene, worked, notation)).collect();
+    let alone: Vec<Course> = poses.par_iter().map(|(scene, worked)| Course::of_one(style, scene, worked, notation)).collect();
     let Some((scene, _)) = poses.first() else { return Vec::new() };
     let supports: Vec<_> = (0..scene.points.len()).filter_map(|p| usual(alone.iter().filter_map(|c| c.supports.get(p).copied()))).collect();
     let hatched: Vec<_> =

@@ -10,7 +10,7 @@ use crate::geom::{Point, Vec2};
 use super::extent::{Rect, bounds, translate};
 use super::item::{Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{LabelRequest, Obstacles, Placement, place_or_leave};
+use super::place::{Habit, LabelRequest, Obstacles, Placement, place_or_leave};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -53,8 +53,8 @@ impl Part {
     }
 }
 
-/// For each label, by name, which of its places it has ([`Placement::index`]).
-pub type Habits = BTreeMap<String, usize>;
+/// For each label, by name, where it stood or that it was left out.
+pub type Habits = BTreeMap<String, Habit>;
 
 /// A part in the making.
 #[derive(Debug)]
@@ -154,11 +154,11 @@ impl Drawing {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         let first = habits.is_empty();
-        let before: Vec<Option<usize>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
+        let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
         for (p, w) in placed.iter().zip(&self.wanted) {
+            habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };
-            habits.insert(w.id.clone(), p.index);
             for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
                 item.link = w.link;
                 let id = &w.id;

@@ -1,6 +1,6 @@
 //! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
 //!
-//! Decided here: the order in which the four fonts are asked. Not decided here: what is italic (the label
+//! Decided here: the order in which the four fonts are asked, after the author's own ([`own`]) where there are any. Not decided here: what is italic (the label
 //! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
 //! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
 //! caller, never drawn as a box.
@@ -14,6 +14,8 @@ use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
 use skrifa::font::{Font, glyph::outline::PathSink};
 use skrifa::{DrawMemory, GlyphId, ScalerFont};
 
+pub mod own;
+
 /// How a character is to look, before a font is chosen for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Slant {
@@ -25,7 +27,25 @@ pub enum Slant {
     Symbol,
 }
 
-/// One of the embedded fonts.
+/// A cut of the author's own font.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Cut {
+    /// For digits and words.
+    Upright,
+    /// For letters of quantities and points.
+    Slanted,
+}
+
+impl Cut {
+    fn name(self) -> &'static str {
+        match self {
+            Cut::Upright => "upright",
+            Cut::Slanted => "slanted",
+        }
+    }
+}
+
+/// One of the fonts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Face {
     /// Tinos Regular: Latin and Greek with the metrics of Times.
@@ -36,6 +56,8 @@ pub enum Face {
     Math,
     /// Noto Serif CJK SC (subset): Song-style Chinese.
     Song,
+    /// The author's own: there only after [`own::install`].
+    Own(Cut),
 }
 
 const ITALIC_FIRST: [Face; 4] = [Face::Italic, Face::Roman, Face::Math, Face::Song];
@@ -49,9 +71,49 @@ struct Loaded {
 
 impl Loaded {
     fn new(bytes: &'static [u8]) -> Loaded {
-        let font = Font::new(bytes, 0).expect("an embedded font is readable: a test shapes with each of them");
+        Loaded::try_new(bytes).expect("an embedded font is readable: a test shapes with each of them")
+    }
+
+    fn try_new(bytes: &'static [u8]) -> Option<Loaded> {
+        let font = Font::new(bytes, 0)?;
         let scaler = ScalerFont::unhinted(font.clone(), None);
-        Loaded { font, scaler }
+        Some(Loaded { font, scaler })
+    }
+
+    /// The outline of a glyph; `None` where it is damaged.
+    fn outline(&self, glyph: u32) -> Option<Outline> {
+        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: f64::from(self.font.units_per_em().max(1)) };
+        if let Some(outline) = self.scaler.outline(GlyphId::new(glyph)) {
+            outline.draw(DrawMemory::Scratch, &mut sink).ok()?;
+        }
+        let reach = sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
+        let sound = sink.segments.len() <= MOST_SEGMENTS && (!sink.ink.any() || reach <= MOST_EM);
+        sound.then_some(Outline { segments: sink.segments, ink: sink.ink })
+    }
+
+    fn shape(&self, run: &str) -> Run {
+        let em = f64::from(self.font.units_per_em().max(1));
+        let mut buffer = Buffer::new();
+        buffer.push_str(run);
+        buffer.guess_segment_properties();
+        shape(&ShaperFont::new(&self.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
+        let mut glyphs: Vec<Glyph> = Vec::new();
+        let mut ink = Ink::NONE;
+        let mut pen = 0.0;
+        for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
+            let start = info.cluster as usize;
+            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
+            if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
+                before.text.end = start;
+            }
+            let offset_em = [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em];
+            let own = self.outline(info.glyph_id).map_or(Ink::NONE, |o| o.ink);
+            ink = ink.union(own.placed(1.0, pen + offset_em[0], offset_em[1]));
+            let advance_em = f64::from(pos.x_advance) / em;
+            glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
+            pen += advance_em;
+        }
+        Run { ink, advance_em: pen, glyphs }
     }
 }
 
@@ -62,18 +124,22 @@ static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Song.bytes())
 
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
+/// A damaged font may tell outlines without end: no letter has so many pieces, nor reaches so far (em).
+const MOST_SEGMENTS: usize = 20_000;
+const MOST_EM: f64 = 8.0;
 /// Glyphs kept, of about a kilobyte each: more than two languages' sheets ever use at once.
 const MOST_OUTLINES: usize = 2048;
 
 thread_local! {
     /// Only looked up in, never iterated.
     static RUNS: RefCell<HashMap<(Face, String), Rc<Run>>> = RefCell::default();
+    static KNOWN: RefCell<HashMap<(Face, char), bool>> = RefCell::default();
     static OUTLINES: RefCell<HashMap<(Face, u32), Rc<Outline>>> = RefCell::default();
 }
 
 impl Face {
     /// All of them.
-    pub const ALL: [Face; 4] = [Face::Roman, Face::Italic, Face::Math, Face::Song];
+    pub const ALL: [Face; 6] = [Face::Roman, Face::Italic, Face::Math, Face::Song, Face::Own(Cut::Upright), Face::Own(Cut::Slanted)];
 
     /// The font file, for formats that carry their fonts.
     pub fn bytes(self) -> &'static [u8] {
@@ -82,6 +148,7 @@ impl Face {
             Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
             Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
             Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
+            Face::Own(cut) => own::font(cut).map_or(&[], |own| own.bytes),
         }
     }
 
@@ -91,6 +158,7 @@ impl Face {
             Face::Italic => &ITALIC,
             Face::Math => &MATH,
             Face::Song => &SONG,
+            Face::Own(cut) => &own::font(cut).expect("a face of one's own comes from an installed font").loaded,
         }
     }
 
@@ -101,7 +169,7 @@ impl Face {
             Slant::Upright => ROMAN_FIRST,
             Slant::Symbol => MATH_FIRST,
         };
-        order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some())
+        own::face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some()))
     }
 
     /// Shapes a run of characters (kerning included).
@@ -122,28 +190,29 @@ impl Face {
     }
 
     fn shape(self, run: &str) -> Run {
-        let loaded = self.loaded();
-        let em = f64::from(loaded.font.units_per_em());
-        let mut buffer = Buffer::new();
-        buffer.push_str(run);
-        buffer.guess_segment_properties();
-        shape(&ShaperFont::new(&loaded.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
-        let mut glyphs: Vec<Glyph> = Vec::new();
-        let mut ink = Ink::NONE;
-        let mut pen = 0.0;
-        for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
-            let start = info.cluster as usize;
-            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
-            if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
-                before.text.end = start;
-            }
-            let offset_em = [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em];
-            ink = ink.union(self.outline(info.glyph_id).ink.placed(1.0, pen + offset_em[0], offset_em[1]));
-            let advance_em = f64::from(pos.x_advance) / em;
-            glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
-            pen += advance_em;
+        let whole = self.loaded().shape(run);
+        if !matches!(self, Face::Own(_)) || sound(&whole, run) {
+            return whole;
         }
-        Run { ink, advance_em: pen, glyphs }
+        // A damaged font: what goes wrong between letters does not where each stands alone.
+        let mut out = Run { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
+        for (at, c) in run.char_indices() {
+            let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]));
+            out.ink = out.ink.union(one.ink.placed(1.0, out.advance_em, 0.0));
+            out.advance_em += one.advance_em;
+            out.glyphs.extend(one.glyphs.into_iter().map(|g| Glyph { text: at..at + c.len_utf8(), ..g }));
+        }
+        out
+    }
+
+    /// Whether the font has a character and can draw it.
+    fn draws(self, c: char) -> bool {
+        KNOWN.with_borrow_mut(|known| {
+            if known.len() >= MOST_RUNS {
+                known.clear();
+            }
+            *known.entry((self, c)).or_insert_with(|| drawn(self.loaded(), c).is_some())
+        })
     }
 
     /// What a glyph looks like.
@@ -157,14 +226,30 @@ impl Face {
     }
 
     fn draw(self, glyph: u32) -> Outline {
-        let loaded = self.loaded();
-        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: f64::from(loaded.font.units_per_em()) };
-        if let Some(outline) = loaded.scaler.outline(GlyphId::new(glyph)) {
-            // An embedded outline that cannot be drawn would be a damaged build, not a user's fault.
-            outline.draw(DrawMemory::Scratch, &mut sink).expect("embedded outlines are sound");
-        }
-        Outline { segments: sink.segments, ink: sink.ink }
+        // A character that cannot be drawn has been taken from another font.
+        self.loaded().outline(glyph).unwrap_or(Outline { segments: Vec::new(), ink: Ink::NONE })
     }
+}
+
+/// How a font draws a character; `None` where it does not have it, or only a damaged one.
+fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
+    let glyph = loaded.font.charmap().map_unicode(c)?;
+    let text = String::from(c);
+    let run = loaded.shape(&text);
+    let all = sound(&run, &text) && run.glyphs.iter().all(|g| loaded.outline(g.id).is_some());
+    let outline = loaded.outline(glyph.to_u32()).filter(|_| all)?;
+    // A letter without ink is a hole in the sentence.
+    (outline.ink.any() || c.is_whitespace()).then_some(outline)
+}
+
+/// Whether a run's measures are those of letters.
+fn sound(run: &Run, text: &str) -> bool {
+    let within = |v: f64, most: f64| v.is_finite() && v.abs() <= most;
+    let glyph = |g: &Glyph| {
+        let place = text.is_char_boundary(g.text.start) && text.is_char_boundary(g.text.end) && g.text.start <= g.text.end;
+        place && within(g.advance_em, MOST_EM) && g.offset_em.iter().all(|v| within(*v, MOST_EM))
+    };
+    run.glyphs.len() <= 4 * text.len() + 4 && run.glyphs.iter().all(glyph) && run.advance_em >= 0.0
 }
 
 /// The contours of a glyph.
@@ -273,7 +358,9 @@ impl Sink {
     }
 
     fn push(&mut self, segment: Segment<f64>) {
-        self.segments.push(segment);
+        if self.segments.len() <= MOST_SEGMENTS {
+            self.segments.push(segment);
+        }
     }
 }
 

@@ -23,7 +23,7 @@ use super::style::Style;
 use super::tables::Tables;
 use super::words::{Words, words};
 use super::{mechanism, polygon, results};
-use crate::accuracy::{Certified, certify, steps};
+use crate::accuracy::{Certified, Steps, certify, steps};
 
 /// How a sheet is written.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,7 +74,7 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let maker = Maker { scene, worked, options, certified };
     let title = maker.title();
     let drawings = maker.drawings(true);
-    let equations = maker.equations();
+    let equations = maker.equations(&steps(scene, worked, None));
     let results = results::results(&options.style, &maker.answers());
     let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
@@ -88,7 +88,7 @@ pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) 
     let part = match which {
         Single::Mechanism => maker.captioned(maker.mechanism(), "", which),
         Single::Polygon(level) => maker.captioned(maker.polygon(worked.construction.polygon(level)?), "", which),
-        Single::Equations => column(maker.equations())?,
+        Single::Equations => column(maker.equations(&steps(scene, worked, None)))?,
         Single::Results => results::results(&options.style, &maker.answers()),
     };
     Some(maker.alone(part))
@@ -127,17 +127,12 @@ impl Maker<'_> {
         Writer { scene: self.scene, plan: &self.worked.plan, notation: &self.options.notation, lang: self.options.lang }
     }
 
-    /// The equations of each level with their heading; nothing where there are none.
-    pub fn equations(&self) -> Vec<(Part, Vec<Part>)> {
+    /// The equations of each level with their heading; nothing where there are none. `steps` are the certified numbers of the
+    /// construction.
+    pub fn equations(&self, steps: &Steps) -> Vec<(Part, Vec<Part>)> {
         let (writer, worked) = (self.writer(), self.worked);
-        let steps = steps(self.scene, worked, None);
-        let tables = Tables {
-            style: &self.options.style,
-            writer: &writer,
-            mechanism: &worked.mechanism,
-            construction: &worked.construction,
-            steps: &steps,
-        };
+        let tables =
+            Tables { style: &self.options.style, writer: &writer, mechanism: &worked.mechanism, construction: &worked.construction, steps };
         [Level::Velocity, Level::Acceleration].map(|l| (self.heading(l), tables.parts(l))).into()
     }
 

@@ -30,7 +30,8 @@ pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure>
     let told = accuracy::steps(scene, worked, None);
     let levels: Vec<Steps> = [Level::Velocity, Level::Acceleration]
         .into_iter()
-        .filter_map(|level| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told)))
+        .zip(maker.equations(&told))
+        .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told, &written)))
         .collect();
     let diagram = maker.captioned(maker.mechanism(), "", Single::Mechanism);
     let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
@@ -79,16 +80,9 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(maker: &Maker, p: &Polygon, told: &accuracy::Steps) -> Steps {
+    fn of(maker: &Maker, p: &Polygon, told: &accuracy::Steps, written: &[Part]) -> Steps {
         let polygon = maker.captioned(maker.polygon(p), "", Single::Polygon(p.level));
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
-        let written: Vec<Part> = maker
-            .equations()
-            .into_iter()
-            .zip([Level::Velocity, Level::Acceleration])
-            .filter(|(_, l)| *l == p.level)
-            .flat_map(|((_, lines), _)| lines)
-            .collect();
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or after it. A rate is
         // measured when all is done.

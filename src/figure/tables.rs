@@ -239,7 +239,8 @@ fn id_of(symbol: &str) -> String {
     symbol.chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^')).collect()
 }
 
-fn target(step: &Step) -> VertexId {
+/// The vertex that a step finds.
+pub(crate) fn target(step: &Step) -> VertexId {
     match step {
         Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
     }
@@ -247,10 +248,15 @@ fn target(step: &Step) -> VertexId {
 
 /// The class word of the action that finds a vertex.
 fn step_class(p: &Polygon, v: VertexId) -> String {
+    found_by(p, v).map(|n| format!("step-{n}")).unwrap_or_default()
+}
+
+/// The action of a polygon that finds a vertex.
+pub(crate) fn found_by(p: &Polygon, v: VertexId) -> Option<usize> {
     let finds = |a: &Action| match a {
         Action::Cross { target, .. } | Action::Copy { target, .. } | Action::Same { target, .. } | Action::Reach(target) => *target == v,
         Action::LayOff(e) => p.edges[*e].to.0 == crate::construct::Mark::Image(v),
         Action::Nothing { .. } | Action::Line { .. } | Action::Rate(_) => false,
     };
-    p.actions.iter().position(finds).map(|n| format!("step-{n}")).unwrap_or_default()
+    p.actions.iter().position(finds)
 }

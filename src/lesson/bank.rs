@@ -18,6 +18,24 @@ pub struct Formulas {
 }
 
 impl Formulas {
+    /// The index of a formula of the label language.
+    pub fn formula(&mut self, source: &str) -> usize {
+        self.index(mathml(&Label::math(source)))
+    }
+
+    /// A sentence without changing numbers as HTML, its formulas told by their indices.
+    pub fn phrase(&mut self, phrase: &Phrase) -> String {
+        let piece = |p: &Piece| match p {
+            Piece::Words(words) => escaped(words),
+            Piece::Formula(source) => self.told(source),
+        };
+        phrase.pieces().iter().map(piece).collect()
+    }
+
+    fn told(&mut self, source: &str) -> String {
+        format!("{}{}{}", FORMULA[0], self.formula(source), FORMULA[1])
+    }
+
     fn index(&mut self, markup: String) -> usize {
         let next = self.list.len();
         let index = *self.known.entry(markup.clone()).or_insert(next);
@@ -74,7 +92,7 @@ pub fn told(frames: &[Option<String>], formulas: &mut Formulas) -> Value {
 }
 
 /// Equal neighbours as (value, count) in one list.
-fn runs(list: &[i64]) -> Vec<i64> {
+pub fn runs(list: &[i64]) -> Vec<i64> {
     let mut out: Vec<i64> = Vec::new();
     for &v in list {
         match out.len() {

@@ -3,6 +3,8 @@
 //! Decided here: the scales (all poses fit, but those next to a limit, where vectors grow beyond all bounds), and how many
 //! poses the page needs to show those between them true to a hundredth of a millimetre.
 
+use rayon::prelude::*;
+
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::series::{LEVELS, Scales};
@@ -81,8 +83,9 @@ impl Maker<'_> {
     /// `no-motion` where no pose can be drawn.
     pub fn frames(&self, sweep: &Sweep) -> Result<Frames, Faults> {
         let mut trials: Vec<Trial> = Vec::with_capacity(2 * sweep.poses.len());
-        for (k, pose) in sweep.poses.iter().enumerate() {
-            match self.trial(pose) {
+        let worked: Vec<Option<Trial>> = sweep.poses.par_iter().map(|pose| self.trial(pose)).collect();
+        for (k, trial) in worked.into_iter().enumerate() {
+            match trial {
                 Some(trial) => trials.push(trial),
                 None => trials.extend(self.beside(sweep, k, if sweep.is_limit(k) { &BEFORE } else { &ASIDE })),
             }
@@ -128,17 +131,15 @@ impl Maker<'_> {
         let mut settled = vec![false; trials.len().saturating_sub(1)];
         for _ in 0..ROUNDS {
             let scales = self.scales(trials, sweep.full);
-            let mut wanted: Vec<(usize, f64, Trial)> = Vec::new();
-            for k in (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]) {
-                let travel = 0.5 * (trials[k].travel + trials[k + 1].travel);
-                let guess = &trials[k].worked.configuration;
-                let Some(configuration) = self.follower.at(guess, travel) else { continue };
-                let Some(middle) = self.trial(&Pose { travel, configuration }) else { continue };
-                let error = self.error(trials, k, &middle, &scales);
-                if error > BETWEEN_MM {
-                    wanted.push((k, error, middle));
-                }
-            }
+            let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
+            let between = |k: &usize| {
+                let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
+                let configuration = self.follower.at(&trials[*k].worked.configuration, travel)?;
+                let middle = self.trial(&Pose { travel, configuration })?;
+                let error = self.error(trials, *k, &middle, &scales);
+                (error > BETWEEN_MM).then_some((*k, error, middle))
+            };
+            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(between).collect();
             // The worst first, where there is room for some only.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));
@@ -193,11 +194,16 @@ impl Maker<'_> {
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let scales = self.scales(&trials, sweep.full);
         let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
-        for trial in trials {
+        let to_scale = |trial: &Trial| {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
             scales.fix(&mut scene.paper);
+            let worked = self.work(&scene, &trial.worked.configuration).ok()?;
+            Some((scene, worked))
+        };
+        let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
+        for (trial, drawn) in trials.into_iter().zip(drawn) {
+            let Some((scene, worked)) = drawn else { continue };
             let shown = LEVELS.map(|level| scales.holds(&trial.worked, level));
-            let Ok(worked) = self.work(&scene, &trial.worked.configuration) else { continue };
             frames.cut |= LEVELS.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));

@@ -2,12 +2,13 @@
 //!
 //! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
 //! one common scale, [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
-//! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`page`] puts it together, and
+//! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`equations`] gives each step its equation, [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 //! Not decided here: how anything is drawn or solved.
 
 mod bank;
 mod curve;
+mod equations;
 mod frames;
 mod pack;
 mod page;

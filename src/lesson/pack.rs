@@ -13,6 +13,15 @@ pub fn alphabet() -> &'static str {
     std::str::from_utf8(DIGITS).expect("the digits are ASCII")
 }
 
+/// In place of an order: the column is the same as an earlier one, whose number follows.
+const SAME: u64 = 4;
+
+/// A column that is the same as an earlier one.
+pub fn same(column: usize, out: &mut String) {
+    number(SAME, out);
+    number(column as u64, out);
+}
+
 /// A column: the order of its differences, then the numbers.
 pub fn column(values: &[i64], out: &mut String) {
     let best = (0..=3).map(|order| packed(values, order)).min_by_key(String::len);

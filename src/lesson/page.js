@@ -11,8 +11,8 @@
 
   // ---- numbers ----------------------------------------------------------------------------------------------------
 
-  /** Reads packed columns one after the other; see pack.rs. */
-  function reader(text) {
+  /** Reads packed columns one after the other; `earlier` keeps those read before. See pack.rs. */
+  function reader(text, earlier = []) {
     const half = data.digits.length / 2;
     let at = 0;
     const natural = () => {
@@ -24,7 +24,9 @@
     };
     return (length) => {
       const order = natural();
+      if (order === 4) return earlier[natural()];
       const v = [];
+      earlier.push(v);
       for (let k = 0; k < length; k++) {
         const z = natural();
         const off = z % 2 ? -(z + 1) / 2 : z / 2;
@@ -108,10 +110,11 @@
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
+    const earlier = [];
     const movers = moving.map(([index, runs, places, packed]) => {
       const element = elements[index];
       const seen = flags(runs);
-      const read = reader(packed);
+      const read = reader(packed, earlier);
       const length = seen.filter(Boolean).length;
       const attributes = places.map((place) => {
         const [part, name, ...numerals] = place.split(" ");
@@ -161,23 +164,28 @@
   const word = (key, ...fills) => fills.reduce((text, f) => text.replace("{}", f), data.words[lang][key]);
   const which = () => (lang === "en" ? 0 : 1);
 
+  /** Formulas in the place of their indices. */
+  const formulas = (text) => text.replace(/\uE001(\d+)\uE002/g, (_, n) => data.formulas[n]);
+
+  /** Runs of (value, length) as one value a frame. */
+  function stretched(runs) {
+    const list = [];
+    for (let i = 0; i < runs.length; i += 2) list.push(...new Array(runs[i + 1]).fill(runs[i]));
+    return list;
+  }
+
   /** A sentence of a frame; see bank.rs. */
   function sayer([en, zh]) {
     const open = (told, numbers) => {
       const [written, sequence] = told;
-      const forms = written.map((f) => f.replace(/\uE001(\d+)\uE002/g, (_, n) => data.formulas[n]));
+      const forms = written.map(formulas);
       const holes = forms.map((f) => f.split("\uE000").length - 1);
-      const runs = sequence === 0 ? [0, count] : sequence;
       const list = numbers === "" ? [] : numbers.split(" ");
       const frames = [];
       let next = 0;
-      for (let i = 0; i < runs.length; i += 2) {
-        for (let n = 0; n < runs[i + 1]; n++) {
-          const form = runs[i];
-          if (form < 0) frames.push(null);
-          else frames.push([form, next]);
-          if (form >= 0) next += holes[form];
-        }
+      for (const form of stretched(sequence === 0 ? [0, count] : sequence)) {
+        frames.push(form < 0 ? null : [form, next]);
+        if (form >= 0) next += holes[form];
       }
       return (k) => {
         if (!frames[k]) return "";
@@ -190,6 +198,28 @@
   }
 
   const steps = data.steps.map(([key, n, en, zh]) => ({ key, n, say: sayer([en, zh]) }));
+  const equations = data.equations;
+  const variants = stretched(equations.frames === 0 ? [0, count] : equations.frames);
+
+  /** The equation that a step of a frame solves, what the step draws of it marked; see equations.rs. */
+  function equation(of, k) {
+    const told = of && variants[k] >= 0 ? equations.variants[variants[k]][of.key === "acceleration" ? 1 : 0] : [];
+    if (!told[of?.n]) return { index: -1, html: "" };
+    const [index, ...now] = told[of.n];
+    const columns = equations.written[index];
+    if (columns.line) return { index, html: `<p>${formulas(columns.line[which()])}</p>` };
+    const later = told.slice(of.n + 1).flatMap((t) => (t && t[0] === index ? t.slice(1) : []));
+    const face = (c) => (now.includes(c) ? "now" : later.includes(c) ? "later" : "");
+    const [magnitude, direction] = data.rows[which()];
+    const [second, third] = [[magnitude, 3], [direction, 2]][equations.direction_first ? "reverse" : "slice"]();
+    const row = ([head, part]) => {
+      const cell = (n, c) => `<td class="${face(c)}">${n < 0 ? "" : data.formulas[n]}</td>`;
+      const sign = (n) => `<td>${n < 0 || part > 1 ? "" : data.formulas[n]}</td>`;
+      return `<tr><th scope="row">${head}</th>${columns.map((c, i) => (i ? sign(c[0]) : "") + cell(c[part], i)).join("")}</tr>`;
+    };
+    return { index, html: `<table class="equation">${[["", 1], second, third].map(row).join("")}</table>` };
+  }
+
   const answers = data.answers.map((a) => sayer(a));
   const answerItems = answers.map(() => $("answers").appendChild(document.createElement("li")));
 
@@ -225,6 +255,7 @@
 
   let told = -1;
   let toldLimit = null;
+  let written = "";
 
   function show() {
     const where = locate(travel);
@@ -250,6 +281,8 @@
     const sentence = !begun ? word("finished") : step === 0 ? "" : steps[step - 1].say(told);
     if (begun && step === 0) $("sentence").textContent = data.statement[which()];
     else $("sentence").innerHTML = sentence;
+    const { html } = equation(begun && step > 0 ? steps[step - 1] : null, told);
+    if (html !== written) $("equation").innerHTML = written = html;
     $("count").textContent = word("step", step, steps.length);
   }
 
@@ -562,10 +595,13 @@
     go(steps.length);
     begun = false;
     reveal();
+    let last = -1;
     $("all").replaceChildren(
       ...steps.map((s) => {
         const item = document.createElement("li");
-        item.innerHTML = s.say(data.base);
+        const { index, html } = equation(s, data.base);
+        item.innerHTML = (index === last ? "" : html) + s.say(data.base);
+        if (index >= 0) last = index;
         return item;
       }),
     );

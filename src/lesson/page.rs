@@ -18,6 +18,7 @@ use crate::report::math::mathml;
 use crate::scene::{DriverKind, Lang, Scene};
 
 use super::bank::Formulas;
+use super::equations::equations;
 use super::frames::{Frame, Frames};
 use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
@@ -35,7 +36,16 @@ const SCRIPT: &str = include_str!("page.js");
 /// # Errors
 /// Those of the SVG writer.
 pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) -> Result<String, Faults> {
-    let drawings = scenery(frames, &options.notation)?;
+    let notation = &options.notation;
+    let written = || {
+        let mut formulas = Formulas::default();
+        let steps = steps(frames, notation, &mut formulas);
+        let answers = answers(frames, options.driver, notation, &mut formulas);
+        let equations = equations(frames, notation, &mut formulas);
+        (steps, answers, equations, formulas)
+    };
+    let (drawings, (steps, answers, equations, formulas)) = rayon::join(|| scenery(frames, notation), written);
+    let drawings = drawings?;
     let told: Vec<Told> = drawings.iter().map(|d| d.track.told()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let mechanism = figures.next().unwrap_or_default();
@@ -44,9 +54,6 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
     };
-    let mut formulas = Formulas::default();
-    let steps = steps(frames, &options.notation, &mut formulas);
-    let answers = answers(frames, options.driver, &options.notation, &mut formulas);
     let data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
@@ -64,6 +71,8 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
         "steps": steps,
         "answers": answers,
+        "equations": equations,
+        "rows": LANGS.map(|l| [figure_words::words(l).magnitude, figure_words::words(l).direction]),
         "formulas": formulas.list,
     });
     // Inside a script element only `</` could end it.
@@ -71,13 +80,20 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     Ok(PAGE
         .replace("{{lang}}", tag(options.lang))
         .replace("{{title}}", &escaped(&title(options.lang)))
-        .replace("{{style}}", STYLE)
+        .replace("{{style}}", &terse(STYLE))
         .replace("{{letters}}", &Elements::letters(drawings.iter().map(|d| &d.track.elements_of)))
         .replace("{{mechanism}}", &mechanism)
         .replace("{{polygons}}", &polygons)
         .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
         .replace("{{data}}", &data)
-        .replace("{{script}}", SCRIPT))
+        .replace("{{script}}", &terse(SCRIPT)))
+}
+
+/// Style or script without indents, empty lines and lines that are nothing but a comment.
+fn terse(text: &str) -> String {
+    let lines = text.lines().map(str::trim_start).filter(|l| !l.is_empty() && !l.starts_with("//"));
+    let lines = lines.filter(|l| !(l.starts_with("/*") && l.ends_with("*/")));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// A number in ten significant digits: more than any screen shows.

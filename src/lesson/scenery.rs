@@ -3,6 +3,8 @@
 //! Decided here: the paper (what holds all poses) and the order in which labels are placed, each where it stood in the frame
 //! before if it can.
 
+use rayon::prelude::*;
+
 use crate::diag::Faults;
 use crate::figure::course::courses;
 use crate::figure::drawing::{Habits, Part};
@@ -65,10 +67,7 @@ pub fn scenery(frames: &Frames, notation: &Notation) -> Result<Vec<Scenery>, Fau
     let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
     wanted.extend(LEVELS.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
     // The drawings know nothing of one another.
-    std::thread::scope(|threads| {
-        let running: Vec<_> = wanted.into_iter().map(|shows| threads.spawn(move || one(frames, notation, shows))).collect();
-        running.into_iter().map(|t| t.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
-    })
+    wanted.into_par_iter().map(|shows| one(frames, notation, shows)).collect()
 }
 
 fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Faults> {
@@ -77,19 +76,23 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     let poses: Vec<_> = frames.list.iter().map(|f| (&f.scene, &f.worked)).collect();
     let courses = if shows == Shows::Mechanism { courses(&poses, &style, notation) } else { Vec::new() };
     let looks = Looks { notation, style, courses };
-    let mut parts: Vec<Option<Part>> = frames.list.iter().map(|_| None).collect();
     let mut at_base = Habits::new();
-    parts[frames.base] = part(frames, frames.base, &looks, shows, &mut at_base);
-    // On from the scene's pose, and where the turn is not closed also back from it.
-    let mut habits = at_base.clone();
-    let ahead = frames.base + 1..frames.list.len();
-    let (round, back) = if frames.full { (0..frames.base, 0..0) } else { (0..0, 0..frames.base) };
-    for k in ahead.chain(round) {
-        parts[k] = part(frames, k, &looks, shows, &mut habits);
-    }
-    for k in back.rev() {
-        parts[k] = part(frames, k, &looks, shows, &mut at_base);
-    }
+    let first = part(frames, frames.base, &looks, shows, &mut at_base);
+    // On from the scene's pose and back from it; where the turn is closed the two meet half a turn off.
+    let (base, count) = (frames.base, frames.list.len());
+    let (ahead, back): (Vec<usize>, Vec<usize>) = if frames.full {
+        let half = count / 2;
+        ((1..=half).map(|k| (base + k) % count).collect(), (1..count - half).map(|k| (base + count - k) % count).collect())
+    } else {
+        ((base + 1..count).collect(), (0..base).rev().collect())
+    };
+    let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<Part>)> {
+        way.into_iter().map(|k| (k, part(frames, k, &looks, shows, &mut habits))).collect()
+    };
+    let (on, before) = rayon::join(|| along(ahead, at_base.clone()), || along(back, at_base.clone()));
+    let mut parts: Vec<Option<Part>> = frames.list.iter().map(|_| None).collect();
+    parts[base] = first;
+    on.into_iter().chain(before).for_each(|(k, part)| parts[k] = part);
     let all = parts.iter().flatten().map(|p| p.bounds).reduce(Rect::union);
     let paper = all.unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(MARGIN_MM);
     let shift = Point::ORIGIN - paper.min;

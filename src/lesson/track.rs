@@ -4,6 +4,7 @@
 //! draw can move. Two items of two frames are the same element when name, text and markup but for the numbers agree.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use crate::diag::Faults;
 use crate::figure::item::{Item, Shape};
@@ -95,6 +96,8 @@ impl Track {
     /// The drawing for the page.
     pub fn told(&self) -> Told {
         let mut told = Told { markup: String::new(), moving: Vec::new() };
+        // Where one vector ends another begins, and a bar ends in its joint: what moves alike is told once.
+        let mut columns_told: HashMap<(Vec<usize>, Vec<i64>), usize> = HashMap::new();
         for (place, element) in self.order.iter().map(|e| &self.elements[*e]).enumerate() {
             if element.at_base {
                 told.markup.push_str(&element.markup);
@@ -107,12 +110,21 @@ impl Track {
             if changing.is_empty() && seen.len() == element.frames.len() {
                 continue;
             }
+            let runs = runs(element.frames.iter().map(Option::is_some));
             let mut columns = String::new();
             for n in &changing {
-                pack::column(&seen.iter().map(|f| f[*n]).collect::<Vec<_>>(), &mut columns);
+                let column: Vec<i64> = seen.iter().map(|f| f[*n]).collect();
+                let next = columns_told.len();
+                match columns_told.entry((runs.clone(), column)) {
+                    Entry::Occupied(earlier) => pack::same(*earlier.get(), &mut columns),
+                    Entry::Vacant(first) => {
+                        pack::column(&first.key().1, &mut columns);
+                        first.insert(next);
+                    }
+                }
             }
             let parts = places(&element.markup, &changing);
-            told.moving.push(serde_json::json!([place, runs(element.frames.iter().map(Option::is_some)), parts, columns]));
+            told.moving.push(serde_json::json!([place, runs, parts, columns]));
         }
         told
     }

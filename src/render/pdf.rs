@@ -129,6 +129,9 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
             }
         }
     }
+    if let Err(unfit) = own_fonts() {
+        faults.push(unfit);
+    }
     if faults.has_errors() {
         return Err(faults);
     }
@@ -262,8 +265,24 @@ impl Writer {
 
     fn font(&mut self, face: Face) -> Font {
         let slot = Face::ALL.iter().position(|f| *f == face).expect("a face is one of all");
-        let read = || Font::new(Data::from(face.bytes()), 0).expect("an embedded font is readable: a test writes with each of them");
+        let read = || font(face).expect("an embedded font is readable: a test writes with each of them; others have been tried");
         self.fonts[slot].get_or_insert_with(read).clone()
+    }
+}
+
+fn font(face: Face) -> Option<Font> {
+    Font::new(Data::from(face.bytes()), 0)
+}
+
+/// Whether the author's own fonts can be put into a PDF.
+fn own_fonts() -> Result<(), Diagnostic> {
+    let unreadable = |face: &&Face| !face.bytes().is_empty() && font(**face).is_none();
+    match Face::ALL.iter().filter(|f| matches!(f, Face::Own(_))).find(unreadable) {
+        None => Ok(()),
+        Some(_) => {
+            Err(Diagnostic::error("font", "the font of --font cannot be put into a PDF")
+                .help("write an SVG or a PNG, or give another font"))
+        }
     }
 }
 

@@ -16,7 +16,7 @@ use ::svg::node::{Blob, Node, Text};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::{Face, Segment};
+use crate::figure::font::{Cut, Face, Segment, own};
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
@@ -345,6 +345,10 @@ fn editable(set: &Typeset, size_mm: f64) -> String {
             Face::Math | Face::Song => {
                 let _ = write!(out, " font-family=\"{}\"", family(run.face));
             }
+            Face::Own(cut) => {
+                let style = if cut == Cut::Slanted { " font-style=\"italic\"" } else { "" };
+                let _ = write!(out, " font-family=\"'{}',{}\"{style}", own::family(cut), family(run.face));
+            }
         }
         let _ = write!(out, ">{}</tspan>", escaped(&run.text));
     }
@@ -355,7 +359,7 @@ fn editable(set: &Typeset, size_mm: f64) -> String {
 /// Fonts that look like the embedded ones, the same first.
 fn family(face: Face) -> &'static str {
     match face {
-        Face::Roman | Face::Italic => "Tinos,'Times New Roman','Liberation Serif',serif",
+        Face::Roman | Face::Italic | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
         Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
         Face::Song => "'Noto Serif CJK SC','Source Han Serif SC',SimSun,serif",
     }
@@ -374,6 +378,8 @@ impl Letter {
             Face::Italic => 'i',
             Face::Math => 'm',
             Face::Song => 's',
+            Face::Own(Cut::Upright) => 'o',
+            Face::Own(Cut::Slanted) => 'p',
         };
         let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
         format!("g{face}{}{size}", self.glyph)

@@ -4,6 +4,7 @@ pub mod answers;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;
+pub mod equation;
 pub mod limits;
 pub mod math;
 pub mod phrase;

@@ -31,6 +31,8 @@ const FOOT_MM: f64 = 10.0;
 const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
 /// A drawing up to this part of the text's width stands at the right, with text beside it.
 const BESIDE_PART: f64 = 0.42;
+/// The same for a side that else runs over its page: the text keeps 45 mm, some twenty letters.
+const WIDE_BESIDE_PART: f64 = 0.69;
 /// Between such a drawing and the text.
 const BESIDE_GAP_MM: f64 = 8.0;
 /// Room worth filling with text when a drawing does not fit in it.
@@ -56,14 +58,23 @@ const ROWS_MAX: usize = 34;
 /// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
 const SMALLEST: f64 = 0.6;
 
-/// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page.
+/// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page
+/// and some lines has its drawing beside the text.
 pub fn pages(document: &Document) -> Vec<Page> {
     let begins = |b: &Block| matches!(b, Block::Heading(1, _));
     let mut pages = Vec::new();
     for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
         let title = (k == 0).then_some(document.title.as_str());
-        let [loose, close] = [LINE_EM, CLOSE_LINE_EM].map(|line_em| set(title, side, line_em));
-        pages.extend(if close.len() < loose.len() { close } else { loose });
+        let mut best = set(title, side, LINE_EM, BESIDE_PART);
+        for (line_em, beside) in [(CLOSE_LINE_EM, BESIDE_PART), (LINE_EM, WIDE_BESIDE_PART), (CLOSE_LINE_EM, WIDE_BESIDE_PART)] {
+            // A narrow column beside a wide drawing is worth it only where all then stands on one page.
+            let most = if beside > BESIDE_PART { 2 } else { best.len() };
+            if best.len() > 1 {
+                let other = set(title, side, line_em, beside);
+                best = if other.len() < most { other } else { best };
+            }
+        }
+        pages.extend(best);
     }
     let count = pages.len();
     for (n, page) in pages.iter_mut().enumerate() {
@@ -74,8 +85,8 @@ pub fn pages(document: &Document) -> Vec<Page> {
     pages
 }
 
-fn set(title: Option<&str>, blocks: &[Block], line_em: f64) -> Vec<Page> {
-    let mut setter = Setter::new(line_em);
+fn set(title: Option<&str>, blocks: &[Block], line_em: f64, beside_part: f64) -> Vec<Page> {
+    let mut setter = Setter::new(line_em, beside_part);
     if let Some(title) = title {
         setter.heading(0, title);
     }
@@ -105,6 +116,8 @@ struct Chunk {
 struct Setter {
     /// Distance of baselines.
     line_em: f64,
+    /// Drawings up to this part of the text's width stand at the right.
+    beside_part: f64,
     pages: Vec<Page>,
     parts: Vec<Part>,
     /// The upper edge of what is still free.
@@ -120,9 +133,10 @@ struct Setter {
 }
 
 impl Setter {
-    fn new(line_em: f64) -> Setter {
+    fn new(line_em: f64, beside_part: f64) -> Setter {
         Setter {
             line_em,
+            beside_part,
             pages: Vec::new(),
             parts: Vec::new(),
             y: PAPER_MM[1] - TOP_MM,
@@ -354,7 +368,7 @@ impl Setter {
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
-        if wide <= BESIDE_PART * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
+        if wide <= self.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
             translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
             self.parts.push(Part { kind, items });
             self.beside = Some([wide, self.y - air_mm - high]);

@@ -8,8 +8,10 @@ use crate::figure::results::number;
 use crate::figure::sheet::{Single, scale, single};
 use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
-use crate::plan::{Body, Chain, GroupSteps, Method, Rate, Spot, Step, VertexId};
+use crate::plan::text::Column;
+use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
 use crate::report::construction::sentences;
+use crate::report::equation::{Written, written};
 use crate::report::math::Math;
 use crate::report::phrase::Phrase;
 use crate::report::plan::group_words;
@@ -128,62 +130,24 @@ impl Maker<'_> {
 
     fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
         let w = self.writer();
-        match step {
-            Step::Equation { target, chains, method } => {
-                if let Spot::Special { group, legs } = w.plan.vertex(*target).spot
-                    && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
-                {
-                    let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
-                    let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
-                    blocks.push(Block::Paragraph(Phrase::new(&text)));
-                }
-                self.equation(blocks, level, *target, chains, *method);
+        if let Step::Equation { target, .. } = step
+            && let Spot::Special { group, legs } = w.plan.vertex(*target).spot
+            && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
+        {
+            let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
+            let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
+            blocks.push(Block::Paragraph(Phrase::new(&text)));
+        }
+        match (written(&w, level, step), step) {
+            (Some(Written::Line(line)), _) => blocks.push(Block::Paragraph(line)),
+            (Some(Written::Table(columns)), Step::Equation { target, method, .. }) => {
+                self.table(blocks, &w.vector(level, *target), *method, columns);
             }
-            Step::Image { target, from, link } => {
-                let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
-                let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
-                let (vector, link) = (w.vector(level, *target), self.link(*link));
-                blocks.push(Block::Paragraph(Phrase::new(&match self.lang() {
-                    Lang::En => {
-                        format!("${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order.")
-                    }
-                    Lang::Zh => format!("由构件 {link} 的影像求 ${vector}$：${images}$ 与 ${spots}$ 相似，字母顺序一致。"),
-                })));
-            }
-            Step::Same { target, from, link } => {
-                let why = self.words().no_turning.replace("{}", self.link(*link));
-                let formula = format!("{} = {}", w.vector(level, *target), w.vector(level, *from));
-                blocks.push(Block::Paragraph(Phrase::new(&format!("${formula}${}{why}", self.tr(": ", "：")))));
-            }
+            _ => {}
         }
     }
 
-    fn equation(&self, blocks: &mut Vec<Block>, level: Level, target: VertexId, chains: &[Chain], method: Method) {
-        let w = self.writer();
-        let vector = w.vector(level, target);
-        if let [chain] = chains
-            && w.plan.vertex(chain.start).fixed
-            && let [term] = chain.known[..]
-        {
-            // One known term: a driven point, or one on a known link.
-            let (part, magnitude, direction) = (w.symbol(level, &term), w.magnitude(level, &term), w.direction(&term));
-            let head = if vector == part { vector } else { format!("{vector} = {part}") };
-            let known = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
-            let given = if known.is_empty() { self.tr(" (given)", "（已知）") } else { "" };
-            let comma = self.tr(", ", "，");
-            blocks.push(Block::Paragraph(Phrase::new(&format!("${head}{known}${given}{comma}${direction}$"))));
-            return;
-        }
-        if let [chain] = chains
-            && chain.known.is_empty()
-            && chain.unknown.is_empty()
-        {
-            let start = if w.plan.vertex(chain.start).fixed { "0".to_owned() } else { w.vector(level, chain.start) };
-            if chain.start != target {
-                blocks.push(Block::Paragraph(Phrase::new(&format!("${vector} = {start}$"))));
-            }
-            return;
-        }
+    fn table(&self, blocks: &mut Vec<Block>, vector: &str, method: Method, columns: Vec<Column>) {
         let why = match (method, self.lang()) {
             (Method::SameLink, Lang::En) => "two points of one link",
             (Method::SameLink, Lang::Zh) => "基点法",
@@ -200,7 +164,7 @@ impl Maker<'_> {
         })));
         let [mut symbols, mut magnitudes, mut directions] =
             ["", self.words().magnitude, self.words().direction].map(|head| vec![Phrase::new(head)]);
-        for c in w.columns(level, target, chains) {
+        for c in columns {
             let cell = |text: &str| Phrase::new(&if text.is_empty() { String::new() } else { format!("${text}$") });
             if !c.joint.is_empty() {
                 symbols.push(cell(c.joint));
@@ -211,7 +175,7 @@ impl Maker<'_> {
             magnitudes.push(cell(&c.magnitude));
             directions.push(cell(&c.direction));
         }
-        let [second, third] = if w.notation.first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
+        let [second, third] = if self.notation().first_row == "direction" { [directions, magnitudes] } else { [magnitudes, directions] };
         blocks.push(Block::Table(Table { kind: TableKind::Equation, rows: vec![symbols, second, third] }));
     }
 

@@ -1,6 +1,6 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
-//! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`slides`] draws guides,
+//! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
 //! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
 //! Links and points without a place are left out.
@@ -10,6 +10,7 @@ mod form;
 mod letters;
 mod marks;
 mod overlay;
+mod parted;
 mod slides;
 mod special;
 
@@ -88,6 +89,8 @@ struct Draft<'a> {
     d: Drawing,
     /// What each link looks like; `None` for ground and what has no place.
     forms: Vec<Option<Form>>,
+    /// By how much the bars of each link are moved aside, as they lie over another's.
+    parted: Vec<Vec<Vec2>>,
     /// Where each link's number goes.
     number_at: Vec<Option<letters::NumberPlace>>,
     /// For each guide on the ground with hatching at one side, that side.
@@ -102,8 +105,21 @@ impl<'a> Draft<'a> {
     fn new(style: &'a Style, scene: &'a Scene, worked: &'a Worked, notation: &'a Notation, course: &'a Course) -> Self {
         let d = Drawing::new("mechanism", style.clone());
         let (number_at, hatched) = (vec![None; scene.links.len()], vec![None; scene.guides.len()]);
-        let mut draft = Draft { style, scene, worked, notation, d, forms: Vec::new(), number_at, hatched, course, constructed: true };
+        let mut draft = Draft {
+            style,
+            scene,
+            worked,
+            notation,
+            d,
+            forms: Vec::new(),
+            parted: Vec::new(),
+            number_at,
+            hatched,
+            course,
+            constructed: true,
+        };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
+        draft.parted = draft.parted();
         draft
     }
 
@@ -272,10 +288,11 @@ impl<'a> Draft<'a> {
         for l in 0..self.forms.len() {
             let Some(form) = self.forms[l].clone() else { continue };
             let id = self.link_id(l);
-            for bar in &form.bars {
+            for (k, bar) in form.bars.iter().enumerate() {
                 self.gaps(l, *bar);
                 self.d.of_link(Some(l));
-                self.d.draw(&id, "", sym::link(self.style, &[bar.0, bar.1]));
+                let aside = self.aside(LinkId(l), k);
+                self.d.draw(&id, "", sym::link(self.style, &[bar.0 + aside, bar.1 + aside]));
             }
             self.d.of_link(Some(l));
             for (corner, one, other) in &form.corners {
@@ -341,15 +358,18 @@ impl<'a> Draft<'a> {
         let mut across = Vec::new();
         for l in self.scene.carriers(p) {
             let Some(form) = &self.forms[l.0] else { continue };
-            let through =
-                |(a, b): &&(Point, Point)| form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM;
+            let through = |(_, (a, b)): &(usize, &(Point, Point))| {
+                form::on_segment(at, *a, *b, SAME_MM) && a.distance(at) > SAME_MM && b.distance(at) > SAME_MM
+            };
             if form.plate.is_empty() {
-                across.extend(form.bars.iter().chain(&form.guide_bars).filter(through).take(1).map(|bar| (l, *bar)));
+                let bars = form.bars.iter().chain(&form.guide_bars).enumerate();
+                across.extend(bars.filter(through).take(1).map(|(k, bar)| (l, k, *bar)));
             }
         }
         // Two bars that both go on would look welded: then the circle stays empty.
-        if let [(l, (a, b))] = across[..] {
+        if let [(l, k, (a, b))] = across[..] {
             let u = (b - a).unit().unwrap_or(Vec2::ZERO) * self.style.pin_radius_mm;
+            let at = at + self.aside(l, k);
             let shape = Shape::Line { from: at - u, to: at + u, stroke: self.style.link.flat() };
             self.d.of_link(Some(l.0));
             self.d.shape(&format!("through-{name}"), "link through", shape);

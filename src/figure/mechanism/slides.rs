@@ -4,7 +4,7 @@ use crate::figure::item::{Dash, Shape};
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::position::Path;
-use crate::scene::{DriverKind, GuideId, GuidePath, PointId, Through};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Through};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -144,8 +144,9 @@ impl Draft<'_> {
                 self.extend_yoke(l, &mut form);
             }
             self.d.of_link(Some(l));
-            for (a, b) in &form.guide_bars {
-                self.d.draw(&id, "", sym::link(self.style, &[*a, *b]));
+            for (k, (a, b)) in form.guide_bars.iter().enumerate() {
+                let aside = self.aside(LinkId(l), form.bars.len() + k);
+                self.d.draw(&id, "", sym::link(self.style, &[*a + aside, *b + aside]));
             }
             for (a, b) in &form.slots {
                 self.d.draw(&format!("{id}-slot"), "", sym::slot(self.style, *a, *b));

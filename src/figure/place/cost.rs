@@ -4,7 +4,7 @@ use crate::figure::extent::Rect;
 use crate::geom::Point;
 
 use super::candidate::{Candidate, nearest};
-use super::obstacle::{Bar, Obstacles};
+use super::obstacle::{Bar, Disc, Obstacles};
 use super::{Target, Wanted};
 
 /// The first touch of anything: more than the farthest place near the thing (6.4) can cost, so that touching is
@@ -36,57 +36,103 @@ const OVERLAP_PER_MM2: f64 = 2.0;
 /// Air between two labels, for each of them.
 pub(super) const PAIR_AIR_MM: f64 = 0.3;
 
-/// The part of a place's cost that does not depend on other labels.
-pub(super) fn fixed(c: &Candidate, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) -> f64 {
-    let mut cost = c.base;
-    let own_distance = own_distance(c.rect, wanted.target);
-    let mut nearer: f64 = 0.0;
-    let own = |owner: Option<u32>| owner.is_some() && owner == wanted.owner;
-    for bar in &obstacles.bars {
-        let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
-        let look = grown.grown(own_distance + NEARER_MARGIN_MM);
-        if far_apart(look, bar) {
-            continue;
-        }
-        let covered = clipped_mm(bar.from, bar.to, grown);
-        if covered > 0.0 {
-            cost += (TOUCH + PER_MM * covered) * if own(bar.owner) { OWN_FACTOR } else { 1.0 };
-        } else if !own(bar.owner) && !meets(bar, wanted.target) {
-            let foreign = distance(c.rect, bar) - bar.half_width_mm;
-            nearer = nearer.max(own_distance + NEARER_MARGIN_MM - foreign);
+/// What is drawn around a label's places: found once, so that each place is asked about little more than it may touch.
+pub(super) struct Around<'a> {
+    wanted: &'a Wanted,
+    paper: Rect,
+    bars: Vec<Line<'a>>,
+    heads: Vec<&'a Bar>,
+    discs: Vec<&'a Disc>,
+    rects: Vec<&'a Rect>,
+}
+
+/// A line near a label's places.
+struct Line<'a> {
+    bar: &'a Bar,
+    bounds: Rect,
+    own: bool,
+    meets: bool,
+}
+
+impl<'a> Around<'a> {
+    /// All that can make one of these places dearer.
+    pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
+        let looks = places.iter().map(|c| with_leader(c).union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
+        let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
+            return Around { wanted, paper, bars: Vec::new(), heads: Vec::new(), discs: Vec::new(), rects: Vec::new() };
+        };
+        let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
+        let line = |bar: &'a Bar| {
+            let own = bar.owner.is_some() && bar.owner == wanted.owner;
+            Line { bar, bounds: Rect::new(bar.from, bar.to), own, meets: !own && meets(bar, wanted.target) }
+        };
+        let touched = |d: &&Disc| nearest(reach, d.centre).distance(d.centre) <= d.radius_mm;
+        Around {
+            wanted,
+            paper,
+            bars: obstacles.bars.iter().filter(near).map(line).collect(),
+            heads: obstacles.heads.iter().filter(near).collect(),
+            discs: obstacles.discs.iter().filter(touched).collect(),
+            rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
         }
     }
-    cost += (NEARER_PER_MM * nearer).min(NEARER_MAX);
-    for head in &obstacles.heads {
-        let grown = c.rect.grown(head.half_width_mm + AIR_MM);
-        if !far_apart(grown, head) {
-            let covered = clipped_mm(head.from, head.to, grown);
+
+    /// The part of a place's cost that does not depend on other labels.
+    pub(super) fn fixed(&self, c: &Candidate) -> f64 {
+        let mut cost = c.base;
+        let own_distance = own_distance(c.rect, self.wanted.target);
+        let mut nearer: f64 = 0.0;
+        for Line { bar, bounds, own, meets } in &self.bars {
+            let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
+            let look = own_distance + NEARER_MARGIN_MM;
+            if !touch(grown.grown(look), *bounds) {
+                continue;
+            }
+            let covered = clipped_mm(bar.from, bar.to, grown);
             if covered > 0.0 {
-                cost += HEAD_FACTOR * (TOUCH + PER_MM * covered);
+                cost += (TOUCH + PER_MM * covered) * if *own { OWN_FACTOR } else { 1.0 };
+            } else if !own && !meets {
+                let foreign = distance(c.rect, bar) - bar.half_width_mm;
+                nearer = nearer.max(look - foreign);
             }
         }
-    }
-    for disc in &obstacles.discs {
-        let depth = disc.radius_mm + AIR_MM - nearest(c.rect, disc.centre).distance(disc.centre);
-        if depth > 0.0 {
-            cost += TOUCH + PER_DEPTH * depth;
+        cost += (NEARER_PER_MM * nearer).min(NEARER_MAX);
+        for head in &self.heads {
+            let grown = c.rect.grown(head.half_width_mm + AIR_MM);
+            if !far_apart(grown, head) {
+                let covered = clipped_mm(head.from, head.to, grown);
+                if covered > 0.0 {
+                    cost += HEAD_FACTOR * (TOUCH + PER_MM * covered);
+                }
+            }
         }
-    }
-    for rect in &obstacles.rects {
-        let area = rect.overlap_mm2(c.rect.grown(AIR_MM));
-        if area > 0.0 {
-            cost += TOUCH + PER_DEPTH * area;
+        for disc in &self.discs {
+            let depth = disc.radius_mm + AIR_MM - nearest(c.rect, disc.centre).distance(disc.centre);
+            if depth > 0.0 {
+                cost += TOUCH + PER_DEPTH * depth;
+            }
         }
+        for rect in &self.rects {
+            let area = rect.overlap_mm2(c.rect.grown(AIR_MM));
+            if area > 0.0 {
+                cost += TOUCH + PER_DEPTH * area;
+            }
+        }
+        let inside = c.rect.overlap_mm2(self.paper);
+        if inside < c.rect.width_mm() * c.rect.height_mm() - 1e-9 {
+            cost += OUTSIDE;
+        }
+        if let Some((a, b)) = c.leader {
+            let crossed = self.bars.iter().filter(|l| !l.own && !l.meets && crosses(a, b, l.bar.from, l.bar.to));
+            cost += LEADER_CROSSES * crossed.count() as f64;
+        }
+        cost
     }
-    let inside = c.rect.overlap_mm2(paper);
-    if inside < c.rect.width_mm() * c.rect.height_mm() - 1e-9 {
-        cost += OUTSIDE;
-    }
-    if let Some((a, b)) = c.leader {
-        let crossed = obstacles.bars.iter().filter(|bar| !own(bar.owner) && !meets(bar, wanted.target) && crosses(a, b, bar.from, bar.to));
-        cost += LEADER_CROSSES * crossed.count() as f64;
-    }
-    cost
+}
+
+/// The box around a place and its leader line.
+pub(super) fn with_leader(c: &Candidate) -> Rect {
+    c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -109,6 +155,9 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
     let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    if a.leader.is_none() && b.leader.is_none() {
+        return cost;
+    }
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
         if leader.is_some_and(|(p, q)| clipped_mm(p, q, rect) > 0.0) {
             cost += OVERLAP;
@@ -149,10 +198,11 @@ fn own_distance(rect: Rect, target: Target) -> f64 {
 }
 
 fn far_apart(rect: Rect, bar: &Bar) -> bool {
-    bar.from.x.max(bar.to.x) < rect.min.x
-        || bar.from.x.min(bar.to.x) > rect.max.x
-        || bar.from.y.max(bar.to.y) < rect.min.y
-        || bar.from.y.min(bar.to.y) > rect.max.y
+    !touch(rect, Rect::new(bar.from, bar.to))
+}
+
+fn touch(a: Rect, b: Rect) -> bool {
+    a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
 /// Length of the segment inside the box (Liang and Barsky's clipping).
@@ -171,7 +221,7 @@ pub(super) fn clipped_mm(a: Point, b: Point, rect: Rect) -> f64 {
             t1 = t1.min(far);
         }
     }
-    (t1 - t0).max(0.0) * d.norm()
+    if t1 > t0 { (t1 - t0) * d.norm() } else { 0.0 }
 }
 
 /// Distance from a box to a segment; 0 where they meet.
@@ -180,16 +230,20 @@ fn distance(rect: Rect, bar: &Bar) -> f64 {
         return 0.0;
     }
     let corners = [rect.min, rect.max, Point::new(rect.min.x, rect.max.y), Point::new(rect.max.x, rect.min.y)];
-    let by_corner = corners.into_iter().map(|c| to_segment(c, bar.from, bar.to));
-    let by_end = [bar.from, bar.to].into_iter().map(|p| nearest(rect, p).distance(p));
-    by_corner.chain(by_end).fold(f64::INFINITY, f64::min)
+    let by_end = [bar.from, bar.to].into_iter().fold(f64::INFINITY, |least, p| least.min((nearest(rect, p) - p).norm2()));
+    corners.into_iter().fold(by_end, |least, c| least.min(to_segment2(c, bar.from, bar.to))).sqrt()
 }
 
 fn to_segment(p: Point, a: Point, b: Point) -> f64 {
+    to_segment2(p, a, b).sqrt()
+}
+
+/// The square of the distance from a point to a segment (mm²).
+fn to_segment2(p: Point, a: Point, b: Point) -> f64 {
     let d = b - a;
     let n2 = d.norm2();
     let t = if n2 > 0.0 { ((p - a).dot(d) / n2).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(a + d * t)
+    (a + d * t - p).norm2()
 }
 
 fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {

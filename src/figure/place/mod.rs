@@ -20,6 +20,7 @@ use super::extent::Rect;
 use super::item::{Anchor, Colour, Item, Shape, Stroke};
 use super::label::Label;
 use super::text;
+use candidate::Candidate;
 
 /// What a label belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -150,26 +151,32 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> 
 /// place beside its thing unless something has come in its way.
 pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
     let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
-    search::run(&labels, obstacles, bounds, before)
-        .into_iter()
-        .zip(&labels)
-        .map(|((candidate, cost, index), wanted)| Placement {
-            at: Point::new(candidate.rect.min.x, candidate.rect.min.y + wanted.descent_mm),
-            bounds: candidate.rect,
-            leader: candidate.leader,
-            cost,
-            index,
-        })
-        .collect()
+    search::run(&labels, obstacles, bounds, before).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
+}
+
+/// What a label of a series did in the figure before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Habit {
+    /// It stood there ([`Placement::index`]).
+    At(usize),
+    /// There was no clear place for it.
+    LeftOut,
 }
 
 /// Finds places as [`place_after`], and leaves out optional labels that would stand on another label or on a line as thick as
-/// their own; the others then have more room. `None` for those left out.
-pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Option<Placement>> {
-    let mut kept: Vec<usize> = (0..requests.len()).collect();
+/// their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
+/// when there is a clear place beside all others, so that names do not come and go.
+pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<Habit>]) -> Vec<Option<Placement>> {
+    let absent = |i: &usize| requests[*i].optional && before.get(*i) == Some(&Some(Habit::LeftOut));
+    let (away, mut kept): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(absent);
+    let mut out = vec![None; requests.len()];
     loop {
         let wanted: Vec<LabelRequest> = kept.iter().map(|&i| requests[i].clone()).collect();
-        let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(|&i| before[i]).collect() };
+        let stood = |i: &usize| match before[*i] {
+            Some(Habit::At(index)) => Some(index),
+            _ => None,
+        };
+        let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(stood).collect() };
         let places = place_after(&wanted, obstacles, bounds, &habits);
         let hides = |k: usize| {
             let (own, here) = (Wanted::new(&wanted[k]), places[k].bounds);
@@ -177,9 +184,8 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
         };
         let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| wanted[k].optional && places[k].cost >= CROWDED && hides(k)).collect();
         if crowded.is_empty() {
-            let mut out = vec![None; requests.len()];
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
-            return out;
+            break;
         }
         // The worst third at once: to go one by one would take as many searches as labels.
         crowded.sort_by(|&a, &b| places[b].cost.total_cmp(&places[a].cost));
@@ -190,7 +196,21 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
             !crowded.contains(&(k - 1))
         });
     }
+    for i in away {
+        let placed: Vec<Placement> = out.iter().flatten().copied().collect();
+        out[i] = place_beside(&requests[i], obstacles, bounds, &placed).filter(|p| p.cost < CROWDED);
+    }
+    out
 }
+
+/// The best place for one more label beside others that stay.
+fn place_beside(request: &LabelRequest, obstacles: &Obstacles, bounds: Rect, placed: &[Placement]) -> Option<Placement> {
+    let wanted = Wanted::new(request);
+    search::beside_placed(&wanted, obstacles, bounds, placed).map(|found| wanted.placement(found))
+}
+
+/// A place that was picked, what it costs, and which of the label's places it is.
+type Found = (Candidate, f64, usize);
 
 /// A request with its measures.
 struct Wanted {
@@ -214,6 +234,11 @@ impl Wanted {
             owner: request.owner,
             prefer: request.prefer.and_then(Vec2::unit),
         }
+    }
+
+    fn placement(&self, (candidate, cost, index): Found) -> Placement {
+        let at = Point::new(candidate.rect.min.x, candidate.rect.min.y + self.descent_mm);
+        Placement { at, bounds: candidate.rect, leader: candidate.leader, cost, index }
     }
 
     fn rect(&self, centre: Point) -> Rect {

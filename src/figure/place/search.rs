@@ -3,9 +3,9 @@
 use crate::figure::extent::Rect;
 
 use super::candidate::{self, Candidate};
-use super::cost;
+use super::cost::{self, Around};
 use super::obstacle::Obstacles;
-use super::{CROWDED, Wanted};
+use super::{CROWDED, Found, Placement, Wanted};
 
 /// Sweeps of the descent. Each lowers the total, so it ends by itself; on sheets of 200 labels after 6 at most.
 const SWEEPS_MAX: usize = 24;
@@ -33,9 +33,10 @@ struct Choice {
 
 impl Choice {
     fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
+        let around = self.priced.then(|| Around::new(&places, wanted, obstacles, paper));
         for place in places {
             let leave = self.leave(self.places.len());
-            self.fixed.push(if self.priced { cost::fixed(&place, wanted, obstacles, paper) + leave } else { f64::INFINITY });
+            self.fixed.push(around.as_ref().map_or(f64::INFINITY, |a| a.fixed(&place) + leave));
             self.places.push(place);
         }
     }
@@ -43,13 +44,13 @@ impl Choice {
     /// Gives every place its cost.
     fn price(&mut self, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
         self.priced = true;
-        self.fixed = (0..self.places.len()).map(|k| cost::fixed(&self.places[k], wanted, obstacles, paper) + self.leave(k)).collect();
+        let around = Around::new(&self.places, wanted, obstacles, paper);
+        self.fixed = (0..self.places.len()).map(|k| around.fixed(&self.places[k]) + self.leave(k)).collect();
     }
 
     /// The box around all its places and leader lines.
     fn reach(&self) -> Rect {
-        let with_leader = |c: &Candidate| c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)));
-        self.places.iter().map(with_leader).reduce(Rect::union).expect("every label has places")
+        self.places.iter().map(cost::with_leader).reduce(Rect::union).expect("every label has places")
     }
 
     /// What a place costs because it is another one than before.
@@ -63,7 +64,7 @@ impl Choice {
 }
 
 /// For each label its place, what that costs, and which of the places it is; `before` says which it was in the figure before.
-pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before: &[Option<usize>]) -> Vec<(Candidate, f64, usize)> {
+pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before: &[Option<usize>]) -> Vec<Found> {
     let mut choices: Vec<Choice> = wanted
         .iter()
         .enumerate()
@@ -78,7 +79,8 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
             match before {
                 Some(b) if b < choice.places.len() => {
                     choice.picked = b;
-                    choice.fixed[b] = cost::fixed(&choice.places[b], w, obstacles, paper);
+                    let here = std::slice::from_ref(&choice.places[b]);
+                    choice.fixed[b] = Around::new(here, w, obstacles, paper).fixed(&here[0]);
                     if choice.fixed[b] >= LEAVE {
                         choice.price(w, obstacles, paper);
                     }
@@ -120,6 +122,17 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
     (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, picked(i)) - choices[i].leave(picked(i)), picked(i))).collect()
 }
 
+/// The best place near its thing for a label beside others that stay where they are.
+pub(super) fn beside_placed(wanted: &Wanted, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<Found> {
+    let places = candidate::near(wanted);
+    let around = Around::new(&places, wanted, obstacles, paper);
+    let others: Vec<Candidate> = placed.iter().map(|p| Candidate { rect: p.bounds, leader: p.leader, base: 0.0 }).collect();
+    let cost = |c: &Candidate| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
+    let costs: Vec<f64> = places.iter().map(cost).collect();
+    let best = argmin(&costs);
+    Some((*places.get(best)?, costs[best], best))
+}
+
 /// The first of the smallest.
 fn argmin(costs: &[f64]) -> usize {
     costs.iter().enumerate().fold(0, |best, (i, c)| if *c < costs[best] { i } else { best })
@@ -155,17 +168,21 @@ fn settle(choices: &mut [Choice], rounds: usize) {
 }
 
 fn descend(choices: &mut [Choice]) {
+    let mut others: Vec<Candidate> = Vec::new();
     for _ in 0..SWEEPS_MAX {
         let mut moved = false;
         for i in 0..choices.len() {
-            let (mut best, mut least) = (choices[i].picked, total(choices, i, choices[i].picked));
+            let me = &choices[i];
+            others.clear();
+            others.extend(me.neighbours.iter().map(|&j| *choices[j].place()));
+            let (mut best, mut least) = (me.picked, total_beside(me, me.picked, &others, f64::INFINITY));
             let now = least;
-            for k in 0..choices[i].places.len() {
+            for k in 0..me.places.len() {
                 // Beside others a place only becomes dearer: most need not be looked at.
-                if choices[i].fixed[k] > least || k == choices[i].picked {
+                if me.fixed[k] > least || k == me.picked {
                     continue;
                 }
-                let cost = total(choices, i, k);
+                let cost = total_beside(me, k, &others, least);
                 // Of equals the first, as everywhere.
                 if cost < least || cost == least && k < best && cost < now {
                     (best, least) = (k, cost);
@@ -180,6 +197,18 @@ fn descend(choices: &mut [Choice]) {
             return;
         }
     }
+}
+
+/// Cost of a label's place `k` beside these places of its neighbours; from `enough` on some cost that is larger.
+fn total_beside(me: &Choice, k: usize, others: &[Candidate], enough: f64) -> f64 {
+    let mut beside = 0.0;
+    for other in others {
+        beside += cost::pair(&me.places[k], other);
+        if beside > enough {
+            break;
+        }
+    }
+    me.fixed[k] + beside
 }
 
 /// Moves labels in conflict together with each neighbour that stands in their way.

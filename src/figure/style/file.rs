@@ -71,16 +71,21 @@ const LINKS_MAX: usize = 64;
 /// assert!(hodograph::figure::style::read(br#"{ "lines": { "link": 90 } }"#).is_err());
 /// ```
 pub fn read(source: &[u8]) -> Result<Style, Faults> {
+    read_onto(source, Style::default())
+}
+
+/// The same for a file that differs, where it names no base, from `usual`.
+pub(super) fn read_onto(source: &[u8], usual: Style) -> Result<Style, Faults> {
     let mut faults = Faults::default();
     let (_, root) = json::parse(source, &mut faults)?;
-    let style = style(&root, &mut faults);
+    let style = style(&root, usual, &mut faults);
     style.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
-fn style(root: &Node, faults: &mut Faults) -> Option<Style> {
+fn style(root: &Node, usual: Style, faults: &mut Faults) -> Option<Style> {
     let f = Fields::open(root, "a style", KEYS, faults)?;
     let mut style = match f.get("base") {
-        None => Style::textbook(),
+        None => usual,
         Some(node) => {
             let base = word(node, "\"base\"", faults)?;
             Style::named(&base.text).or_else(|| {
@@ -185,6 +190,24 @@ mod tests {
         assert_eq!(codes, ["unknown-key", "unknown-key", "out-of-range", "wrong-type", "colour", "colour", "mark"]);
         assert!(faults.list.iter().all(|d| d.span.is_some()));
         assert!(faults.list[2].help.as_ref().unwrap().contains("0.1 to 2 mm"));
+    }
+
+    #[test]
+    fn the_usual_style_gives_every_measure() {
+        let mut print = Style::default();
+        for (section, _, lengths) in SECTIONS {
+            for (key, place, [least, most]) in *lengths {
+                assert!((*least..=*most).contains(place(&mut print)), "{section}.{key} is missing in print.json");
+            }
+        }
+    }
+
+    #[test]
+    fn the_style_in_the_readme_is_read() {
+        let readme = include_str!("../../../README.md");
+        let sample = readme.split("```json").skip(1).filter_map(|rest| rest.split("```").next()).find(|s| s.contains("\"base\""));
+        let style = read(sample.expect("the README shows a style").as_bytes()).unwrap();
+        assert_ne!(style, Style::default());
     }
 
     #[test]

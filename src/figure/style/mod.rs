@@ -106,33 +106,36 @@ impl Style {
     /// type) or `dark` (the same on a dark ground).
     pub fn named(name: &str) -> Option<Style> {
         let (_, source) = BUNDLED.iter().find(|(n, _)| *n == name)?;
-        Some(read(source.as_bytes()).expect("bundled styles are read by a test"))
+        let print = name == BUNDLED[0].0;
+        let read = if print { file::read_onto(source.as_bytes(), Style::blank()) } else { read(source.as_bytes()) };
+        Some(read.expect("bundled styles are read by a test"))
     }
 
-    /// What a style begins with before any file has spoken: the weights and sizes of `print`.
-    fn textbook() -> Style {
+    /// What `print` begins with before its file has spoken: no measures at all, which that file gives (a test asks for each).
+    fn blank() -> Style {
+        let (none, head) = (Stroke::new(0.0), |notch| Head { length_mm: 0.0, width_mm: 0.0, notch });
         Style {
-            name: "print".into(),
-            link: Stroke::new(0.7).round(),
-            outline: Stroke::new(0.4),
-            thin: Stroke::new(0.25),
-            vector: Stroke::new(0.4),
-            head: Head::VECTOR,
-            thin_head: Head::THIN,
-            pin_radius_mm: 1.1,
-            dot_radius_mm: 0.6,
-            pivot_height_mm: 4.4,
-            pivot_half_base_mm: 2.9,
-            ground_half_mm: 5.6,
-            hatch_pitch_mm: 1.4,
-            hatch_depth_mm: 1.8,
-            block_length_mm: 8.0,
-            block_width_mm: 4.4,
-            slot_width_mm: 3.4,
-            plate: Colour::grey(232),
-            label_mm: 4.7,
-            caption_mm: 4.1,
-            small_mm: 3.6,
+            name: String::new(),
+            link: none.round(),
+            outline: none,
+            thin: none,
+            vector: none,
+            head: head(Head::VECTOR.notch),
+            thin_head: head(Head::THIN.notch),
+            pin_radius_mm: 0.0,
+            dot_radius_mm: 0.0,
+            pivot_height_mm: 0.0,
+            pivot_half_base_mm: 0.0,
+            ground_half_mm: 0.0,
+            hatch_pitch_mm: 0.0,
+            hatch_depth_mm: 0.0,
+            block_length_mm: 0.0,
+            block_width_mm: 0.0,
+            slot_width_mm: 0.0,
+            plate: Colour::WHITE,
+            label_mm: 0.0,
+            caption_mm: 0.0,
+            small_mm: 0.0,
             palette: Palette::default(),
             marks: Marks::default(),
         }
@@ -155,7 +158,7 @@ mod tests {
         for name in Style::names() {
             assert_eq!(Style::named(name).unwrap().name, name);
         }
-        assert_eq!(Style::default(), Style::textbook());
+        assert_eq!(Style::default().name, "print");
         assert_eq!(Style::named("nosuch"), None);
     }
 

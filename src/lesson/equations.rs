@@ -1,0 +1,136 @@
+//! The equation that each step solves, with its table, for the page.
+//!
+//! Decided here: which table belongs to a step and which of its columns the step draws. What is written is that of
+//! [`crate::report::equation`]; the page shows the columns of the step in colour and those still to come in grey.
+
+use serde_json::{Value, json};
+
+use crate::construct::{Action, Polygon};
+use crate::figure::series::LEVELS;
+use crate::figure::tables::{found_by, target};
+use crate::mechanism::Level;
+use crate::plan::Term;
+use crate::plan::notation::Notation;
+use crate::plan::text::{Column, Writer};
+use crate::report::equation::{Written, written};
+
+use super::bank::{Formulas, runs};
+use super::frames::{Frame, Frames};
+use super::steps::LANGS;
+
+/// For the page: what is written, and which frames follow which variant of the construction.
+///
+/// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
+/// statement an object with both languages. `variants`: for each level and each of its actions 0, or the index of what is written
+/// and the columns that the action draws. `frames`: runs of variants, −1 for none; 0 for the first in all.
+pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
+    let mut table = Book { written: Vec::new() };
+    let mut variants: Vec<Value> = Vec::new();
+    let mut known: Vec<&Frame> = Vec::new();
+    let mut which: Vec<i64> = Vec::new();
+    for frame in &frames.list {
+        if frame.end {
+            which.push(-1);
+            continue;
+        }
+        let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
+            known.push(frame);
+            variants.push(json!(LEVELS.map(|level| table.level(frame, level, notation, formulas))));
+            known.len() - 1
+        });
+        which.push(index as i64);
+    }
+    let which = if which.iter().all(|v| *v == 0) { json!(0) } else { json!(runs(&which)) };
+    json!({"written": table.written, "variants": variants, "frames": which, "direction_first": notation.first_row == "direction"})
+}
+
+/// Whether two frames are drawn by the same equations in the same steps.
+fn alike(a: &Frame, b: &Frame) -> bool {
+    let (one, other) = (&a.worked.construction, &b.worked.construction);
+    one.chosen == other.chosen
+        && a.worked.plan == b.worked.plan
+        && LEVELS.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
+            (Some(p), Some(q)) => {
+                p.actions.len() == q.actions.len() && (0..p.actions.len()).all(|k| drawn(p, k) == drawn(q, k)) && same_kinds(p, q)
+            }
+            (p, q) => p.is_none() && q.is_none(),
+        })
+}
+
+fn same_kinds(p: &Polygon, q: &Polygon) -> bool {
+    p.actions.iter().zip(&q.actions).all(|(a, b)| std::mem::discriminant(a) == std::mem::discriminant(b))
+}
+
+/// The terms that an action draws.
+fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
+    let of_edges = |edges: &[usize]| edges.iter().flat_map(|e| p.edges[*e].terms.iter().copied()).collect();
+    match &p.actions[action] {
+        Action::LayOff(edge) => of_edges(&[*edge]),
+        Action::Cross { edges, .. } => of_edges(edges),
+        Action::Nothing { term, .. } => vec![*term],
+        Action::Line { terms, .. } => terms.clone(),
+        Action::Reach(_) | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),
+    }
+}
+
+/// What is written in any frame, each once.
+struct Book {
+    written: Vec<Value>,
+}
+
+impl Book {
+    fn index(&mut self, value: Value) -> usize {
+        self.written.iter().position(|w| *w == value).unwrap_or_else(|| {
+            self.written.push(value);
+            self.written.len() - 1
+        })
+    }
+
+    /// For each action of a level 0, or what is written and the columns that it draws.
+    fn level(&mut self, frame: &Frame, level: Level, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+        let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
+        let Some(polygon) = paper.polygon(level) else { return Vec::new() };
+        let writers = LANGS.map(|lang| Writer { scene: &frame.scene, plan, notation, lang });
+        let mut all: Vec<(usize, usize, Vec<Column>)> = Vec::new();
+        for group in plan.steps(level) {
+            for step in group.steps(group.drawn(paper.chosen[group.group])) {
+                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, level, step)))
+                else {
+                    continue;
+                };
+                match (en, zh) {
+                    (Written::Table(columns), _) => {
+                        let cells: Vec<Value> = columns.iter().map(|c| cells(c, formulas)).collect();
+                        all.push((found, self.index(json!(cells)), columns));
+                    }
+                    (Written::Line(en), Written::Line(zh)) => {
+                        let both = [en, zh].map(|line| formulas.phrase(&line));
+                        all.push((found, self.index(json!({"line": both})), Vec::new()));
+                    }
+                    (Written::Line(_), Written::Table(_)) => {}
+                }
+            }
+        }
+        (0..polygon.actions.len()).map(|action| of_action(polygon, action, &all)).collect()
+    }
+}
+
+/// An action belongs to the first equation that is solved at it or after it; a rate is measured when all is done.
+fn of_action(polygon: &Polygon, action: usize, all: &[(usize, usize, Vec<Column>)]) -> Value {
+    if matches!(polygon.actions[action], Action::Rate(_)) {
+        return json!(0);
+    }
+    let Some((found, index, columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
+    let terms = drawn(polygon, action);
+    // The vector that is looked for stands before the sign of equality, and is found last.
+    let sought = |k: usize, c: &Column| k == 0 && c.term.is_none() && *found == action;
+    let now = |(k, c): &(usize, &Column)| c.term.is_some_and(|t| terms.contains(&t)) || sought(*k, c);
+    let mut told = vec![*index];
+    told.extend(columns.iter().enumerate().filter(now).map(|(k, _)| k));
+    json!(told)
+}
+
+fn cells(c: &Column, formulas: &mut Formulas) -> Value {
+    let mut cell = |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
+    json!([cell(c.joint), cell(&c.symbol), cell(&c.direction), cell(&c.magnitude)])
+}
