@@ -25,7 +25,7 @@ const ARGUMENTS: &str = "--vary l_AB=60..120 --vary l_BC=200..300 --vary l_CD=18
     --steps 199 --find v_C,a_C -o";
 
 /// Mechanisms of a block, as the command cuts them.
-const STEP: u64 = 714;
+const STEP: u64 = 476;
 
 fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);

@@ -18,8 +18,8 @@ use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
 
-/// Numbers of a block, about: some megabytes, a row group of 100 000 rows and more in Parquet.
-const BLOCK: usize = 3 << 19;
+/// Numbers of a block, about: some megabytes, a row group of some 100 000 rows in Parquet.
+const BLOCK: usize = 1 << 20;
 
 pub fn batch(a: Args) -> Run {
     let mut input = Input::read(&a.common.scene)?;

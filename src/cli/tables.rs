@@ -14,8 +14,8 @@ pub const BY_ROWS: [&str; 3] = ["csv", "npy", "parquet"];
 /// All formats of a table that is in memory.
 pub const WHOLE: [&str; 4] = ["csv", "json", "npy", "parquet"];
 
-/// Rows of a piece: a megabyte for each column.
-const ROWS: usize = 1 << 17;
+/// Rows of a piece: half a megabyte for each column.
+const ROWS: usize = 1 << 16;
 
 /// The ending of a file's name, one of those allowed.
 pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Failure> {
