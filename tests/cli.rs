@@ -34,6 +34,42 @@ fn pdf_holds_one_figure_or_many() {
 }
 
 #[test]
+fn a_font_of_ones_own_sets_the_figures() {
+    let out = tempfile::tempdir().unwrap();
+    let draw = |name: &str, fonts: &[&str]| {
+        let file = out.path().join(name);
+        let fonts = fonts.iter().flat_map(|f| ["--font", f]);
+        let run = hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(&file).args(fonts).assert().success();
+        (std::fs::read(file).unwrap(), text(&run.get_output().stderr))
+    };
+    let (usual, _) = draw("usual.svg", &[]);
+    let (italic, said) = draw("italic.svg", &["fonts/tinos-italic.ttf"]);
+    // The same letters from a file: the same widths and places, under other names.
+    assert!(!said.contains("font"), "{said}");
+    assert_eq!(text(&usual).matches("<use").count(), text(&italic).matches("<use").count());
+    assert!(text(&italic).contains("id=\"gp") && !text(&usual).contains("id=\"gp"));
+    // A font that lacks letters leaves them to the bundled ones, and says so.
+    let (signs, said) = draw("signs.svg", &["fonts/song-gb1-cff.otf"]);
+    assert!(text(&signs).contains("id=\"go"), "digits or words come from it");
+    assert!(text(&signs).contains("id=\"gi"), "slanted letters from the bundled italic");
+    assert!(!said.contains("error"), "{said}");
+    let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);
+    assert!(pdf.starts_with(b"%PDF-1.7"));
+}
+
+#[test]
+fn what_is_no_font_is_told() {
+    let out = tempfile::tempdir().unwrap();
+    let italic = "fonts/tinos-italic.ttf";
+    for fonts in [vec!["templates/shaper.json"], vec!["nosuch.ttf"], vec![italic, italic]] {
+        let fonts = fonts.iter().flat_map(|f| ["--font", f]);
+        let run = hodograph().args(["draw", "templates/shaper.json", "-o"]).arg(out.path()).args(fonts).assert().code(2);
+        assert!(text(&run.get_output().stderr).contains("font"));
+    }
+    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
+}
+
+#[test]
 fn a_worksheet_in_each_format() {
     let out = tempfile::tempdir().unwrap();
     for (ending, begins) in [("pdf", "%PDF-1.7"), ("html", "<!DOCTYPE html>"), ("md", "# Shaper"), ("typ", "#set document")] {

@@ -20,7 +20,7 @@ pub struct Head {
 
 /// A head is at most this part of its vector, so that a short vector is still a vector and not a head alone. Larger,
 /// and the shaft vanishes in the hollow back; smaller, and the head of a vector of 2 mm is no wider than its shaft.
-const HEAD_PART_MAX: f64 = 0.7;
+pub(crate) const HEAD_PART_MAX: f64 = 0.7;
 
 impl Head {
     /// Vectors of polygons and on the mechanism: three times as long as wide, as the textbooks print it.

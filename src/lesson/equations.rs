@@ -9,9 +9,9 @@ use crate::construct::{Action, Polygon};
 use crate::figure::series::LEVELS;
 use crate::figure::tables::{found_by, target};
 use crate::mechanism::Level;
-use crate::plan::Term;
 use crate::plan::notation::Notation;
 use crate::plan::text::{Column, Writer};
+use crate::plan::{Step, Term};
 use crate::report::equation::{Written, written};
 
 use super::bank::{Formulas, runs};
@@ -73,6 +73,9 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
     }
 }
 
+/// The action that solves an equation, what is written of it, and its columns.
+type Solved = (usize, Option<usize>, Vec<Column>);
+
 /// What is written in any frame, each once.
 struct Book {
     written: Vec<Value>,
@@ -91,23 +94,24 @@ impl Book {
         let (paper, plan) = (&frame.worked.construction, &frame.worked.plan);
         let Some(polygon) = paper.polygon(level) else { return Vec::new() };
         let writers = LANGS.map(|lang| Writer { scene: &frame.scene, plan, notation, lang });
-        let mut all: Vec<(usize, usize, Vec<Column>)> = Vec::new();
+        let mut all: Vec<Solved> = Vec::new();
         for group in plan.steps(level) {
             for step in group.steps(group.drawn(paper.chosen[group.group])) {
                 let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, level, step)))
                 else {
                     continue;
                 };
-                match (en, zh) {
-                    (Written::Table(columns), _) => {
+                match (en, zh, step) {
+                    (Written::Table(columns), ..) => {
                         let cells: Vec<Value> = columns.iter().map(|c| cells(c, formulas)).collect();
-                        all.push((found, self.index(json!(cells)), columns));
+                        all.push((found, Some(self.index(json!(cells))), columns));
                     }
-                    (Written::Line(en), Written::Line(zh)) => {
+                    (Written::Line(en), Written::Line(zh), Step::Equation { .. }) => {
                         let both = [en, zh].map(|line| formulas.phrase(&line));
-                        all.push((found, self.index(json!({"line": both})), Vec::new()));
+                        all.push((found, Some(self.index(json!({"line": both}))), Vec::new()));
                     }
-                    (Written::Line(_), Written::Table(_)) => {}
+                    // The sentence of such a step says as much.
+                    _ => all.push((found, None, Vec::new())),
                 }
             }
         }
@@ -116,11 +120,11 @@ impl Book {
 }
 
 /// An action belongs to the first equation that is solved at it or after it; a rate is measured when all is done.
-fn of_action(polygon: &Polygon, action: usize, all: &[(usize, usize, Vec<Column>)]) -> Value {
+fn of_action(polygon: &Polygon, action: usize, all: &[Solved]) -> Value {
     if matches!(polygon.actions[action], Action::Rate(_)) {
         return json!(0);
     }
-    let Some((found, index, columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
+    let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };
     let terms = drawn(polygon, action);
     // The vector that is looked for stands before the sign of equality, and is found last.
     let sought = |k: usize, c: &Column| k == 0 && c.term.is_none() && *found == action;

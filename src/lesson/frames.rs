@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
-use crate::sweep::follow::{Follower, Pose, Sweep, scene_at};
+use crate::sweep::follow::{Follower, Pose, Sweep, between, scene_at};
 
 /// A pose with all that is known of it.
 pub struct Frame {
@@ -132,14 +132,16 @@ impl Maker<'_> {
         for _ in 0..ROUNDS {
             let scales = self.scales(trials, sweep.full);
             let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
-            let between = |k: &usize| {
+            let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
-                let configuration = self.follower.at(&trials[*k].worked.configuration, travel)?;
+                let [one, other] =
+                    [*k, k + 1].map(|i| Pose { travel: trials[i].travel, configuration: trials[i].worked.configuration.clone() });
+                let configuration = self.follower.at(&between(&one, &other, travel), travel)?;
                 let middle = self.trial(&Pose { travel, configuration })?;
                 let error = self.error(trials, *k, &middle, &scales);
                 (error > BETWEEN_MM).then_some((*k, error, middle))
             };
-            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(between).collect();
+            let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(halved).collect();
             // The worst first, where there is room for some only.
             wanted.sort_by(|a, b| b.1.total_cmp(&a.1));
             wanted.truncate(most.saturating_sub(trials.len()));

@@ -106,6 +106,25 @@
     return parts;
   }
 
+  const rounded = (mm) => Math.round(mm * 1000) / 1000;
+
+  /** Moves an arrow by its ends; shaft and head as in arrow.rs. */
+  function arrow(element, ends, [length, width, notch, most]) {
+    const [line, head] = element.children;
+    return (where) => {
+      const [x1, y1, x2, y2] = ends.map((values) => value(values, where));
+      const far = Math.hypot(x2 - x1, y2 - y1) || 1;
+      const [ux, uy] = [(x2 - x1) / far, (y2 - y1) / far];
+      const k = Math.min((most * far) / length, 1);
+      const [back, side] = [length * k, (width * Math.sqrt(k)) / 2];
+      const at = (t, s) => [x2 - ux * t + uy * s, y2 - uy * t - ux * s].map(rounded);
+      const notched = at(back * (1 - notch), 0);
+      ["x1", "y1", "x2", "y2"].forEach((name, i) => line.setAttribute(name, rounded([x1, y1, ...notched][i])));
+      const corners = [at(0, 0), at(back, side), notched, at(back, -side)];
+      head.setAttribute("d", `M${corners.map((c) => c.join(" ")).join("L")}Z`);
+    };
+  }
+
   const drawings = data.drawings.map(({ key, moving, shown }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
@@ -118,10 +137,18 @@
       const length = seen.filter(Boolean).length;
       const attributes = places.map((place) => {
         const [part, name, ...numerals] = place.split(" ");
+        if (name === "arrow") {
+          const ends = [1, 2, 3, 4].map(() => spread(read(length), seen));
+          return arrow(element, ends, numerals.map(Number));
+        }
         const target = part === "0" ? element : element.querySelectorAll("*")[part - 1];
         const parts = pieces(target.getAttribute(name));
         const columns = numerals.map((n) => ({ at: 2 * n + 1, values: spread(read(length), seen) }));
-        return { target, name, parts, columns, straight: name === "transform" };
+        const straight = name === "transform";
+        return (where) => {
+          for (const { at, values } of columns) parts[at] = rounded(value(values, where, straight));
+          target.setAttribute(name, parts.join(""));
+        };
       });
       return { element, seen, attributes };
     });
@@ -147,10 +174,7 @@
           else element.setAttribute("display", "none");
         }
         if (!visible) continue;
-        for (const { target, name, parts, columns, straight } of attributes) {
-          for (const { at, values } of columns) parts[at] = Math.round(value(values, where, straight) * 1000) / 1000;
-          target.setAttribute(name, parts.join(""));
-        }
+        for (const draw of attributes) draw(where);
       }
     }
   }
@@ -164,8 +188,12 @@
   const word = (key, ...fills) => fills.reduce((text, f) => text.replace("{}", f), data.words[lang][key]);
   const which = () => (lang === "en" ? 0 : 1);
 
+  /** Tags in the place of their signs; see bank.rs. */
+  const tagged = (text) => text.replace(/[\uE010-\uE02F]/g, (c) => data.tags[c.charCodeAt(0) - 0xe010]);
+  const formulaList = data.formulas.map(tagged);
+
   /** Formulas in the place of their indices. */
-  const formulas = (text) => text.replace(/\uE001(\d+)\uE002/g, (_, n) => data.formulas[n]);
+  const formulas = (text) => tagged(text).replace(/\uE001(\d+)\uE002/g, (_, n) => formulaList[n]);
 
   /** Runs of (value, length) as one value a frame. */
   function stretched(runs) {
@@ -213,8 +241,8 @@
     const [magnitude, direction] = data.rows[which()];
     const [second, third] = [[magnitude, 3], [direction, 2]][equations.direction_first ? "reverse" : "slice"]();
     const row = ([head, part]) => {
-      const cell = (n, c) => `<td class="${face(c)}">${n < 0 ? "" : data.formulas[n]}</td>`;
-      const sign = (n) => `<td>${n < 0 || part > 1 ? "" : data.formulas[n]}</td>`;
+      const cell = (n, c) => `<td class="${face(c)}">${n < 0 ? "" : formulaList[n]}</td>`;
+      const sign = (n) => `<td>${n < 0 || part > 1 ? "" : formulaList[n]}</td>`;
       return `<tr><th scope="row">${head}</th>${columns.map((c, i) => (i ? sign(c[0]) : "") + cell(c[part], i)).join("")}</tr>`;
     };
     return { index, html: `<table class="equation">${[["", 1], second, third].map(row).join("")}</table>` };
@@ -522,19 +550,23 @@
     document.documentElement.dataset.theme = dark ? "light" : "dark";
   }
 
-  /** All drawings to one scale, as large as they fit side by side with the words below the polygons. */
+  /** All drawings as large as they fit side by side with the words below the polygons. */
   function fit() {
     const sizes = drawings.map((d) => d.figure.querySelector("svg").viewBox.baseVal);
     const [first, ...rest] = sizes;
     const em = parseFloat(getComputedStyle(document.body).fontSize);
     const wide = document.querySelector("main").clientWidth - 32 - 14 * sizes.length;
     const high = innerHeight - $("left").getBoundingClientRect().top - scrollY - 2.5 * em;
-    const k = Math.min(
-      wide / sizes.reduce((sum, s) => sum + s.width, 0),
-      high / first.height,
-      (0.6 * high) / Math.max(1, ...rest.map((s) => s.height)),
-    );
-    document.body.style.setProperty("--k", Math.max(k, 1.5));
+    const width = sizes.reduce((sum, s) => sum + s.width, 0);
+    const rooms = sizes.map((_, i) => (i ? 0.52 : 1) * high);
+    const k = Math.max(1.5, Math.min(wide / width, ...sizes.map((s, i) => rooms[i] / s.height)));
+    // What is left of the width makes those larger that have room above the words.
+    let left = Math.max(0, wide - k * width);
+    sizes.forEach((s, i) => {
+      const own = Math.max(k, Math.min(2 * k, rooms[i] / s.height, k + left / s.width));
+      left -= (own - k) * s.width;
+      drawings[i].figure.style.setProperty("--k", own);
+    });
     // On paper, A4 upright: the polygons beside one another below the mechanism.
     const below = rest.reduce((sum, s) => sum + s.width, 0);
     document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(first.width, below), 110 / first.height));

@@ -17,7 +17,7 @@ use crate::render::svg::Elements;
 use crate::report::math::mathml;
 use crate::scene::{DriverKind, Lang, Scene};
 
-use super::bank::Formulas;
+use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
 use super::scenery::{Scenery, Shows, scenery, stray};
@@ -74,6 +74,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "equations": equations,
         "rows": LANGS.map(|l| [figure_words::words(l).magnitude, figure_words::words(l).direction]),
         "formulas": formulas.list,
+        "tags": bank::tags(),
     });
     // Inside a script element only `</` could end it.
     let data = data.to_string().replace("</", "<\\/");

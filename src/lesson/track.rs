@@ -7,6 +7,7 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use crate::diag::Faults;
+use crate::figure::arrow::{HEAD_PART_MAX, Head};
 use crate::figure::item::{Item, Shape};
 use crate::figure::label::Label;
 use crate::render::svg::Elements;
@@ -27,7 +28,14 @@ struct Element {
     at_base: bool,
     /// Its numbers in each frame; `None` where it is not seen.
     frames: Vec<Option<Vec<i64>>>,
+    /// Of a straight arrow: the page draws shaft and head anew between its ends.
+    head: Option<Head>,
 }
+
+/// The numbers of an arrow's markup: ends of the shaft (x, x, y, y), then the corners of the head, the tip first.
+const ARROW: usize = 12;
+/// Among them those of its two ends: x and y.
+const ENDS: [usize; 4] = [0, 2, 4, 5];
 
 /// A drawing in the making.
 pub struct Track {
@@ -74,7 +82,11 @@ impl Track {
                     let place = after.and_then(|a| self.order.iter().position(|e| *e == a)).map_or(0, |p| p + 1);
                     self.order.insert(place, index);
                     let markup = self.markup(item)?;
-                    self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count] });
+                    let head = match item.shape {
+                        Shape::Arrow { head, .. } if numbers.len() == ARROW => Some(head),
+                        _ => None,
+                    };
+                    self.elements.push(Element { markup, at_base: false, frames: vec![None; self.count], head });
                     self.known.insert(key, index);
                     index
                 }
@@ -110,6 +122,8 @@ impl Track {
             if changing.is_empty() && seen.len() == element.frames.len() {
                 continue;
             }
+            let arrow = element.head.filter(|_| !changing.is_empty());
+            let changing = if arrow.is_some() { ENDS.to_vec() } else { changing };
             let runs = runs(element.frames.iter().map(Option::is_some));
             let mut columns = String::new();
             for n in &changing {
@@ -123,7 +137,10 @@ impl Track {
                     }
                 }
             }
-            let parts = places(&element.markup, &changing);
+            let parts = match arrow {
+                Some(Head { length_mm, width_mm, notch }) => vec![format!("0 arrow {length_mm} {width_mm} {notch} {HEAD_PART_MAX}")],
+                None => places(&element.markup, &changing),
+            };
             told.moving.push(serde_json::json!([place, runs, parts, columns]));
         }
         told

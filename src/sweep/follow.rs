@@ -90,18 +90,19 @@ impl<'a> Follower<'a> {
         let turns = matches!(self.scene.drivers[self.driver].kind, DriverKind::Turn { .. });
         let reach = if turns { TAU } else { 2.0 * self.base.extent() };
         let step = reach / count as f64;
-        let (mut up, mut high) = self.walk(step, reach);
+        let (mut up, high) = self.walk(step, reach, None);
         if turns && high.is_none() && up.last().is_some_and(|p| self.stray(&p.configuration, self.base) < 1e-6) {
             up.pop();
             up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
             return Sweep { poses: up, full: true, limits: [None, None] };
         }
-        let (mut down, mut low) = self.walk(-step, reach);
+        let (mut down, low) = self.walk(-step, reach, None);
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
         if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
             let fine = range / STEPS_LEAST as f64;
-            (up, high) = self.walk(fine, reach);
-            (down, low) = self.walk(-fine, reach);
+            // The ends have been found: to halve for them anew would be most of the work.
+            up = self.walk(fine, reach, up.pop().filter(|_| high.is_some())).0;
+            down = self.walk(-fine, reach, down.pop().filter(|_| low.is_some())).0;
         }
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
@@ -109,8 +110,9 @@ impl<'a> Follower<'a> {
         Sweep { poses, full: false, limits: [low, high] }
     }
 
-    /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end.
-    fn walk(&self, step: f64, reach: f64) -> (Vec<Pose>, Option<f64>) {
+    /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
+    /// known.
+    fn walk(&self, step: f64, reach: f64, known: Option<Pose>) -> (Vec<Pose>, Option<f64>) {
         let count = (reach / step.abs()).round() as usize;
         let start = Pose { travel: 0.0, configuration: self.base.clone() };
         let (mut before, mut now) = (None, start);
@@ -118,6 +120,10 @@ impl<'a> Follower<'a> {
         let mut left = PARTS * count;
         for k in 1..=count {
             let target = step * k as f64;
+            if let Some(end) = known.as_ref().filter(|end| end.travel.abs() <= target.abs()) {
+                poses.push(end.clone());
+                return (poses, Some(end.travel));
+            }
             while now.travel != target {
                 left = left.saturating_sub(1);
                 match self.next(before.as_ref(), &now, target).filter(|_| left > 0) {
@@ -211,6 +217,11 @@ impl<'a> Follower<'a> {
 /// The largest distance (m) of a joint in two poses.
 fn stray(a: &Configuration, b: &Configuration) -> f64 {
     a.points.iter().zip(&b.points).filter_map(|(a, b)| Some(a.as_ref()?.distance(*b.as_ref()?))).fold(0.0, f64::max)
+}
+
+/// What a pose between two others is about.
+pub fn between(one: &Pose, other: &Pose, travel: f64) -> Configuration {
+    foretold(Some(one), other, travel)
 }
 
 /// Where the motion leads: as far on as from the pose before.

@@ -4,6 +4,7 @@
 
 mod legible;
 mod motion;
+mod parted;
 
 use std::sync::LazyLock;
 
