@@ -8,7 +8,8 @@
 use super::Placed;
 use super::kernel::Reg;
 use super::lane::{Dual, Width};
-use super::program::{CHUNK, COS, Op, Program, SIN, VALUE};
+use super::program::{COS, Op, Program, SIN, VALUE};
+use super::run::CHUNK;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
 use crate::scene::{DriverKind, LinkId, PointId};
@@ -175,18 +176,17 @@ impl<'a> Probe<'a> {
     /// The crossings at many positions, joint by joint.
     fn sampled(&self, xs: &[f64]) -> Vec<Vec<f64>> {
         let mut out = vec![Vec::with_capacity(xs.len()); self.program.joints.len()];
-        let mut buffer = self.program.buffer();
+        let fused = self.program.fused_margins();
+        let mut buffer = fused.buffer();
         for part in xs.chunks(CHUNK) {
             let stations = Stations::of_values(part.to_vec(), self.per_value);
             buffer.fill(VALUE, &stations.values);
             buffer.fill(COS, &stations.cosines);
             buffer.fill(SIN, &stations.sines);
-            self.program.run_steps(std::iter::once(self.program.steps[0].as_slice()), &mut buffer, Width::Widest);
+            fused.run(&mut buffer, Width::Widest);
             for (joint, out) in self.program.joints.iter().zip(&mut out) {
-                out.extend((0..part.len()).map(|i| {
-                    let read = |r: Reg| buffer.get(r, i);
-                    self.program.margin(joint, &read).map_or(f64::NAN, |m| m.crossing())
-                }));
+                let crossing = |i| fused.margin(&self.program, joint, &buffer, i).map_or(f64::NAN, |m| m.crossing());
+                out.extend((0..part.len()).map(crossing));
             }
         }
         out
