@@ -28,6 +28,25 @@ fn minus<S: Simd>(a: Vector<S>, b: Vector<S>) -> Vector<S> {
     (a.0 - b.0, a.1 - b.1)
 }
 
+/// x with u·x = p and w·x = q.
+#[inline(always)]
+fn cross<S: Simd>(u: Vector<S>, w: Vector<S>, p: f64x4<S>, q: f64x4<S>) -> Vector<S> {
+    (p * w.1 - q * u.1, q * u.0 - p * w.0)
+}
+
+/// k d.
+#[inline(always)]
+fn turned<S: Simd>(d: Vector<S>, k: [f64; 2]) -> Vector<S> {
+    (d.0 * k[0] - d.1 * k[1], d.0 * k[1] + d.1 * k[0])
+}
+
+/// o + k (n − o).
+#[inline(always)]
+fn carried<S: Simd>(o: Vector<S>, n: Vector<S>, k: [f64; 2]) -> Vector<S> {
+    let d = turned(minus(n, o), k);
+    (o.0 + d.0, o.1 + d.1)
+}
+
 /// The end of a crank on the origin.
 #[inline(always)]
 fn crank<S: Simd>(c: f64x4<S>, s: f64x4<S>, l: f64, w: f64) -> Motion<S> {
@@ -53,10 +72,9 @@ fn close<S: Simd>(a: Vector<S>, b: Vector<S>, r: f64, s: f64, sign: f64) -> (Vec
 fn dyad<S: Simd>(a: Motion<S>, b: Motion<S>, r: f64, s: f64, sign: f64) -> Motion<S> {
     let (c, inverse) = close(a.p, b.p, r, s, sign);
     let (u, w) = (minus(c, a.p), minus(c, b.p));
-    let cross = |p: f64x4<S>, q: f64x4<S>| (p * w.1 - q * u.1, q * u.0 - p * w.0);
-    let v = cross(dot(u, a.v) * inverse, dot(w, b.v) * inverse);
+    let v = cross(u, w, dot(u, a.v) * inverse, dot(w, b.v) * inverse);
     let (x, y) = (minus(v, a.v), minus(v, b.v));
-    Motion { p: c, v, a: cross((dot(u, a.a) - dot(x, x)) * inverse, (dot(w, b.a) - dot(y, y)) * inverse) }
+    Motion { p: c, v, a: cross(u, w, (dot(u, a.a) - dot(x, x)) * inverse, (dot(w, b.a) - dot(y, y)) * inverse) }
 }
 
 /// Two bars, the second on ground.
@@ -69,25 +87,20 @@ fn rocker<S: Simd>(a: Motion<S>, b: [f64; 2], r: f64, s: f64, sign: f64) -> Moti
     let v = (p * w.1, -(p * w.0));
     let x = minus(v, a.v);
     let (p, q) = ((dot(u, a.a) - dot(x, x)) * inverse, -(dot(v, v) * inverse));
-    Motion { p: c, v, a: (p * w.1 - q * u.1, q * u.0 - p * w.0) }
+    Motion { p: c, v, a: cross(u, w, p, q) }
 }
 
 /// A third point of a link: the image of two others.
 #[inline(always)]
 fn image<S: Simd>(o: Motion<S>, n: Motion<S>, k: [f64; 2]) -> Motion<S> {
-    let of = |o: Vector<S>, n: Vector<S>| {
-        let d = minus(n, o);
-        (o.0 + (d.0 * k[0] - d.1 * k[1]), o.1 + (d.0 * k[1] + d.1 * k[0]))
-    };
-    Motion { p: of(o.p, n.p), v: of(o.v, n.v), a: of(o.a, n.a) }
+    Motion { p: carried(o.p, n.p, k), v: carried(o.v, n.v, k), a: carried(o.a, n.a, k) }
 }
 
 /// The same with the first point on ground.
 #[inline(always)]
 fn image_on<S: Simd>(o: [f64; 2], n: Motion<S>, k: [f64; 2]) -> Motion<S> {
-    let turned = |d: Vector<S>| (d.0 * k[0] - d.1 * k[1], d.0 * k[1] + d.1 * k[0]);
-    let p = turned((n.p.0 - o[0], n.p.1 - o[1]));
-    Motion { p: (p.0 + o[0], p.1 + o[1]), v: turned(n.v), a: turned(n.a) }
+    let p = turned((n.p.0 - o[0], n.p.1 - o[1]), k);
+    Motion { p: (p.0 + o[0], p.1 + o[1]), v: turned(n.v, k), a: turned(n.a, k) }
 }
 
 /// k of the third point of a triangle with the sides o–n, o–p, n–p, to the left of o–n.
@@ -98,12 +111,17 @@ fn third(on: f64, op: f64, np: f64) -> [f64; 2] {
 
 /// A loop and its columns.
 pub struct ByHand {
-    cos: [f64; CHUNK],
-    sin: [f64; CHUNK],
+    cos: Column,
+    sin: Column,
     /// v.x, v.y, |v| of each point asked for, then a.x, a.y, |a|.
-    pub out: Vec<[f64; CHUNK]>,
+    pub out: Vec<Column>,
     mechanism: Mechanism,
 }
+
+/// A column, aligned as those of the sweep are.
+#[derive(Clone)]
+#[repr(align(64))]
+pub struct Column(pub [f64; CHUNK]);
 
 /// Which one.
 #[derive(Clone, Copy)]
@@ -124,25 +142,25 @@ impl Mechanism {
 impl ByHand {
     pub fn new(mechanism: Mechanism, cos: &[f64], sin: &[f64]) -> ByHand {
         let points = if matches!(mechanism, Mechanism::FourBar) { 1 } else { 5 };
-        let chunk = |x: &[f64]| x.try_into().expect("a chunk");
-        ByHand { cos: chunk(cos), sin: chunk(sin), out: vec![[0.0; CHUNK]; 6 * points], mechanism }
+        let chunk = |x: &[f64]| Column(x.try_into().expect("a chunk"));
+        ByHand { cos: chunk(cos), sin: chunk(sin), out: vec![Column([0.0; CHUNK]); 6 * points], mechanism }
     }
 
     #[inline(always)]
     fn run<S: Simd, const POINTS: usize>(&mut self, simd: S, at: impl Fn(f64x4<S>, f64x4<S>) -> [Motion<S>; POINTS]) {
         let (velocities, accelerations) = self.out.split_at_mut(3 * POINTS);
         for i in (0..CHUNK).step_by(4) {
-            let c = f64x4::from_slice(simd, &self.cos[i..i + 4]);
-            let s = f64x4::from_slice(simd, &self.sin[i..i + 4]);
+            let c = f64x4::from_slice(simd, &self.cos.0[i..i + 4]);
+            let s = f64x4::from_slice(simd, &self.sin.0[i..i + 4]);
             let points = at(c, s);
             for k in 0..POINTS {
                 let (v, a) = (points[k].v, points[k].a);
-                for (column, number) in velocities[3 * k..][..3].iter_mut().zip([v.0, v.1, dot(v, v).sqrt()]) {
-                    number.store_slice(&mut column[i..i + 4]);
-                }
-                for (column, number) in accelerations[3 * k..][..3].iter_mut().zip([a.0, a.1, dot(a, a).sqrt()]) {
-                    number.store_slice(&mut column[i..i + 4]);
-                }
+                v.0.store_slice(&mut velocities[3 * k].0[i..i + 4]);
+                v.1.store_slice(&mut velocities[3 * k + 1].0[i..i + 4]);
+                dot(v, v).sqrt().store_slice(&mut velocities[3 * k + 2].0[i..i + 4]);
+                a.0.store_slice(&mut accelerations[3 * k].0[i..i + 4]);
+                a.1.store_slice(&mut accelerations[3 * k + 1].0[i..i + 4]);
+                dot(a, a).sqrt().store_slice(&mut accelerations[3 * k + 2].0[i..i + 4]);
             }
         }
     }

@@ -23,8 +23,8 @@ const ROUNDS: usize = 301;
 /// Calls timed together, so that the clock's own time vanishes in them.
 const CALLS: u32 = 400;
 
-/// A name and what is timed.
-type Variant = (String, Box<dyn FnMut()>);
+/// A name, what is timed, and the positions of a call.
+type Variant = (String, (Box<dyn FnMut()>, usize));
 
 fn scene(text: &str) -> Scene {
     read(text).unwrap_or_else(|f| panic!("{f}")).value
@@ -42,20 +42,20 @@ fn stations(scene: &Scene) -> (Stations, Mechanism) {
     (Stations::slid(now, now + 0.1, CHUNK - 1, 1.0), m)
 }
 
-/// One chunk of a program, its inputs filled in: ns a position.
-fn chunk_of(scene: &Scene, width: Width) -> Box<dyn FnMut()> {
+/// A chunk's positions of a program, its inputs filled in; and how many there are.
+fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
     let placed = Placed::new(scene, &m).unwrap();
-    let fused = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused();
-    let mut buffer = fused.buffer();
-    buffer.fill(VALUE, &stations.values);
-    buffer.fill(COS, &stations.cosines);
-    buffer.fill(SIN, &stations.sines);
-    Box::new(move || fused.run(black_box(&mut buffer), width))
+    let fused = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
+    let (mut buffer, n) = (fused.buffer(), fused.positions());
+    buffer.fill(VALUE, &stations.values[..n]);
+    buffer.fill(COS, &stations.cosines[..n]);
+    buffer.fill(SIN, &stations.sines[..n]);
+    (Box::new(move || fused.run(black_box(&mut buffer), width)), n)
 }
 
 /// The same by hand; what it fills is first compared with the sweep's columns.
-fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> Box<dyn FnMut()> {
+fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> (Box<dyn FnMut()>, usize) {
     let (stations, m) = stations(scene);
     let placed = Placed::new(scene, &m).unwrap();
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
@@ -64,10 +64,10 @@ fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> Box<dyn FnMut()> {
     assert_eq!(hand.out.len() + 1, table.columns.len());
     for (own, column) in hand.out.iter().zip(&table.columns[1..]) {
         let size = column.values.iter().fold(0.0f64, |a, b| a.max(b.abs()));
-        let off = own.iter().zip(&column.values).fold(0.0f64, |a, (x, y)| a.max((x - y).abs()));
+        let off = own.0.iter().zip(&column.values).fold(0.0f64, |a, (x, y)| a.max((x - y).abs()));
         assert!(off <= 1e-12 * size, "{}: {off:e} of {size}", column.name);
     }
-    Box::new(move || black_box(&mut hand).call())
+    (Box::new(move || black_box(&mut hand).call()), CHUNK)
 }
 
 /// A crank that drives `n` dyads, each hanging on the last.
@@ -103,12 +103,12 @@ fn median(mut times: Vec<f64>) -> f64 {
 fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
     for _ in 0..ROUNDS {
-        for ((_, call), times) in variants.iter_mut().zip(&mut times) {
+        for ((_, (call, positions)), times) in variants.iter_mut().zip(&mut times) {
             let start = Instant::now();
             for _ in 0..CALLS {
                 call();
             }
-            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS) / CHUNK as f64);
+            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS) / *positions as f64);
         }
     }
     times.into_iter().map(median).collect()
@@ -136,8 +136,8 @@ fn main() {
     if let [count, name, ..] = &given[..]
         && count == "count"
     {
-        let (_, call) = variants.iter_mut().find(|v| v.0 == *name).expect("the name of a variant, as the table has it");
-        (0..1_000_000 / CHUNK).for_each(|_| call());
+        let (_, (call, positions)) = variants.iter_mut().find(|v| v.0 == *name).expect("the name of a variant, as the table has it");
+        (0..1_000_000 / *positions).for_each(|_| call());
         return;
     }
     let times = measure(&mut variants);
@@ -164,11 +164,25 @@ fn batch() {
     let choice = Choice::Random { count: 10_000, seed: 1 };
     let stations = Some(Stations::turned(hodograph::scene::Angle::Deg(0.0), hodograph::scene::Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
-    let start = Instant::now();
+    let (start, cpu) = (Instant::now(), processor_time());
     let mut rows = 0;
     for from in (0..10_000).step_by(320) {
         rows += black_box(batch.block(from, (from + 320).min(10_000))).columns[0].len();
     }
     let t = start.elapsed().as_secs_f64();
     println!("\n10 000 random four-bars × 200 positions: {rows} rows in {t:.3} s, {:.1} million positions/s", 2.0 / t);
+    if let (Some(before), Some(after)) = (cpu, processor_time()) {
+        let t = after - before;
+        println!("processor time {t:.3} s: {:.1} µs a mechanism, {:.1} million positions/s and core", t * 100.0, 2.0 / t);
+    }
+}
+
+/// Seconds that all threads have run for, where the system tells: what others do on the machine is not in it.
+fn processor_time() -> Option<f64> {
+    let mut sum = 0.0;
+    for task in std::fs::read_dir("/proc/self/task").ok()? {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        sum += text.split(' ').next()?.parse::<f64>().ok()? * 1e-9;
+    }
+    Some(sum)
 }

@@ -13,7 +13,10 @@ use super::run::CHUNK;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
 use crate::scene::{DriverKind, LinkId, PointId};
+use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 /// What happens to a group at a position of the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,11 +181,11 @@ impl<'a> Probe<'a> {
         let mut out = vec![Vec::with_capacity(xs.len()); self.program.joints.len()];
         let fused = self.program.fused_margins();
         let mut buffer = fused.buffer();
-        for part in xs.chunks(CHUNK) {
-            let stations = Stations::of_values(part.to_vec(), self.per_value);
-            buffer.fill(VALUE, &stations.values);
-            buffer.fill(COS, &stations.cosines);
-            buffer.fill(SIN, &stations.sines);
+        let stations = sampled_at(xs, self.per_value);
+        for (part, (cosines, sines)) in xs.chunks(CHUNK).zip(stations.cosines.chunks(CHUNK).zip(stations.sines.chunks(CHUNK))) {
+            buffer.fill(VALUE, part);
+            buffer.fill(COS, cosines);
+            buffer.fill(SIN, sines);
             fused.run(&mut buffer, Width::Widest);
             for (joint, out) in self.program.joints.iter().zip(&mut out) {
                 let crossing = |i| fused.margin(&self.program, joint, &buffer, i).map_or(f64::NAN, |m| m.crossing());
@@ -312,6 +315,24 @@ impl<'a> Probe<'a> {
     }
 }
 
+/// Cosines and sines at the positions of a search. The last ones are kept: thousands of mechanisms of a batch are searched at the same
+/// positions.
+fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
+    thread_local! {
+        static LAST: RefCell<VecDeque<(f64, Rc<Stations>)>> = const { RefCell::new(VecDeque::new()) };
+    }
+    LAST.with_borrow_mut(|last| {
+        if let Some((_, kept)) = last.iter().find(|(p, s)| *p == per_value && s.values == xs) {
+            return kept.clone();
+        }
+        let new = Rc::new(Stations::of_values(xs.to_vec(), per_value));
+        // One for each direction of the search.
+        last.truncate(1);
+        last.push_front((per_value, new.clone()));
+        new
+    })
+}
+
 /// The range of a driver from where it stands, for a program that holds the groups that matter.
 pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
     let mut probe = Probe::of(program.clone(), placed, driver);
@@ -334,5 +355,6 @@ impl Program {
             Op::Lever(k) => k.sign = -k.sign,
             _ => {}
         }
+        self.runs = Default::default();
     }
 }

@@ -199,6 +199,8 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
         return (vec![(program, all)], Vec::new());
     }
     let (now, span) = span(placed, driver, stations);
+    // Both ways are searched by one program.
+    program.fused_margins();
     let mut changes = [Vec::new(), Vec::new()];
     for (changes, until) in changes.iter_mut().zip(span) {
         if until != now {
@@ -270,21 +272,22 @@ fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Sta
         Some(states)
     };
     let fused = program.fused();
+    let together = fused.positions();
     // Where each column is found, and the part of it that each chunk fills.
     let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(c.reg)).collect();
-    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(CHUNK)).map(|_| Vec::with_capacity(columns.len())).collect();
+    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
     for column in &mut columns {
-        parts.iter_mut().zip(column.chunks_mut(CHUNK)).for_each(|(part, c)| part.push(c));
+        parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
     }
     let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<usize> {
-        let rows = chunk * CHUNK..n.min((chunk + 1) * CHUNK);
+        let rows = chunk * together..n.min((chunk + 1) * together);
         buffer.fill(VALUE, &stations.values[rows.clone()]);
         buffer.fill(COS, &stations.cosines[rows.clone()]);
         buffer.fill(SIN, &stations.sines[rows.clone()]);
         if let Some(states) = &states {
             for (i, state) in states[rows.clone()].iter().enumerate() {
                 if let Ok(state) = state {
-                    program.show(state, &fused, buffer, i);
+                    program.show(state, fused, buffer, i);
                 }
             }
         }
@@ -307,7 +310,7 @@ fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Sta
     };
     for (chunk, missed) in missed.into_iter().enumerate() {
         for row in missed {
-            missing[chunk * CHUNK + row].get_or_insert_default();
+            missing[chunk * together + row].get_or_insert_default();
         }
     }
     Rows { names, columns, missing }

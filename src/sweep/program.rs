@@ -5,6 +5,7 @@
 
 use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::closure::{CircleLine, Circles, Closure, Lever, Lines, Margin};
+use super::fuse::Fused;
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::{Dual, Lane};
 use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
@@ -14,6 +15,7 @@ use super::track::Track;
 use crate::mechanism::Level;
 use crate::scene::{LinkId, PointId};
 use std::ops::Range;
+use std::sync::OnceLock;
 
 operations! { Op:
     /// Two circles.
@@ -134,6 +136,8 @@ pub struct Program {
     pub tracks: Vec<Track>,
     /// Whether the swept quantity is an angle.
     pub angular: bool,
+    /// The program as it is run, once it has been: for its answers, and for the margins of its joints.
+    pub(super) runs: [OnceLock<Fused>; 2],
 }
 
 /// The registers of the swept quantity: its value, and cosine and sine of it as an angle.

@@ -8,7 +8,7 @@ use super::fuse::kernels::*;
 use super::kernel::{Kernel, Reg};
 use super::lane::Width;
 use super::program::{Joint, Op, Program};
-use fearless_simd::{Simd, SimdFrom, f64x4};
+use fearless_simd::{Simd, SimdBase, SimdFrom, f64x4};
 
 /// Positions run together: the registers of an eight-link mechanism with velocities and accelerations then stay in a
 /// first-level cache of 32 KiB.
@@ -17,8 +17,10 @@ pub const CHUNK: usize = 64;
 /// Groups of four in a chunk.
 const QUADS: usize = CHUNK / 4;
 
-/// One register's numbers.
-type Column = [[f64; 4]; QUADS];
+/// One register's numbers. Aligned, for a group of four that lies across two lines of the cache takes twice as long to store.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Column([[f64; 4]; QUADS]);
 
 /// Runs kernels of whatever kind.
 pub(super) trait Runner {
@@ -71,6 +73,8 @@ operations! { Whole:
     ImagesP, ImagesV, ImagesA, ImagesVL, ImagesAL,
     /// Bar and fixed guide.
     SliderP, SliderV, SliderA, SliderVL, SliderAL,
+    /// A slot of a lever over a pin.
+    SlottedV, SlottedA,
     /// Turning of a line.
     TurnedV, TurnedA,
     /// Turning of a line of which one point is fixed.
@@ -112,28 +116,28 @@ pub struct Buffer {
 
 impl Buffer {
     pub(super) fn new(registers: usize) -> Buffer {
-        Buffer { columns: vec![[[0.0; 4]; QUADS]; registers], quads: QUADS }
+        Buffer { columns: vec![Column([[0.0; 4]; QUADS]); registers], quads: QUADS }
     }
 
     /// The number of a register at a position of the chunk.
     pub fn get(&self, reg: Reg, row: usize) -> f64 {
-        self.columns[reg.0 as usize][row / 4][row % 4]
+        self.columns[reg.0 as usize].0[row / 4][row % 4]
     }
 
     /// Sets it.
     pub fn set(&mut self, reg: Reg, row: usize, value: f64) {
-        self.columns[reg.0 as usize][row / 4][row % 4] = value;
+        self.columns[reg.0 as usize].0[row / 4][row % 4] = value;
     }
 
     /// The numbers of a register at the first `n` positions.
     pub fn numbers(&self, reg: Reg, n: usize) -> &[f64] {
-        &self.columns[reg.0 as usize].as_flattened()[..n]
+        &self.columns[reg.0 as usize].0.as_flattened()[..n]
     }
 
     /// Fills a register with the values of up to [`CHUNK`] positions, the length of the chunk from now on.
     pub fn fill(&mut self, reg: Reg, values: &[f64]) {
         self.quads = values.len().div_ceil(4);
-        let column = self.columns[reg.0 as usize].as_flattened_mut();
+        let column = self.columns[reg.0 as usize].0.as_flattened_mut();
         column[..values.len()].copy_from_slice(values);
         // The last group repeats the last position, so that no lane of it meets numbers of another chunk.
         if let Some(last) = values.last() {
@@ -142,7 +146,16 @@ impl Buffer {
     }
 }
 
+/// The registers of a chunk take no more than this, so that a long chain stays in a second-level cache too.
+const ROOM: usize = 128 * 1024;
+
 impl Fused {
+    /// How many positions are best run together: a whole chunk, or fewer where there are many registers.
+    pub fn positions(&self) -> usize {
+        // Fewer than four groups would not pay for going through the list.
+        4 * (ROOM / (self.registers * size_of::<[f64; 4]>())).clamp(4, QUADS)
+    }
+
     /// Runs a chunk whose inputs are filled in.
     pub fn run(&self, buffer: &mut Buffer, width: Width) {
         let Buffer { columns, quads } = buffer;
@@ -208,11 +221,19 @@ impl<S: Simd> Runner for Four<'_, S> {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let (known, new) = self.columns.split_at_mut(out.0 as usize);
         let (Some(wires), Some(y)) = (self.wires.first_chunk::<IN>(), new.first_chunk_mut::<OUT>()) else { return };
-        let x = wires.map(|r| &known[r.0 as usize]);
+        let mut x = [&known[0].0; IN];
+        for k in 0..IN {
+            x[k] = &known[wires[k].0 as usize].0;
+        }
         for i in 0..self.quads.min(QUADS) {
-            let v = kernel.eval(x.map(|c| f64x4::simd_from(self.simd, c[i])));
+            // A loop, for what is not inlined runs without the machine's wide registers.
+            let mut lanes = [f64x4::splat(self.simd, 0.0); IN];
+            for k in 0..IN {
+                lanes[k] = f64x4::simd_from(self.simd, x[k][i]);
+            }
+            let v = kernel.eval(lanes);
             for j in 0..OUT {
-                y[j][i] = v[j].into();
+                y[j].0[i] = v[j].into();
             }
         }
     }
@@ -237,11 +258,20 @@ impl Runner for One<'_> {
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
         let (known, new) = self.columns.split_at_mut(out.0 as usize);
         let (Some(wires), Some(y)) = (self.wires.first_chunk::<IN>(), new.first_chunk_mut::<OUT>()) else { return };
-        let x = wires.map(|r| known[r.0 as usize].as_flattened());
-        for i in 0..4 * self.quads.min(QUADS) {
-            let v = kernel.eval(x.map(|c| c[i]));
-            for j in 0..OUT {
-                y[j].as_flattened_mut()[i] = v[j];
+        let mut x = [&known[0].0; IN];
+        for k in 0..IN {
+            x[k] = &known[wires[k].0 as usize].0;
+        }
+        for i in 0..self.quads.min(QUADS) {
+            for lane in 0..4 {
+                let mut numbers = [0.0; IN];
+                for k in 0..IN {
+                    numbers[k] = x[k][i][lane];
+                }
+                let v = kernel.eval(numbers);
+                for j in 0..OUT {
+                    y[j].0[i][lane] = v[j];
+                }
             }
         }
     }

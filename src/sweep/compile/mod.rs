@@ -163,6 +163,7 @@ impl<'a> Compiler<'a> {
         let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some()).collect();
         Program {
             motions,
+            runs: Default::default(),
             steps: self.steps,
             constants: self.constants,
             registers: self.registers as usize,

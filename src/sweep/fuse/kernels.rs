@@ -5,6 +5,8 @@
 //! come out too. `GROUND`: the place that a bar or a link hangs on does not move; its rates are not even multiplied by. A
 //! vector is two numbers; a place with its rates comes in as `LEVELS` vectors, one after the other, and goes out alike,
 //! with the lengths last.
+//!
+//! No closures and no array functions here: what is not inlined runs without the machine's wide registers.
 
 use super::super::closure::TOUCH;
 use super::super::kernel::{Kernel, Pair, Reg};
@@ -101,8 +103,27 @@ pub struct Turned<const GROUND: bool, const LEVELS: usize> {
     pub at: [f64; 2],
 }
 
+/// A lever on a fixed pivot A whose straight slot runs over a pin B: its arm with the rates of that, ω, and with three levels α.
+///
+/// # Source
+/// [`super::super::closure::Lever`] and [`super::super::rows::SlotRate`]: n·v_B = ω n·(r turned by 90°), r = B − A, n square to the slot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slotted<const LEVELS: usize> {
+    /// B.
+    pub b: Motion,
+    /// A.
+    pub at: [f64; 2],
+    /// Offset of the slot.
+    pub h: f64,
+    /// Whether the pin lies ahead of the pivot (1) or behind it (−1).
+    pub sign: f64,
+    /// The arm, seen from the slot's direction.
+    pub k: [f64; 2],
+    /// n, seen from the arm.
+    pub n: [f64; 2],
+}
+
 /// The registers of places with their rates, one place after the other.
-#[inline(always)]
 fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
     std::array::from_fn(|i| {
         let pair = places[i / (2 * levels)][i / 2 % levels];
@@ -128,6 +149,12 @@ fn twisted<N: Lane>(v: Vec2<N>, [p, q]: [f64; 2]) -> Vec2<N> {
     Vec2::new(v.x * p + v.y * -q, v.x * q + v.y * p)
 }
 
+/// v with u·v = p and w·v = q, `inverse` of u × w being in both already.
+#[inline(always)]
+fn crossed<N: Lane>(u: Vec2<N>, w: Vec2<N>, p: N, q: N) -> Vec2<N> {
+    Vec2::new(p * w.y - q * u.y, q * u.x - p * w.x)
+}
+
 /// Puts out a place, its rates, and the lengths of these.
 #[inline(always)]
 fn put<N: Lane, const LEVELS: usize, const OUT: usize>(v: [Vec2<N>; LEVELS]) -> [N; OUT] {
@@ -148,12 +175,12 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         let (sum, difference) = (self.r + self.s, self.r - self.s);
         let d = b - a;
         let d2 = d.norm2();
-        let (outer, inner) = (-d2 + sum * sum, d2 + -(difference * difference));
+        let (outer, inner) = (d2.constant(sum * sum) - d2, d2 + -(difference * difference));
         let m = (outer * inner).unless_touching(outer.least(inner), (d2 + (self.r * self.r + self.s * self.s)) * TOUCH);
-        let root = m.sqrt() * self.sign;
-        let half = d2.constant(0.5) / d2;
-        let (f, h) = ((d2 + sum * difference) * half, root * half);
-        (Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h), d2.constant(2.0) / root)
+        // The sign goes along outside of the root: nothing waits for it.
+        let (root, half) = (m.sqrt(), d2.constant(0.5 * self.sign) / d2);
+        let (f, h) = (half * (sum * difference * self.sign) + 0.5, root * half);
+        (Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h), d2.constant(2.0 * self.sign) / root)
     }
 
     #[inline(always)]
@@ -163,23 +190,20 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         let (c, inverse) = self.close(a, b);
         let mut out = [c; LEVELS];
         let (u, w) = (c - a, c - b);
-        // What the crossing of the rows u·x = p and w·x = q is; without q it is zero.
-        let cross = |p: N, q: Option<N>| match q {
-            Some(q) => Vec2::new(p * w.y - q * u.y, q * u.x - p * w.x),
-            None => Vec2::new(p * w.y, -(p * w.x)),
-        };
         if LEVELS > 1 {
             let va = vector(&x, 1);
-            let vb = if GROUND { None } else { Some(vector(&x, LEVELS + 1)) };
-            out[1] = cross(u.dot(va) * inverse, vb.map(|vb| w.dot(vb) * inverse));
+            let p = u.dot(va) * inverse;
+            // Of a point on ground q is zero.
+            out[1] = if GROUND { Vec2::new(p * w.y, -(p * w.x)) } else { crossed(u, w, p, w.dot(vector(&x, LEVELS + 1)) * inverse) };
             if LEVELS > 2 {
                 let v = out[1];
                 let p = (u.dot(vector(&x, 2)) - (v - va).norm2()) * inverse;
-                let q = match vb {
-                    Some(vb) => (w.dot(vector(&x, LEVELS + 2)) - (v - vb).norm2()) * inverse,
-                    None => -(v.norm2() * inverse),
+                let q = if GROUND {
+                    -(v.norm2() * inverse)
+                } else {
+                    (w.dot(vector(&x, LEVELS + 2)) - (v - vector(&x, LEVELS + 1)).norm2()) * inverse
                 };
-                out[2] = cross(p, Some(q));
+                out[2] = crossed(u, w, p, q);
             }
         }
         put(out)
@@ -190,34 +214,45 @@ impl<const LEVELS: usize> Crank<LEVELS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
         let arm = twisted(vector(&x, 0), self.k);
-        let rates = [[0.0, self.omega], [-(self.omega * self.omega), self.alpha]];
-        put(std::array::from_fn::<_, LEVELS, _>(|i| match i {
-            0 => Vec2::new(arm.x + self.o[0], arm.y + self.o[1]),
-            1 => Vec2::new(arm.y * -self.omega, arm.x * self.omega),
-            _ => twisted(arm, rates[1]),
-        }))
+        let mut out = [Vec2::new(arm.x + self.o[0], arm.y + self.o[1]); LEVELS];
+        if LEVELS > 1 {
+            out[1] = Vec2::new(arm.y * -self.omega, arm.x * self.omega);
+        }
+        if LEVELS > 2 {
+            out[2] = twisted(arm, [-(self.omega * self.omega), self.alpha]);
+        }
+        put(out)
     }
 }
 
 impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Coupled<GROUND, LEVELS, LENGTHS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
-        put(std::array::from_fn::<_, LEVELS, _>(|i| {
+        let mut out = [vector(&x, 0); LEVELS];
+        for i in 0..LEVELS {
             let n = vector(&x, i);
-            let o = match (GROUND, i) {
-                (false, _) => vector(&x, LEVELS + i),
-                (true, 0) => fixed(x[0], self.at),
-                (true, _) => return twisted(n, self.k),
+            out[i] = if !GROUND {
+                let o = vector(&x, LEVELS + i);
+                o + twisted(n - o, self.k)
+            } else if i == 0 {
+                let o = fixed(x[0], self.at);
+                o + twisted(n - o, self.k)
+            } else {
+                twisted(n, self.k)
             };
-            o + twisted(n - o, self.k)
-        }))
+        }
+        put(out)
     }
 }
 
 impl<const LEVELS: usize, const LENGTHS: bool> Images<LEVELS, LENGTHS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
-        put(std::array::from_fn::<_, LEVELS, _>(|i| vector(&x, i) + twisted(vector(&x, LEVELS + i), self.k)))
+        let mut out = [vector(&x, 0); LEVELS];
+        for i in 0..LEVELS {
+            out[i] = vector(&x, i) + twisted(vector(&x, LEVELS + i), self.k);
+        }
+        put(out)
     }
 }
 
@@ -251,14 +286,42 @@ impl<const LEVELS: usize, const LENGTHS: bool> Slider<LEVELS, LENGTHS> {
 impl<const GROUND: bool, const LEVELS: usize> Turned<GROUND, LEVELS> {
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
-        let rate = |i: usize| if GROUND { vector(&x, i) } else { vector(&x, i) - vector(&x, LEVELS + i) };
         let d = vector(&x, 0) - if GROUND { fixed(x[0], self.at) } else { vector(&x, LEVELS) };
         let inverse = d.x.constant(1.0) / d.norm2();
-        let v = rate(1);
+        let v = if GROUND { vector(&x, 1) } else { vector(&x, 1) - vector(&x, LEVELS + 1) };
         let omega = d.cross(v) * inverse;
         let mut out = [omega; OUT];
         if LEVELS > 2 {
-            out[1] = (d.cross(rate(2)) - omega * d.dot(v) * 2.0) * inverse;
+            let a = if GROUND { vector(&x, 2) } else { vector(&x, 2) - vector(&x, LEVELS + 2) };
+            out[1] = (d.cross(a) - omega * d.dot(v) * 2.0) * inverse;
+        }
+        out
+    }
+}
+
+impl<const LEVELS: usize> Slotted<LEVELS> {
+    #[inline(always)]
+    fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
+        let r = vector(&x, 0) - fixed(x[0], self.at);
+        let (r2, h2) = (r.norm2(), self.h * self.h);
+        let outer = r2 + -h2;
+        let w = outer.unless_touching(outer, (r2 + h2) * TOUCH).sqrt() * self.sign;
+        let inverse = r2.constant(1.0) / r2;
+        let t = Vec2::new((r.x * w + r.y * self.h) * inverse, (r.y * w + r.x * -self.h) * inverse);
+        let arm = twisted(t, self.k);
+        let n = twisted(arm, self.n);
+        let inverse = r2.constant(1.0) / n.dot(r.perp());
+        let v = vector(&x, 1);
+        let omega = n.dot(v) * inverse;
+        let mut out = [omega; OUT];
+        let rate = arm.perp() * omega;
+        (out[0], out[1], out[2], out[3]) = (arm.x, arm.y, rate.x, rate.y);
+        if LEVELS > 2 {
+            let (slip, square) = (v - r.perp() * omega, omega * omega);
+            let c = n.dot(vector(&x, 2)) - omega * n.dot(slip.perp()) * 2.0 + square * n.dot(r);
+            let alpha = c * inverse;
+            let rate = arm.perp() * alpha - arm * square;
+            (out[4], out[5], out[OUT - 2], out[OUT - 1]) = (rate.x, rate.y, omega, alpha);
         }
         out
     }
@@ -272,7 +335,6 @@ macro_rules! kernels {
             pub type $name = $kernel;
 
             impl Kernel<$in, $out> for $name {
-                #[inline(always)]
                 fn inputs(&self) -> [Reg; $in] {
                     let places: fn(&Self) -> [Motion; 2] = $places;
                     wires($levels, &places(self))
@@ -321,6 +383,8 @@ kernels! {
     SliderA = Slider<3, false>: 3, 6 => 6, |k| [k.a, k.a];
     SliderVL = Slider<2, true>: 2, 4 => 5, |k| [k.a, k.a];
     SliderAL = Slider<3, true>: 3, 6 => 8, |k| [k.a, k.a];
+    SlottedV = Slotted<2>: 2, 4 => 5, |k| [k.b, k.b];
+    SlottedA = Slotted<3>: 3, 6 => 8, |k| [k.b, k.b];
     TurnedV = Turned<false, 2>: 2, 8 => 1, |k| [k.n, k.o];
     TurnedA = Turned<false, 3>: 3, 12 => 2, |k| [k.n, k.o];
     TurnedGroundV = Turned<true, 2>: 2, 4 => 1, |k| [k.n, k.n];

@@ -10,8 +10,8 @@ use crate::sweep::run::{Any, Whole};
 
 /// A program looked at from its registers.
 pub struct Matching<'a> {
-    program: &'a Program,
-    steps: &'a [Step],
+    pub(super) program: &'a Program,
+    pub(super) steps: &'a [Step],
     /// The values of constant registers.
     pub constants: Vec<Option<f64>>,
     /// The step that fills a register.
@@ -20,7 +20,7 @@ pub struct Matching<'a> {
     uses: Vec<u32>,
     /// How many registers each step fills, and whether anything asks for them.
     outs: Vec<u32>,
-    alive: Vec<bool>,
+    pub(super) alive: Vec<bool>,
     /// The step of the length of the vector that begins at a register.
     length: Vec<u32>,
 }
@@ -94,27 +94,33 @@ impl<'a> Matching<'a> {
         }
         for i in 0..self.steps.len() {
             self.turning(i, &mut taken, &mut units);
+            self.lever(i, &mut taken, &mut units);
         }
         units.extend((0..self.steps.len()).filter(|&i| self.alive[i] && !taken[i]).map(|i| self.single(i)));
         units
     }
 
     /// The operation that fills a pair, if it is asked for.
-    fn op(&self, pair: Pair) -> Option<(usize, &Op)> {
+    pub(super) fn op(&self, pair: Pair) -> Option<(usize, &Op)> {
         let i = self.maker[pair.x.0 as usize];
         let step = self.steps.get(i as usize)?;
         (self.alive[i as usize] && step.out == pair.x && pair.y.0 == pair.x.0 + 1).then_some((i as usize, &step.op))
     }
 
-    fn constant(&self, reg: Reg) -> Option<f64> {
+    /// The step that fills a register.
+    pub(super) fn maker(&self, reg: Reg) -> Option<usize> {
+        Some(self.maker[reg.0 as usize] as usize).filter(|i| *i < self.steps.len())
+    }
+
+    pub(super) fn constant(&self, reg: Reg) -> Option<f64> {
         self.constants[reg.0 as usize]
     }
 
-    fn fixed(&self, p: Pair) -> Option<[f64; 2]> {
+    pub(super) fn fixed(&self, p: Pair) -> Option<[f64; 2]> {
         Some([self.constant(p.x)?, self.constant(p.y)?])
     }
 
-    fn still(&self, p: Pair) -> bool {
+    pub(super) fn still(&self, p: Pair) -> bool {
         self.fixed(p) == Some([0.0; 2])
     }
 
@@ -301,7 +307,7 @@ impl<'a> Matching<'a> {
 
     /// The rows of a crossing, that of a distance first: its direction and operation, the other's.
     fn rows_of(&self, c: &Cross) -> Option<(Pair, &Op, Pair, &Op)> {
-        let row = |reg: Reg| self.steps.get(self.maker[reg.0 as usize] as usize).map(|s| &s.op);
+        let row = |reg: Reg| self.maker(reg).map(|i| &self.steps[i].op);
         let (first, second) = (row(c.c1)?, row(c.c2)?);
         match first {
             Op::Distance(_) | Op::DistanceRate(_) => Some((c.n1, first, c.n2, second)),
@@ -349,6 +355,6 @@ impl<'a> Matching<'a> {
 }
 
 /// The rates that are not there repeat the last one; nothing reads them.
-fn motion_of(pairs: &[Pair]) -> Motion {
+pub(super) fn motion_of(pairs: &[Pair]) -> Motion {
     std::array::from_fn(|i| pairs[i.min(pairs.len() - 1)])
 }

@@ -6,6 +6,7 @@
 //! dyad is recognised by its operations, wherever it hangs. The numbers are the same whatever the width.
 
 pub mod kernels;
+mod levers;
 mod matching;
 
 use super::kernel::Reg;
@@ -51,21 +52,25 @@ impl Runner for Wires {
 
 impl Program {
     /// The program for its answers.
-    pub fn fused(&self) -> Fused {
-        let answers: Vec<Reg> = self.columns.iter().map(|c| c.reg).collect();
-        Fused::of(self, Level::Acceleration, answers)
+    pub fn fused(&self) -> &Fused {
+        self.runs[0].get_or_init(|| {
+            let answers: Vec<Reg> = self.columns.iter().map(|c| c.reg).collect();
+            Fused::of(self, Level::Acceleration, &answers)
+        })
     }
 
     /// The program for the margins of its joints: positions only.
-    pub(super) fn fused_margins(&self) -> Fused {
-        let mut wires = Wires::default();
-        let mut wanted = Vec::new();
-        for joint in &self.joints {
-            let step = &self.steps[0][joint.step];
-            step.op.run(&mut wires, step.out);
-            wanted.extend_from_slice(&wires.ins);
-        }
-        Fused::of(self, Level::Position, wanted)
+    pub(super) fn fused_margins(&self) -> &Fused {
+        self.runs[1].get_or_init(|| {
+            let mut wires = Wires::default();
+            let mut wanted = Vec::new();
+            for joint in &self.joints {
+                let step = &self.steps[0][joint.step];
+                step.op.run(&mut wires, step.out);
+                wanted.extend_from_slice(&wires.ins);
+            }
+            Fused::of(self, Level::Position, &wanted)
+        })
     }
 }
 
@@ -73,15 +78,15 @@ impl Program {
 const NONE: u32 = u32::MAX;
 
 impl Fused {
-    fn of(program: &Program, level: Level, wanted: Vec<Reg>) -> Fused {
+    fn of(program: &Program, level: Level, wanted: &[Reg]) -> Fused {
         // Whatever an operation reads has a lower number than what it fills.
         let mut steps: Vec<Step> = program.steps[..=level as usize].concat();
         steps.sort_by_key(|s| s.out.0);
-        let matching = Matching::new(program, &steps, &wanted);
-        let fused = Ordered::of(program.registers, matching.units(), &wanted);
+        let matching = Matching::new(program, &steps, wanted);
+        let fused = Ordered::of(program.registers, matching.units(), wanted);
         // Fused operations could wait for one another in a circle; the list as it was compiled cannot.
-        let ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), &wanted)).unwrap_or_default();
-        ordered.placed(program, matching.constants, &wanted)
+        let ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
+        ordered.placed(program, matching.constants, wanted)
     }
 
     /// Where a register of the program is found; `None` for one that nothing asked for.
@@ -218,6 +223,74 @@ impl Fused {
             self.give(reg);
             let value = self.values[reg.0 as usize].unwrap_or(f64::NAN);
             self.constants.push((Reg(self.registers as u32 - 1), value));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{edit, read, templates};
+    use crate::sweep::program::{COS, SIN, VALUE};
+    use crate::sweep::{Placed, Stations, Width, compile, station};
+
+    fn program(name: &str, find: &[&str]) -> (Program, Stations) {
+        let text = templates::get(name).unwrap();
+        let text = if find.is_empty() { text.to_owned() } else { edit::with_find(text, find).unwrap() };
+        let scene = read(&text).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &m).unwrap();
+        let now = station::position_now(&scene, &placed.at, 0);
+        let reach = 0.01 * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 { 1.0 } else { placed.at.extent() };
+        let stations = Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
+        (compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap(), stations)
+    }
+
+    /// The everyday mechanisms run as one operation for each point.
+    #[test]
+    fn one_operation_for_each_point() {
+        let leg = ["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"];
+        for (name, find, operations) in [
+            ("crank-rocker", &["v_C", "a_C"][..], 2),
+            ("crank-rocker", &["x_C", "v_C"], 2),
+            ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 3),
+            ("slider-crank", &["v_C", "a_C"], 2),
+            ("jansen-leg", &leg, 6),
+        ] {
+            let (program, _) = program(name, find);
+            let fused = program.fused();
+            assert_eq!(fused.steps.len(), operations, "{name}: {:#?}", fused.steps);
+        }
+    }
+
+    /// Fused or one by one, the numbers are the same but for rounding.
+    #[test]
+    fn fused_is_what_the_list_says() {
+        for t in templates::list() {
+            let (program, stations) = match t.name {
+                // Their followed links have numbers only once they are followed.
+                "class-iii-six-bar" | "stephenson-six-bar" | "two-slots" => continue,
+                name => program(name, &[]),
+            };
+            let wanted: Vec<Reg> = program.columns.iter().map(|c| c.reg).collect();
+            let mut steps: Vec<Step> = program.steps.concat();
+            steps.sort_by_key(|s| s.out.0);
+            let matching = Matching::new(&program, &steps, &wanted);
+            let plain = Ordered::of(program.registers, matching.singles(), &wanted).unwrap().placed(&program, matching.constants, &wanted);
+            let run = |fused: &Fused| -> Vec<Vec<f64>> {
+                let mut buffer = fused.buffer();
+                buffer.fill(VALUE, &stations.values);
+                buffer.fill(COS, &stations.cosines);
+                buffer.fill(SIN, &stations.sines);
+                fused.run(&mut buffer, Width::Widest);
+                wanted.iter().map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect()).collect()
+            };
+            for ((a, b), column) in run(program.fused()).iter().zip(run(&plain)).zip(&program.columns) {
+                let size = b.iter().fold(1e-3f64, |m, x| m.max(x.abs()));
+                let off = a.iter().zip(&b).fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
+                assert!(off <= 1e-11 * size, "{} {}: {off:e} of {size}", t.name, column.name);
+            }
         }
     }
 }
