@@ -46,8 +46,8 @@ pub use general::driver_name;
 use kernel::Reg;
 use limit::Probe;
 use program::{COS, Program, SIN, VALUE};
-use run::{Buffer, CHUNK};
 use rayon::prelude::*;
+use run::{Buffer, CHUNK};
 
 /// A scene placed at its instant, ready to be swept.
 pub struct Placed<'a> {

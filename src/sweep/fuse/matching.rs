@@ -195,7 +195,9 @@ impl<'a> Matching<'a> {
         };
         let (a, b) = (motion_of(&moving), motion_of(&b));
         put(true, &|levels, lengths| match at {
-            Some(at) => levels!(levels, lengths, Dyad { a, b: a, at, r, s, sign } => DyadGroundP DyadGroundV DyadGroundA DyadGroundVL DyadGroundAL),
+            Some(at) => {
+                levels!(levels, lengths, Dyad { a, b: a, at, r, s, sign } => DyadGroundP DyadGroundV DyadGroundA DyadGroundVL DyadGroundAL)
+            }
             None => levels!(levels, lengths, Dyad { a, b, at: [0.0; 2], r, s, sign } => DyadP DyadV DyadA DyadVL DyadAL),
         });
         true
@@ -272,7 +274,10 @@ impl<'a> Matching<'a> {
     fn slider(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
         self.sliding(ops, pairs).is_some_and(|s| {
             let Slider { a, r, q, t, sign } = s;
-            put(true, &|levels, lengths| levels!(levels, lengths, Slider { a, r, q, t, sign } => SliderP SliderV SliderA SliderVL SliderAL));
+            put(
+                true,
+                &|levels, lengths| levels!(levels, lengths, Slider { a, r, q, t, sign } => SliderP SliderV SliderA SliderVL SliderAL),
+            );
             true
         })
     }

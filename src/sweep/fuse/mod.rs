@@ -257,6 +257,8 @@ mod tests {
             ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 3),
             ("slider-crank", &["v_C", "a_C"], 2),
             ("jansen-leg", &leg, 6),
+            // Crank, lever, its end, ram.
+            ("shaper", &["v_C", "a_C"], 4),
         ] {
             let (program, _) = program(name, find);
             let fused = program.fused();
