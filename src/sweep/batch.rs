@@ -16,6 +16,7 @@ use crate::scene::eval::Value;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// How the parameters' values are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,7 +60,7 @@ pub struct Block {
 }
 
 /// The stations of a mechanism, its columns, and which rows are there.
-type Rowed = (Stations, Vec<Vec<f64>>, Vec<bool>);
+type Rowed<'a> = (Cow<'a, Stations>, Vec<Vec<f64>>, Vec<bool>);
 
 impl Batch<'_> {
     /// How many mechanisms there are.
@@ -153,14 +154,14 @@ impl Batch<'_> {
     }
 
     /// The stations of a mechanism, its columns, and which rows are there.
-    fn rows(&self, scene: &mut Scene) -> Result<Rowed, Faults> {
+    fn rows(&self, scene: &mut Scene) -> Result<Rowed<'_>, Faults> {
         let demand = Demand::of(scene, self.mechanism);
         let at = self.place(scene, &demand)?;
         let scene = &*scene;
         let placed = Placed { scene, mechanism: self.mechanism, demand, at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![position_now(scene, &placed.at, self.driver)], per_value);
-        let stations = self.stations.clone().unwrap_or_else(here);
+        let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
         let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {

@@ -8,7 +8,7 @@ use super::lane::Lane;
 use crate::geom::Vec2;
 
 /// Rounding slack of a radicand, relative to its terms: see [`crate::position::kernel`], whose rule this is.
-const TOUCH: f64 = 8.0 * f64::EPSILON;
+pub(super) const TOUCH: f64 = 8.0 * f64::EPSILON;
 
 /// The two factors whose product is the radicand of a closure, and the size of their terms. Both vanish where the joint's
 /// links (or a link and the normal of its guide) come into line; smooth functions of the driver on either side of that.

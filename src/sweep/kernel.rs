@@ -1,7 +1,7 @@
 //! What a compiled operation is: it takes registers and fills the next ones, position by position.
 //!
 //! An operation is written as one formula over [`Lane`]; how it is run over a chunk, four lanes wide or one, is decided by
-//! [`super::program`] for all of them alike.
+//! [`super::run`](mod@super::run) for all of them alike.
 
 use super::lane::Lane;
 

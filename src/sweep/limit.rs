@@ -8,12 +8,16 @@
 use super::Placed;
 use super::kernel::Reg;
 use super::lane::{Dual, Width};
-use super::program::{CHUNK, COS, Op, Program, SIN, VALUE};
+use super::program::{COS, Op, Program, SIN, VALUE};
+use super::run::CHUNK;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
 use crate::position::toggle::Toggle;
 use crate::scene::{DriverKind, LinkId, PointId};
+use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
+use std::rc::Rc;
 
 /// What happens to a group at a position of the driver.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -178,18 +182,17 @@ impl<'a> Probe<'a> {
     /// The crossings at many positions, joint by joint.
     fn sampled(&self, xs: &[f64]) -> Vec<Vec<f64>> {
         let mut out = vec![Vec::with_capacity(xs.len()); self.program.joints.len()];
-        let mut buffer = self.program.buffer();
-        for part in xs.chunks(CHUNK) {
-            let stations = Stations::of_values(part.to_vec(), self.per_value);
-            buffer.fill(VALUE, &stations.values);
-            buffer.fill(COS, &stations.cosines);
-            buffer.fill(SIN, &stations.sines);
-            self.program.run_steps(std::iter::once(self.program.steps[0].as_slice()), &mut buffer, Width::Widest);
+        let fused = self.program.fused_margins();
+        let mut buffer = fused.buffer();
+        let stations = sampled_at(xs, self.per_value);
+        for (part, (cosines, sines)) in xs.chunks(CHUNK).zip(stations.cosines.chunks(CHUNK).zip(stations.sines.chunks(CHUNK))) {
+            buffer.fill(VALUE, part);
+            buffer.fill(COS, cosines);
+            buffer.fill(SIN, sines);
+            fused.run(&mut buffer, Width::Widest);
             for (joint, out) in self.program.joints.iter().zip(&mut out) {
-                out.extend((0..part.len()).map(|i| {
-                    let read = |r: Reg| buffer.get(r, i);
-                    self.program.margin(joint, &read).map_or(f64::NAN, |m| m.crossing())
-                }));
+                let crossing = |i| fused.margin(&self.program, joint, &buffer, i).map_or(f64::NAN, |m| m.crossing());
+                out.extend((0..part.len()).map(crossing));
             }
         }
         out
@@ -318,6 +321,24 @@ impl<'a> Probe<'a> {
     }
 }
 
+/// Cosines and sines at the positions of a search. The last ones are kept: thousands of mechanisms of a batch are searched at the same
+/// positions.
+fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
+    thread_local! {
+        static LAST: RefCell<VecDeque<(f64, Rc<Stations>)>> = const { RefCell::new(VecDeque::new()) };
+    }
+    LAST.with_borrow_mut(|last| {
+        if let Some((_, kept)) = last.iter().find(|(p, s)| *p == per_value && s.values == xs) {
+            return kept.clone();
+        }
+        let new = Rc::new(Stations::of_values(xs.to_vec(), per_value));
+        // One for each direction of the search.
+        last.truncate(1);
+        last.push_front((per_value, new.clone()));
+        new
+    })
+}
+
 /// The range of a driver from where it stands, for a program that holds the groups that matter.
 pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
     let mut probe = Probe::of(program.clone(), placed, driver);
@@ -340,5 +361,6 @@ impl Program {
             Op::Lever(k) => k.sign = -k.sign,
             _ => {}
         }
+        self.runs = Default::default();
     }
 }

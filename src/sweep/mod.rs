@@ -1,8 +1,9 @@
 //! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
 //!
 //! [`run`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
-//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels), which runs over chunks of
-//! positions, four side by side where the machine can ([`lane`]); class III groups are followed ([`track`]). Positions at
+//! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
+//! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
+//! ([`lane`]); class III groups are followed ([`track`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
 //! [`long`] sweeps go piece by piece. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
@@ -16,6 +17,7 @@ pub mod closure;
 pub mod compile;
 pub mod extreme;
 pub mod follow;
+pub mod fuse;
 mod general;
 pub mod kernel;
 pub mod lane;
@@ -25,6 +27,7 @@ pub mod points;
 pub mod program;
 pub mod reading;
 pub mod rows;
+pub mod run;
 pub mod station;
 pub mod table;
 pub mod track;
@@ -43,9 +46,11 @@ use crate::position::{self, Configuration};
 use crate::scene::Scene;
 use general::General;
 pub use general::driver_name;
+use kernel::Reg;
 use limit::{Event, Probe};
-use program::{Buffer, CHUNK, COS, Program, SIN, VALUE};
+use program::{COS, Program, SIN, VALUE};
 use rayon::prelude::*;
+use run::{Buffer, CHUNK};
 
 /// A scene placed at its instant, ready to be swept.
 pub struct Placed<'a> {
@@ -206,6 +211,8 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
 fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Vec<Event>; 2] {
     let mut changes = [Vec::new(), Vec::new()];
     if program.tracks.is_empty() && !program.joints.is_empty() {
+        // Both ways are searched by one program.
+        program.fused_margins();
         for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {
             *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
         }
@@ -279,38 +286,46 @@ fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Sta
         }
         Some(states)
     };
-    let one_chunk = |buffer: &mut Buffer, chunk: usize| {
-        let rows = chunk * CHUNK..n.min((chunk + 1) * CHUNK);
+    let fused = program.fused();
+    let together = fused.positions();
+    // Where each column is found, and the part of it that each chunk fills.
+    let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(c.reg)).collect();
+    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
+    for column in &mut columns {
+        parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
+    }
+    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<usize> {
+        let rows = chunk * together..n.min((chunk + 1) * together);
         buffer.fill(VALUE, &stations.values[rows.clone()]);
         buffer.fill(COS, &stations.cosines[rows.clone()]);
         buffer.fill(SIN, &stations.sines[rows.clone()]);
         if let Some(states) = &states {
             for (i, state) in states[rows.clone()].iter().enumerate() {
                 if let Ok(state) = state {
-                    program.show(state, buffer, i);
+                    program.show(state, fused, buffer, i);
                 }
             }
         }
-        program.run(buffer, width);
-        let numbers: Vec<Vec<f64>> = program.columns.iter().map(|c| buffer.numbers(c.reg, rows.len()).to_vec()).collect();
-        // What misses by more than rounding needs nobody's second opinion.
-        let lost = |row: &usize| numbers.iter().any(|c| !c[*row].is_finite()) && program.misses(buffer, *row);
-        let missed: Vec<usize> = (0..rows.len()).filter(lost).collect();
-        (numbers, missed)
-    };
-    let chunks = n.div_ceil(CHUNK);
-    let filled: Vec<(Vec<Vec<f64>>, Vec<usize>)> = if n <= ALONE {
-        let mut buffer = program.buffer();
-        (0..chunks).map(|c| one_chunk(&mut buffer, c)).collect()
-    } else {
-        (0..chunks).into_par_iter().map_init(|| program.buffer(), |buffer, c| one_chunk(buffer, c)).collect()
-    };
-    for (chunk, (parts, missed)) in filled.into_iter().enumerate() {
-        for (column, part) in columns.iter_mut().zip(parts) {
-            column[chunk * CHUNK..][..part.len()].copy_from_slice(&part);
+        fused.run(buffer, width);
+        let mut lost = [false; CHUNK];
+        for (numbers, reg) in part.iter_mut().zip(&found) {
+            if let Some(reg) = reg {
+                numbers.copy_from_slice(buffer.numbers(*reg, rows.len()));
+            }
+            lost.iter_mut().zip(numbers.iter()).for_each(|(lost, v)| *lost |= !v.is_finite());
         }
+        // What misses by more than rounding needs nobody's second opinion.
+        (0..rows.len()).filter(|&row| lost[row] && fused.misses(program, buffer, row)).collect()
+    };
+    let missed: Vec<Vec<usize>> = if n <= ALONE {
+        let mut buffer = fused.buffer();
+        parts.iter_mut().enumerate().map(|part| one_chunk(&mut buffer, part)).collect()
+    } else {
+        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_chunk(buffer, part)).collect()
+    };
+    for (chunk, missed) in missed.into_iter().enumerate() {
         for row in missed {
-            missing[chunk * CHUNK + row].get_or_insert_default();
+            missing[chunk * together + row].get_or_insert_default();
         }
     }
     Rows { names, columns, missing }

@@ -159,12 +159,14 @@ impl Program {
     }
 
     /// Writes the followed links of a state into a buffer's row.
-    pub fn show(&self, state: &State, buffer: &mut super::program::Buffer, row: usize) {
+    pub fn show(&self, state: &State, fused: &super::fuse::Fused, buffer: &mut super::run::Buffer, row: usize) {
         for (t, f) in self.tracks.iter().zip(&state.links) {
-            buffer.set(t.own.x, row, f.own.x);
-            buffer.set(t.own.y, row, f.own.y);
-            buffer.set(t.arm.x, row, f.axis.x * t.unit);
-            buffer.set(t.arm.y, row, f.axis.y * t.unit);
+            let numbers = [(t.own.x, f.own.x), (t.own.y, f.own.y), (t.arm.x, f.axis.x * t.unit), (t.arm.y, f.axis.y * t.unit)];
+            for (reg, number) in numbers {
+                if let Some(place) = fused.place(reg) {
+                    buffer.set(place, row, number);
+                }
+            }
         }
     }
 

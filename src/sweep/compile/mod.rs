@@ -159,7 +159,11 @@ impl<'a> Compiler<'a> {
     }
 
     fn finish(self) -> Program {
+        let own = self.bodies.iter().flatten().map(|b| b.own);
+        let motions = self.points.iter().copied().chain(own).filter(|m| m[0].is_some()).collect();
         Program {
+            motions,
+            runs: Default::default(),
             steps: self.steps,
             constants: self.constants,
             registers: self.registers as usize,

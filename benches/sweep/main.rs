@@ -1,13 +1,17 @@
-//! What a position of a sweep costs: the compiled program against a loop written by hand, with four lanes and with one; the
-//! cost against the length of a chain of dyads; whole sweeps and batches. `cargo bench --bench sweep` prints the README's table.
+//! What a position of a sweep costs: the compiled program against loops written by hand, with four lanes and with one; the
+//! cost against the length of a chain of dyads; batches. `cargo bench --bench sweep` prints the README's tables, and
+//! `cargo bench --bench sweep -- count NAME` runs one variant a million times, to be counted by `perf stat` or callgrind.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, f64x4};
+mod by_hand;
+
+use by_hand::ByHand;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Choice};
-use hodograph::sweep::program::{CHUNK, COS, SIN, VALUE};
+use hodograph::sweep::program::{COS, SIN, VALUE};
+use hodograph::sweep::run::CHUNK;
 use hodograph::sweep::vary::Variation;
 use hodograph::sweep::{self, Placed, Stations, Width, compile};
 use std::hint::black_box;
@@ -19,8 +23,8 @@ const ROUNDS: usize = 301;
 /// Calls timed together, so that the clock's own time vanishes in them.
 const CALLS: u32 = 400;
 
-/// A name and what is timed.
-type Variant = (String, Box<dyn FnMut()>);
+/// A name, what is timed, and the positions of a call.
+type Variant = (String, (Box<dyn FnMut()>, usize));
 
 fn scene(text: &str) -> Scene {
     read(text).unwrap_or_else(|f| panic!("{f}")).value
@@ -30,65 +34,40 @@ fn asked(name: &str, find: &[&str]) -> Scene {
     scene(&edit::with_find(templates::get(name).unwrap(), find).unwrap())
 }
 
-/// One chunk of a program, its inputs filled in: ns a position.
-fn chunk_of(scene: &Scene, width: Width) -> Box<dyn FnMut()> {
+/// The positions of a chunk.
+fn stations(scene: &Scene) -> (Stations, Mechanism) {
     let m = Mechanism::new(scene).unwrap().value;
     let placed = Placed::new(scene, &m).unwrap();
-    let program = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap();
     let now = sweep::station::position_now(scene, &placed.at, 0);
-    let stations = Stations::slid(now, now + 0.1, CHUNK - 1, 1.0);
-    let mut buffer = program.buffer();
-    buffer.fill(VALUE, &stations.values);
-    buffer.fill(COS, &stations.cosines);
-    buffer.fill(SIN, &stations.sines);
-    Box::new(move || program.run(black_box(&mut buffer), width))
+    (Stations::slid(now, now + 0.1, CHUNK - 1, 1.0), m)
 }
 
-/// Position, velocity and acceleration of C of the crank-rocker by hand: one fused loop, everything constant in registers.
-struct ByHand {
-    cos: [f64; CHUNK],
-    sin: [f64; CHUNK],
-    out: [[f64; CHUNK]; 6],
+/// A chunk's positions of a program, its inputs filled in; and how many there are.
+fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
+    let (stations, m) = stations(scene);
+    let placed = Placed::new(scene, &m).unwrap();
+    let fused = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
+    let (mut buffer, n) = (fused.buffer(), fused.positions());
+    buffer.fill(VALUE, &stations.values[..n]);
+    buffer.fill(COS, &stations.cosines[..n]);
+    buffer.fill(SIN, &stations.sines[..n]);
+    (Box::new(move || fused.run(black_box(&mut buffer), width)), n)
 }
 
-impl ByHand {
-    #[inline(always)]
-    fn run<S: Simd>(&mut self, simd: S) {
-        let (l1, l2, l3, l4, w) = (0.1, 0.25, 0.2, 0.3, 10.0);
-        let zero = f64x4::splat(simd, 0.0);
-        for i in (0..CHUNK).step_by(4) {
-            let (c, s) = (f64x4::from_slice(simd, &self.cos[i..i + 4]), f64x4::from_slice(simd, &self.sin[i..i + 4]));
-            let (bx, by) = (c * l1, s * l1);
-            let (dx, dy) = (-bx + l4, -by);
-            let d2 = dx * dx + dy * dy;
-            let m = (-d2 + (l2 + l3) * (l2 + l3)) * (d2 - (l2 - l3) * (l2 - l3));
-            let root = m.max(zero).sqrt();
-            let inverse = f64x4::splat(simd, 0.5) / d2;
-            let (f, h) = ((d2 + (l2 * l2 - l3 * l3)) * inverse, root * inverse);
-            let (cx, cy) = (bx + dx * f - dy * h, by + dy * f + dx * h);
-            let (ux, uy, wx, wy) = (cx - bx, cy - by, cx - l4, cy);
-            let det = f64x4::splat(simd, 1.0) / (ux * wy - uy * wx);
-            let (vbx, vby) = (-by * w, bx * w);
-            let p = (ux * vbx + uy * vby) * det;
-            let (vx, vy) = (p * wy, -p * wx);
-            let (rx, ry) = (vx - vbx, vy - vby);
-            let p = (-(ux * bx + uy * by) * (w * w) - (rx * rx + ry * ry)) * det;
-            let q = -(vx * vx + vy * vy) * det;
-            for (out, v) in self.out.iter_mut().zip([cx, cy, vx, vy, p * wy - q * uy, q * ux - p * wx]) {
-                v.store_slice(&mut out[i..i + 4]);
-            }
-        }
+/// The same by hand; what it fills is first compared with the sweep's columns.
+fn hand(scene: &Scene, mechanism: by_hand::Mechanism) -> (Box<dyn FnMut()>, usize) {
+    let (stations, m) = stations(scene);
+    let placed = Placed::new(scene, &m).unwrap();
+    let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
+    let mut hand = ByHand::new(mechanism, &stations.cosines, &stations.sines);
+    hand.call();
+    assert_eq!(hand.out.len() + 1, table.columns.len());
+    for (own, column) in hand.out.iter().zip(&table.columns[1..]) {
+        let size = column.values.iter().fold(0.0f64, |a, b| a.max(b.abs()));
+        let off = own.0.iter().zip(&column.values).fold(0.0f64, |a, (x, y)| a.max((x - y).abs()));
+        assert!(off <= 1e-12 * size, "{}: {off:e} of {size}", column.name);
     }
-
-    fn call(&mut self) {
-        match Level::new().as_avx2() {
-            Some(simd) => simd.vectorize(
-                #[inline(always)]
-                || self.run(simd),
-            ),
-            None => self.run(fearless_simd::Level::baseline().as_sse2().expect("the loop by hand is for x86")),
-        }
-    }
+    (Box::new(move || black_box(&mut hand).call()), CHUNK)
 }
 
 /// A crank that drives `n` dyads, each hanging on the last.
@@ -124,12 +103,12 @@ fn median(mut times: Vec<f64>) -> f64 {
 fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
     for _ in 0..ROUNDS {
-        for ((_, call), times) in variants.iter_mut().zip(&mut times) {
+        for ((_, (call, positions)), times) in variants.iter_mut().zip(&mut times) {
             let start = Instant::now();
             for _ in 0..CALLS {
                 call();
             }
-            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS) / CHUNK as f64);
+            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS) / *positions as f64);
         }
     }
     times.into_iter().map(median).collect()
@@ -138,28 +117,38 @@ fn measure(variants: &mut [Variant]) -> Vec<f64> {
 fn main() {
     let four_bar = asked("crank-rocker", &["v_C", "a_C"]);
     let leg = asked("jansen-leg", &["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"]);
-    let mut hand = ByHand { cos: [0.0; CHUNK], sin: [0.0; CHUNK], out: [[0.0; CHUNK]; 6] };
-    for i in 0..CHUNK {
-        (hand.sin[i], hand.cos[i]) = libm::sincos(1.0 + i as f64 * 1e-3);
-    }
     let mut variants: Vec<Variant> = vec![
-        ("four-bar, loop by hand, four lanes".into(), Box::new(move || black_box(&mut hand).call())),
+        ("four-bar by hand".into(), hand(&four_bar, by_hand::Mechanism::FourBar)),
         ("four-bar: position, velocity, acceleration".into(), chunk_of(&four_bar, Width::Widest)),
         ("the same, one lane".into(), chunk_of(&four_bar, Width::One)),
         ("four-bar: position and velocity".into(), chunk_of(&asked("crank-rocker", &["v_C"]), Width::Widest)),
         ("four-bar: position".into(), chunk_of(&asked("crank-rocker", &["x_C", "y_C"]), Width::Widest)),
+        ("eight-link leg by hand".into(), hand(&leg, by_hand::Mechanism::leg())),
         ("eight-link leg, all joints, all three".into(), chunk_of(&leg, Width::Widest)),
-        ("the same, one lane".into(), chunk_of(&leg, Width::One)),
+        ("the same leg, one lane".into(), chunk_of(&leg, Width::One)),
+        ("slider-crank: v and a of the pin".into(), chunk_of(&asked("slider-crank", &["v_C", "a_C"]), Width::Widest)),
+        ("shaper: v and a of the ram".into(), chunk_of(&asked("shaper", &["v_C", "a_C"]), Width::Widest)),
     ];
+    let single = variants.len();
     let dyads = [1, 3, 10, 30, 100];
     variants.extend(dyads.map(|n| (format!("chain of {n} dyads, all three"), chunk_of(&chain(n), Width::Widest))));
+    let given: Vec<String> = std::env::args().skip(1).collect();
+    if let [count, name, ..] = &given[..]
+        && count == "count"
+    {
+        let (_, (call, positions)) = variants.iter_mut().find(|v| v.0 == *name).expect("the name of a variant, as the table has it");
+        (0..1_000_000 / *positions).for_each(|_| call());
+        return;
+    }
     let times = measure(&mut variants);
     println!("| one core, in cache | ns a position | against the loop by hand |\n|---|---|---|");
-    for ((name, _), t) in variants.iter().zip(&times) {
-        println!("| {name} | {t:.2} | {:.2} |", t / times[0]);
+    let mut by_hand = 0.0;
+    for ((name, _), t) in variants[..single].iter().zip(&times) {
+        by_hand = if name.ends_with("by hand") { *t } else { by_hand };
+        println!("| {name} | {t:.2} | {:.2} |", t / by_hand);
     }
     println!("\n| dyads in a chain | ns a position and dyad |\n|---|---|");
-    for (n, t) in dyads.iter().zip(&times[7..]) {
+    for (n, t) in dyads.iter().zip(&times[single..]) {
         println!("| {n} | {:.2} |", t / *n as f64);
     }
     batch();
@@ -175,11 +164,25 @@ fn batch() {
     let choice = Choice::Random { count: 10_000, seed: 1 };
     let stations = Some(Stations::turned(hodograph::scene::Angle::Deg(0.0), hodograph::scene::Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
-    let start = Instant::now();
+    let (start, cpu) = (Instant::now(), processor_time());
     let mut rows = 0;
     for from in (0..10_000).step_by(320) {
         rows += black_box(batch.block(from, (from + 320).min(10_000))).columns[0].len();
     }
     let t = start.elapsed().as_secs_f64();
     println!("\n10 000 random four-bars × 200 positions: {rows} rows in {t:.3} s, {:.1} million positions/s", 2.0 / t);
+    if let (Some(before), Some(after)) = (cpu, processor_time()) {
+        let t = after - before;
+        println!("processor time {t:.3} s: {:.1} µs a mechanism, {:.1} million positions/s and core", t * 100.0, 2.0 / t);
+    }
+}
+
+/// Seconds that all threads have run for, where the system tells: what others do on the machine is not in it.
+fn processor_time() -> Option<f64> {
+    let mut sum = 0.0;
+    for task in std::fs::read_dir("/proc/self/task").ok()? {
+        let text = std::fs::read_to_string(task.ok()?.path().join("schedstat")).ok()?;
+        sum += text.split(' ').next()?.parse::<f64>().ok()? * 1e-9;
+    }
+    Some(sum)
 }

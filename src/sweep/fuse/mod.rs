@@ -1,0 +1,298 @@
+//! A program as it is run over chunks: what belongs together is done in one pass, what nothing asks for is left out.
+//!
+//! The compiled list has one small operation for each group and effect. Run one by one, most of their time goes into carrying
+//! numbers to memory and back. So the operations of one point are found again, position, velocity and acceleration of it,
+//! and one kernel of [`kernels`] does them all; what stays between is run as it is. Nothing here knows of mechanisms: a
+//! dyad is recognised by its operations, wherever it hangs. The numbers are the same whatever the width.
+
+pub mod kernels;
+mod levers;
+mod matching;
+
+use super::kernel::Reg;
+use super::program::{Program, Step};
+use super::run::{Any, Buffer, CHUNK, Placed, Runner};
+use crate::mechanism::Level;
+use matching::Matching;
+
+/// A program ready to be run.
+#[derive(Clone, Debug)]
+pub struct Fused {
+    pub(super) steps: Vec<Placed>,
+    pub(super) wires: Vec<Reg>,
+    pub(super) registers: usize,
+    /// Registers with fixed values.
+    constants: Vec<(Reg, f64)>,
+    /// Where a register of the program is found, if anything reads it.
+    place: Vec<Option<Reg>>,
+    /// The values of the program's constant registers.
+    values: Vec<Option<f64>>,
+}
+
+/// Operations that are run together: what is run, and the registers of the program that it fills.
+pub(super) struct Unit {
+    pub op: Any,
+    pub outs: Vec<Reg>,
+}
+
+/// What an operation reads, and how many registers it fills.
+#[derive(Default)]
+struct Wires {
+    ins: Vec<Reg>,
+    outs: u32,
+}
+
+impl Runner for Wires {
+    fn run<const IN: usize, const OUT: usize, K: super::kernel::Kernel<IN, OUT>>(&mut self, kernel: &K, _: Reg) {
+        self.ins.clear();
+        self.ins.extend(kernel.inputs());
+        self.outs = OUT as u32;
+    }
+}
+
+impl Program {
+    /// The program for its answers.
+    pub fn fused(&self) -> &Fused {
+        self.runs[0].get_or_init(|| {
+            let answers: Vec<Reg> = self.columns.iter().map(|c| c.reg).collect();
+            Fused::of(self, Level::Acceleration, &answers)
+        })
+    }
+
+    /// The program for the margins of its joints: positions only.
+    pub(super) fn fused_margins(&self) -> &Fused {
+        self.runs[1].get_or_init(|| {
+            let mut wires = Wires::default();
+            let mut wanted = Vec::new();
+            for joint in &self.joints {
+                let step = &self.steps[0][joint.step];
+                step.op.run(&mut wires, step.out);
+                wanted.extend_from_slice(&wires.ins);
+            }
+            Fused::of(self, Level::Position, &wanted)
+        })
+    }
+}
+
+/// No step, or no unit.
+const NONE: u32 = u32::MAX;
+
+impl Fused {
+    fn of(program: &Program, level: Level, wanted: &[Reg]) -> Fused {
+        // Whatever an operation reads has a lower number than what it fills.
+        let mut steps: Vec<Step> = program.steps[..=level as usize].concat();
+        steps.sort_by_key(|s| s.out.0);
+        let matching = Matching::new(program, &steps, wanted);
+        let fused = Ordered::of(program.registers, matching.units(), wanted);
+        // Fused operations could wait for one another in a circle; the list as it was compiled cannot.
+        let ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
+        ordered.placed(program, matching.constants, wanted)
+    }
+
+    /// Where a register of the program is found; `None` for one that nothing asked for.
+    pub fn place(&self, reg: Reg) -> Option<Reg> {
+        self.place.get(reg.0 as usize).copied().flatten()
+    }
+
+    /// The number of a register of the program at a row; NaN where nothing asked for it.
+    pub fn number(&self, buffer: &Buffer, reg: Reg, row: usize) -> f64 {
+        match self.place(reg) {
+            Some(place) => buffer.get(place, row),
+            None => self.values[reg.0 as usize].unwrap_or(f64::NAN),
+        }
+    }
+
+    /// Registers for a chunk, with the constants in their places.
+    pub fn buffer(&self) -> Buffer {
+        let mut buffer = Buffer::new(self.registers);
+        for (reg, value) in &self.constants {
+            buffer.fill(*reg, &[*value; CHUNK]);
+        }
+        buffer
+    }
+}
+
+/// Units in an order in which each finds what it reads, with all that they read, one after the other.
+#[derive(Default)]
+struct Ordered {
+    units: Vec<Unit>,
+    order: Vec<u32>,
+    /// What unit `i` reads is `wires[ends[i - 1]..ends[i]]`.
+    wires: Vec<Reg>,
+    ends: Vec<usize>,
+}
+
+impl Ordered {
+    /// `None` where units wait for one another.
+    fn of(registers: usize, units: Vec<Unit>, wanted: &[Reg]) -> Option<Ordered> {
+        let mut maker = vec![NONE; registers];
+        let mut o = Ordered { order: Vec::with_capacity(units.len()), ..Ordered::default() };
+        let mut ins = Wires::default();
+        for (i, unit) in units.iter().enumerate() {
+            unit.outs.iter().for_each(|r| maker[r.0 as usize] = i as u32);
+            unit.op.run(&mut ins, Reg(0));
+            o.wires.extend_from_slice(&ins.ins);
+            o.ends.push(o.wires.len());
+        }
+        o.units = units;
+        // Depth first, with a stack of its own: a chain of dyads is as deep as it is long.
+        let mut state = vec![0u8; o.units.len()];
+        let mut stack: Vec<(u32, usize)> = Vec::new();
+        for reg in wanted {
+            let unit = maker[reg.0 as usize];
+            if unit != NONE && state[unit as usize] == 0 {
+                stack.push((unit, 0));
+                state[unit as usize] = 1;
+            }
+            while let Some((unit, next)) = stack.last_mut() {
+                let here = *unit;
+                match o.reads(here).get(*next) {
+                    Some(reg) => {
+                        *next += 1;
+                        let above = maker[reg.0 as usize];
+                        if above != NONE {
+                            match state[above as usize] {
+                                0 => {
+                                    state[above as usize] = 1;
+                                    stack.push((above, 0));
+                                }
+                                1 => return None,
+                                _ => {}
+                            }
+                        }
+                    }
+                    None => {
+                        state[here as usize] = 2;
+                        o.order.push(here);
+                        stack.pop();
+                    }
+                }
+            }
+        }
+        Some(o)
+    }
+
+    fn reads(&self, unit: u32) -> &[Reg] {
+        let unit = unit as usize;
+        &self.wires[if unit == 0 { 0 } else { self.ends[unit - 1] }..self.ends[unit]]
+    }
+
+    /// Gives every register that is used a place.
+    fn placed(&self, program: &Program, constants: Vec<Option<f64>>, wanted: &[Reg]) -> Fused {
+        let mut f = Fused {
+            steps: Vec::with_capacity(self.order.len()),
+            wires: Vec::with_capacity(self.wires.len()),
+            registers: super::program::SIN.0 as usize + 1,
+            constants: Vec::new(),
+            place: vec![None; program.registers],
+            values: constants,
+        };
+        for i in 0..f.registers {
+            f.place[i] = Some(Reg(i as u32));
+        }
+        // The numbers of followed links come from outside.
+        for t in &program.tracks {
+            for reg in [t.own.x, t.own.y, t.arm.x, t.arm.y] {
+                f.give(reg);
+            }
+        }
+        for &i in &self.order {
+            for &reg in self.reads(i) {
+                f.know(reg);
+                f.wires.push(f.place[reg.0 as usize].unwrap_or(reg));
+            }
+            let unit = &self.units[i as usize];
+            let out = Reg(f.registers as u32);
+            unit.outs.iter().for_each(|r| f.give(*r));
+            f.steps.push(Placed { op: unit.op, end: f.wires.len(), out });
+        }
+        wanted.iter().for_each(|r| f.know(*r));
+        f
+    }
+}
+
+impl Fused {
+    fn give(&mut self, reg: Reg) {
+        self.place[reg.0 as usize] = Some(Reg(self.registers as u32));
+        self.registers += 1;
+    }
+
+    /// Makes sure that a register that is read has a place: what no unit fills is a constant.
+    fn know(&mut self, reg: Reg) {
+        if self.place[reg.0 as usize].is_none() {
+            self.give(reg);
+            let value = self.values[reg.0 as usize].unwrap_or(f64::NAN);
+            self.constants.push((Reg(self.registers as u32 - 1), value));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{edit, read, templates};
+    use crate::sweep::program::{COS, SIN, VALUE};
+    use crate::sweep::{Placed, Stations, Width, compile, station};
+
+    fn program(name: &str, find: &[&str]) -> (Program, Stations) {
+        let text = templates::get(name).unwrap();
+        let text = if find.is_empty() { text.to_owned() } else { edit::with_find(text, find).unwrap() };
+        let scene = read(&text).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        let placed = Placed::new(&scene, &m).unwrap();
+        let now = station::position_now(&scene, &placed.at, 0);
+        let reach = 0.01 * if station::angle_per_value(&scene, &placed.at, 0) == 1.0 { 1.0 } else { placed.at.extent() };
+        let stations = Stations::slid(now, now + reach, 9, station::angle_per_value(&scene, &placed.at, 0));
+        (compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap(), stations)
+    }
+
+    /// The everyday mechanisms run as one operation for each point.
+    #[test]
+    fn one_operation_for_each_point() {
+        let leg = ["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"];
+        for (name, find, operations) in [
+            ("crank-rocker", &["v_C", "a_C"][..], 2),
+            ("crank-rocker", &["x_C", "v_C"], 2),
+            ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 3),
+            ("slider-crank", &["v_C", "a_C"], 2),
+            ("jansen-leg", &leg, 6),
+            // Crank, lever, its end, ram.
+            ("shaper", &["v_C", "a_C"], 4),
+        ] {
+            let (program, _) = program(name, find);
+            let fused = program.fused();
+            assert_eq!(fused.steps.len(), operations, "{name}: {:#?}", fused.steps);
+        }
+    }
+
+    /// Fused or one by one, the numbers are the same but for rounding.
+    #[test]
+    fn fused_is_what_the_list_says() {
+        for t in templates::list() {
+            let (program, stations) = match t.name {
+                // Their followed links have numbers only once they are followed.
+                "class-iii-six-bar" | "stephenson-six-bar" | "two-slots" => continue,
+                name => program(name, &[]),
+            };
+            let wanted: Vec<Reg> = program.columns.iter().map(|c| c.reg).collect();
+            let mut steps: Vec<Step> = program.steps.concat();
+            steps.sort_by_key(|s| s.out.0);
+            let matching = Matching::new(&program, &steps, &wanted);
+            let plain = Ordered::of(program.registers, matching.singles(), &wanted).unwrap().placed(&program, matching.constants, &wanted);
+            let run = |fused: &Fused| -> Vec<Vec<f64>> {
+                let mut buffer = fused.buffer();
+                buffer.fill(VALUE, &stations.values);
+                buffer.fill(COS, &stations.cosines);
+                buffer.fill(SIN, &stations.sines);
+                fused.run(&mut buffer, Width::Widest);
+                wanted.iter().map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect()).collect()
+            };
+            for ((a, b), column) in run(program.fused()).iter().zip(run(&plain)).zip(&program.columns) {
+                let size = b.iter().fold(1e-3f64, |m, x| m.max(x.abs()));
+                let off = a.iter().zip(&b).fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
+                assert!(off <= 1e-11 * size, "{} {}: {off:e} of {size}", t.name, column.name);
+            }
+        }
+    }
+}
