@@ -20,8 +20,8 @@ use std::time::Instant;
 /// Rounds; the median of each variant is taken.
 const ROUNDS: usize = 301;
 
-/// Calls timed together, so that the clock's own time vanishes in them.
-const CALLS: u32 = 400;
+/// Seconds of calls timed together: the clock's own time vanishes in it, and another program seldom takes its turn within it.
+const SAMPLE: f64 = 1e-4;
 
 /// A name, what is timed, and the positions of a call.
 type Variant = (String, (Box<dyn FnMut()>, usize));
@@ -102,13 +102,16 @@ fn median(mut times: Vec<f64>) -> f64 {
 /// Medians of all variants, in turn: ns a position.
 fn measure(variants: &mut [Variant]) -> Vec<f64> {
     let mut times = vec![Vec::new(); variants.len()];
+    let mut calls = vec![1u32; variants.len()];
     for _ in 0..ROUNDS {
-        for ((_, (call, positions)), times) in variants.iter_mut().zip(&mut times) {
+        for (((_, (call, positions)), times), calls) in variants.iter_mut().zip(&mut times).zip(&mut calls) {
             let start = Instant::now();
-            for _ in 0..CALLS {
+            for _ in 0..*calls {
                 call();
             }
-            times.push(start.elapsed().as_secs_f64() * 1e9 / f64::from(CALLS) / *positions as f64);
+            let t = start.elapsed().as_secs_f64() / f64::from(*calls);
+            times.push(t * 1e9 / *positions as f64);
+            *calls = (SAMPLE / t).clamp(1.0, 1000.0) as u32;
         }
     }
     times.into_iter().map(median).collect()

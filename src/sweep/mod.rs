@@ -1,6 +1,6 @@
 //! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
 //!
-//! [`run`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
+//! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
 //! ([`lane`]); class III groups are followed ([`track`]). Positions at

@@ -3,6 +3,9 @@
 //! Registers hold [`CHUNK`] positions each (structure of arrays); each operation runs through the whole chunk before the next
 //! begins. Whether four positions are run at once or one changes no bit.
 
+// Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
+#![allow(clippy::needless_range_loop)]
+
 use super::fuse::Fused;
 use super::fuse::kernels::*;
 use super::kernel::{Kernel, Reg};

@@ -8,6 +8,9 @@
 //!
 //! No closures and no array functions here: what is not inlined runs without the machine's wide registers.
 
+// Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
+#![allow(clippy::needless_range_loop)]
+
 use super::super::closure::TOUCH;
 use super::super::kernel::{Kernel, Pair, Reg};
 use super::super::lane::Lane;
