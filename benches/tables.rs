@@ -106,7 +106,7 @@ fn writing() {
     ];
     let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
     let path = |ending: &str| folder.join(format!("designs.{ending}"));
-    for _ in 0..7 {
+    for _ in 0..5 {
         compute.push(seconds(|| blocks().for_each(|b| drop(black_box(b)))));
         for (k, (ending, format)) in formats.iter().enumerate() {
             alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
