@@ -1,5 +1,5 @@
 //! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
-//! `-- sweep` only the time of a position of a four-bar's sweep in memory, as JSON, for `bench/peers`.
+//! `-- sweep` only runs sweeps of a four-bar in memory, for `bench/peers`.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
@@ -42,15 +42,12 @@ fn asked(find: &[&str]) -> Scene {
     read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
 }
 
-/// A whole sweep in memory, scene to table: ns a position. The caller says on how many cores.
-fn in_memory() -> f64 {
+/// Whole sweeps in memory, scene to table, again and again; how many positions. The caller measures, and says on how many cores.
+fn in_memory() -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let steps = 1_000_000;
-    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
-    let sweep = || sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest).unwrap();
-    let times = (0..5).map(|_| seconds(|| drop(black_box(sweep()))));
-    median(times.collect()) * 1e9 / (steps + 1) as f64
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 100_000);
+    (0..100).map(|_| black_box(sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest).unwrap()).rows()).sum()
 }
 
 /// Writes blocks as the command does: the next is given its form while the last one is written.
@@ -109,7 +106,7 @@ fn writing() {
     ];
     let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
     let path = |ending: &str| folder.join(format!("designs.{ending}"));
-    for _ in 0..7 {
+    for _ in 0..5 {
         compute.push(seconds(|| blocks().for_each(|b| drop(black_box(b)))));
         for (k, (ending, format)) in formats.iter().enumerate() {
             alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
@@ -150,7 +147,7 @@ fn starting() {
 
 fn main() {
     if std::env::args().any(|a| a == "sweep") {
-        println!("{{\"ns\": {}}}", in_memory());
+        println!("{{\"positions\": {}}}", in_memory());
         return;
     }
     writing();

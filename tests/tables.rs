@@ -64,13 +64,16 @@ fn from_parquet(path: &Path) -> Read {
 }
 
 fn from_json(path: &Path) -> Read {
-    let json: serde_json::Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
-    let columns = json["columns"].as_array().unwrap().iter();
+    let text = std::fs::read_to_string(path).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     let label = |c: &serde_json::Value| match c["unit"].as_str().unwrap() {
         "" => c["name"].as_str().unwrap().to_owned(),
         unit => format!("{} [{unit}]", c["name"].as_str().unwrap()),
     };
-    columns.map(|c| (label(c), c["values"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect())).unzip()
+    // serde_json reads a number to within its last bit only.
+    let numbers = |part: &str| part.split(']').next().unwrap().split(',').map(|v| v.trim().parse().unwrap()).collect();
+    let columns = text.split("\"values\": [").skip(1).map(numbers).collect();
+    (json["columns"].as_array().unwrap().iter().map(label).collect(), columns)
 }
 
 fn same(a: &Read, b: &Read) {

@@ -1,7 +1,8 @@
 """The same four-bar sweep by this program and by its peers: the same numbers, and how long a position takes.
 
 The crank-rocker of templates/ (100, 250, 200, 300 mm, 10 rad/s): position, velocity and acceleration of joint C. The ways
-take turns, several times over; medians count. Run it by run.sh, which installs the peers.
+take turns, several times over; medians of the processor time count, which other work on the machine disturbs little. Run it by
+run.sh, which installs the peers.
 """
 
 import json
@@ -11,7 +12,6 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 
 os.environ.setdefault("MPLBACKEND", "Agg")
 # One core for all: what is compared is the work of a position.
@@ -82,9 +82,11 @@ def by_mechanism(angles):
 
 
 def timed(call):
-    start = time.perf_counter()
+    """Seconds of the processor, children included."""
+    start = os.times()
     result = call()
-    return time.perf_counter() - start, result
+    end = os.times()
+    return sum(end[:4]) - sum(start[:4]), result
 
 
 def difference(name, ours, theirs):
@@ -112,16 +114,16 @@ def main():
         linkage = by_pylinkage(fast)
         times = {name: [] for name in ("library", "command", "pylinkage", "mechanism")}
         for _ in range(ROUNDS):
-            out = subprocess.run([library, "sweep"], check=True, capture_output=True, text=True)
-            times["library"].append(json.loads(out.stdout)["ns"] * 1e-9)
+            seconds, out = timed(lambda: subprocess.run([library, "sweep"], check=True, capture_output=True, text=True))
+            times["library"].append(seconds / json.loads(out.stdout)["positions"])
             times["command"].append(timed(lambda: hodograph(binary, scene, fast, folder))[0] / (fast + 1))
             times["pylinkage"].append(timed(linkage)[0] / fast)
             times["mechanism"].append(timed(lambda: by_mechanism(np.linspace(0.0, math.tau, slow + 1)))[0] / (slow + 1))
     ns = {name: statistics.median(t) * 1e9 for name, t in times.items()}
-    print(f"\n| position, velocity and acceleration of joint C | ns a position | times the library's | times the command's |")
+    print("\n| position, velocity and acceleration of joint C | processor ns a position | times the library's | times the command's |")
     print("|---|---|---|---|")
     rows = [
-        ("library", f"hodograph, {fast:,} positions in memory, one core"),
+        ("library", "hodograph, library, 100 times 100,000 positions, scene to table in memory, one core"),
         ("command", f"hodograph sweep, {fast:,} positions, with starting and writing .npy, one core"),
         ("pylinkage", f"pylinkage with numba, {fast:,} positions in memory"),
         ("mechanism", f"mechanism, {slow + 1} positions in memory"),
