@@ -40,7 +40,8 @@
 //!   what was done for it.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
-//! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet.
+//! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
+//!   line diagrams, paths with hodographs, the sheet of many poses.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text and JSON.

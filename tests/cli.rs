@@ -387,7 +387,7 @@ fn a_path_is_drawn_or_refused() {
     assert!(drawn.contains("id=\"caption-mu_v-E\"") && drawn.contains("id=\"mechanism-path-E-4\""), "{}", &drawn[..2000]);
     for (args, words) in [
         (&["--point", "F"][..], "no point `F`"),
-        (&["--point", "A"], "point A belongs to no moving link"),
+        (&["--point", "A"], "point A stands still"),
         (&["--point", "E", "--over", "phi_9"], "no driver `phi_9`"),
     ] {
         let run = hodograph().current_dir(&folder).args(["path", "scene.json", "-o", "bad.svg"]).args(args).assert().code(2);

@@ -53,7 +53,7 @@ pub struct Wanted {
 /// The figure; notes tell what of the motion it does not show.
 ///
 /// # Errors
-/// `no-driver`, `no-path` (a point of the ground), `no-motion` where the mechanism cannot be followed from its pose.
+/// `no-driver`, `no-path` (a point that stands still), `no-motion` where the mechanism cannot be followed from its pose.
 ///
 /// ```
 /// use hodograph::figure::{path, sheet::Options};
@@ -116,10 +116,10 @@ fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
     if wanted.points.is_empty() {
         faults.push(Diagnostic::error("no-path", "no point is named").help("name one with --point"));
     }
-    for p in wanted.points.iter().filter(|p| scene.mover(**p).is_none()) {
-        let name = scene.point_name(*p);
-        let d = Diagnostic::error("no-path", format!("point {name} belongs to no moving link: it has no path"));
-        faults.push(d.at(scene.points[p.0].span).help("name a point of a moving link"));
+    let stands = |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
+    for p in wanted.points.iter().filter(stands) {
+        let d = Diagnostic::error("no-path", format!("point {} stands still: it has no path", scene.point_name(*p)));
+        faults.push(d.at(scene.points[p.0].span).help("name a point that moves"));
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }

@@ -33,7 +33,7 @@ use super::{mechanism, polygon};
 /// Steps in which the mechanism is followed through a turn: 2°.
 const STEPS: usize = 180;
 /// Room for the drawings of one pose: a row of three is about as wide as A4 across, and twelve of them are A1.
-const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [90.0, 78.0] };
+const BOXES: Boxes = Boxes { diagram: [90.0, 80.0], polygon: [95.0, 80.0] };
 /// Air around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
 /// Width of the column that says which pose a row shows, and height of the table's head.
@@ -89,12 +89,13 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let rows: Vec<Row> = trials
         .iter()
         .filter_map(|(pose, trial)| {
+            let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
             let mut scene = scene_at(scene, wanted.driver, pose.travel);
             scales.fix(&mut scene.paper);
             let worked = work(&scene, pose)?;
             let shown = LEVELS.map(|level| scales.holds(trial, level));
             let driver = now + pose.travel;
-            Some(Row { scene, worked, shown, driver })
+            Some(Row { scene, worked, shown, end, driver })
         })
         .collect();
     // A table has at least one row.
@@ -124,8 +125,16 @@ struct Row {
     scene: Scene,
     worked: Worked,
     shown: [bool; 2],
+    /// Whether the driver can go no farther: then nothing but the driver has a vector, and that is no polygon.
+    end: bool,
     /// Where the driver stands (rad or m).
     driver: f64,
+}
+
+impl Row {
+    fn unbounded(&self) -> bool {
+        self.end || !self.worked.solution.refused.is_empty()
+    }
 }
 
 struct Table<'a> {
@@ -239,9 +248,7 @@ impl Table<'_> {
                     part
                 }
                 Shows::Polygon(level) => {
-                    // At a limit nothing but the driver has a vector: that is no polygon.
-                    let bounded = row.worked.solution.refused.is_empty();
-                    let shown = bounded && row.shown[usize::from(level == Level::Acceleration)];
+                    let shown = !row.unbounded() && row.shown[usize::from(level == Level::Acceleration)];
                     match row.worked.construction.polygon(level).filter(|_| shown) {
                         Some(p) => {
                             let w = Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang };
@@ -269,10 +276,10 @@ impl Table<'_> {
     /// What stands where there is no polygon.
     fn absent(&self, row: &Row) -> Vec<Item> {
         let lang = self.options.lang;
-        let said = if row.worked.solution.refused.is_empty() {
-            tr(lang, "too large for the paper", "超出图纸")
-        } else {
+        let said = if row.unbounded() {
             tr(lang, "limit: unbounded", "极限位置：无穷大")
+        } else {
+            tr(lang, "too large for the paper", "超出图纸")
         };
         vec![text("absent", Point::ORIGIN, Label::text(said), self.options.style.small_mm, Anchor::Middle).with_id("absent")]
     }

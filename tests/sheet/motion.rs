@@ -141,9 +141,9 @@ fn a_fixed_paper_makes_pages() {
     let (mut scene, worked) = open("slider-crank");
     let wanted = poses::Wanted { count: 5, driver: 0, points: points(&scene, &["B"]) };
     let options = Options::of_language(Lang::En);
-    scene.paper.size_mm = Some([297.0, 210.0]);
+    scene.paper.size_mm = Some([420.0, 297.0]);
     let pages = poses::sheets(&scene, &worked, &options, &wanted).unwrap().value;
-    assert!(pages.len() > 1 && pages.iter().all(|p| (p.width_mm, p.height_mm) == (297.0, 210.0)), "{}", pages.len());
+    assert!(pages.len() > 1 && pages.iter().all(|p| (p.width_mm, p.height_mm) == (420.0, 297.0)), "{}", pages.len());
     scene.paper.size_mm = Some([100.0, 100.0]);
     let faults = poses::sheets(&scene, &worked, &options, &wanted).unwrap_err();
     assert_eq!(faults.list[0].code, "paper-too-small");
