@@ -39,7 +39,7 @@ fn a_font_of_ones_own_sets_the_figures() {
     let draw = |name: &str, fonts: &[&str]| {
         let file = out.path().join(name);
         let fonts = fonts.iter().flat_map(|f| ["--font", f]);
-        let run = hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(&file).args(fonts).assert().success();
+        let run = hodograph().args(["draw", "templates/crank-rocker.json", "--lang", "zh", "-o"]).arg(&file).args(fonts).assert().success();
         (std::fs::read(file).unwrap(), text(&run.get_output().stderr))
     };
     let (usual, _) = draw("usual.svg", &[]);
@@ -50,7 +50,7 @@ fn a_font_of_ones_own_sets_the_figures() {
     assert!(text(&italic).contains("id=\"gp") && !text(&usual).contains("id=\"gp"));
     // A font that lacks letters leaves them to the bundled ones, and says so.
     let (signs, said) = draw("signs.svg", &["fonts/song-gb1-cff.otf"]);
-    assert!(text(&signs).contains("id=\"go"), "digits or words come from it");
+    assert!(text(&signs).contains("id=\"go"), "Chinese words come from it");
     assert!(text(&signs).contains("id=\"gi"), "slanted letters from the bundled italic");
     assert!(!said.contains("error"), "{said}");
     let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);

@@ -66,8 +66,8 @@ pub(super) fn read(name: &str, bytes: Vec<u8>) -> Result<(Cut, Own), Diagnostic>
         _ => Cut::Slanted,
     };
     let sound = |c: &char| super::drawn(&loaded, *c).is_some();
-    if !('a'..='z').chain('A'..='Z').chain('0'..='9').any(|c| sound(&c)) {
-        return Err(fault(format!("{name} has neither a letter nor a digit that can be drawn")).help("give a text font"));
+    if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c)) {
+        return Err(fault(format!("{name} has no letter and no digit that can be drawn")).help("give a text font"));
     }
     // A name goes into files as it is: nothing in it may end an attribute.
     let named = loaded.font.names().get(NameId::FAMILY_NAME).and_then(|n| n.english_or_first());
