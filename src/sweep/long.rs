@@ -1,4 +1,4 @@
-//! Long sweeps, piece by piece: the rows of [`super::run`], in the memory of a piece.
+//! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
 use super::general::{self, Gap, General};
 use super::limit::Event;
