@@ -242,6 +242,7 @@ mod tests {
     fn plain_line() {
         assert_eq!(Label::math(r"\omega_1^2 l_{AB}").plain(), "ω_1^2l_AB");
         assert_eq!(Label::math(r"\mu_l = 0.002 m/mm").plain(), "μ_l = 0.002 m/mm");
+        assert_eq!(Label::math(r"\angle -90.00").plain(), "∠−90.00");
         assert_eq!(Label::text("Velocity polygon").plain(), "Velocity polygon");
         assert_eq!(Label::text("Ⅱ级杆组").plain(), "II级杆组");
         assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");

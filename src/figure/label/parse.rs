@@ -261,7 +261,8 @@ fn is_cjk(c: char) -> bool {
 
 /// A sign as an atom; a sign of an operation with nothing before it is a sign of a number and gets no space.
 fn symbol(c: char, before: &[Node]) -> Node {
-    let starts = before.last().is_none_or(|n| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with('('));
+    let opens = |n: &Node| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
+    let starts = before.last().is_none_or(opens);
     match c {
         '+' | '-' | '−' | '±' if starts => Node::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary),
         '-' => Node::new('−', Slant::Symbol, Role::Binary),
