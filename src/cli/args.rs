@@ -73,6 +73,18 @@ pub struct Common {
     pub notation: Option<String>,
 }
 
+/// What a figure looks like.
+#[derive(ClapArgs, Debug)]
+pub struct Look {
+    /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
+    #[arg(long, value_name = "STYLE", default_value = "print")]
+    pub style: String,
+    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one. What it lacks is
+    /// set in the bundled fonts
+    #[arg(long, value_name = "FILE")]
+    pub font: Vec<String>,
+}
+
 #[derive(ClapArgs, Debug)]
 pub struct Draw {
     #[command(flatten)]
@@ -106,13 +118,8 @@ pub struct Draw {
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
-    /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
-    #[arg(long, value_name = "STYLE", default_value = "print")]
-    pub style: String,
-    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one. What it lacks is
-    /// set in the bundled fonts
-    #[arg(long, value_name = "FILE")]
-    pub font: Vec<String>,
+    #[command(flatten)]
+    pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -252,12 +259,8 @@ pub struct Curves {
     /// Equal steps from one to the other; both ends are rows
     #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
     pub steps: usize,
-    /// Style, as for `draw`
-    #[arg(long, value_name = "STYLE", default_value = "print")]
-    pub style: String,
-    /// A font of your own, as for `draw`
-    #[arg(long, value_name = "FILE")]
-    pub font: Vec<String>,
+    #[command(flatten)]
+    pub look: Look,
     /// The file, ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
@@ -280,9 +283,8 @@ pub struct Path {
     /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
-    /// Style, as for `draw`
-    #[arg(long, value_name = "STYLE", default_value = "print")]
-    pub style: String,
+    #[command(flatten)]
+    pub look: Look,
     /// The file, ending in .svg, .png or .pdf (default: named after the scene)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,

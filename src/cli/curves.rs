@@ -1,7 +1,7 @@
 //! `hodograph curves`: displacements, velocities and accelerations against the position of the driver, as line diagrams.
 
 use super::args::Curves;
-use super::draw::read_style;
+use super::draw::style_of;
 use super::sweep::{ask, driver_of, stations};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults};
@@ -14,8 +14,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
-    files::fonts(&a.font)?;
-    let style = read_style(&a.style)?;
+    let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common.scene)?;
     let find = match &a.range.find {
         Some(find) => find.clone(),
@@ -36,7 +35,7 @@ pub fn run(a: Curves) -> Run {
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
-    files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?;
+    input.notes.extend(files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?);
     files::print(&format!("{}\n", a.output))?;
     input.notes.extend(table.notes);
     input.say_notes();

@@ -1,6 +1,6 @@
 //! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
 
-use super::args::{self, Format, Picture, Text, Vectors};
+use super::args::{self, Format, Picture, Vectors};
 use super::{Failure, Input, Run, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::item::Figure;
@@ -11,15 +11,14 @@ use crate::figure::steps;
 use crate::figure::style::{self, Style};
 use crate::json::fields::suggest;
 use crate::mechanism::Level;
-use crate::render::{pdf, png, svg};
+use crate::render::pdf;
 use crate::scene::{PointId, Scene};
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
-    files::fonts(&a.font)?;
-    let style = read_style(&a.style)?;
+    let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common.scene)?;
     let drafting = input.pencil(a.drafting.as_deref())?;
     let mut worked = input.work(Scope::Figure)?;
@@ -58,8 +57,14 @@ pub fn run(a: args::Draw) -> Run {
     Ok(verdict(&worked))
 }
 
+/// The style of a look; its fonts are those of all figures from now on.
+pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
+    files::fonts(&look.font)?;
+    read_style(&look.style)
+}
+
 /// A bundled style by its name, or a style file.
-pub fn read_style(name: &str) -> Result<Style, Failure> {
+fn read_style(name: &str) -> Result<Style, Failure> {
     if let Some(style) = Style::named(name) {
         return Ok(style);
     }
@@ -218,7 +223,7 @@ enum Unwritten {
 /// Writes a figure in each of its formats. What has no letters in the embedded fonts is noted once.
 fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw, notes: &mut Vec<Diagnostic>) -> Result<(), Unwritten> {
     for (k, (format, path)) in targets.iter().enumerate() {
-        let Warned { value: bytes, notes: missing } = bytes(figure, *format, a).map_err(Unwritten::Faults)?;
+        let Warned { value: bytes, notes: missing } = files::bytes(figure, *format, a.text, a.dpi).map_err(Unwritten::Faults)?;
         if k == 0 {
             notes.extend(missing.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
         }
@@ -226,18 +231,4 @@ fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw, notes: 
         files::print(&format!("{}\n", path.display())).map_err(Unwritten::File)?;
     }
     Ok(())
-}
-
-fn bytes(figure: &Figure, format: Format, a: &args::Draw) -> Result<Warned<Vec<u8>>, Faults> {
-    match format {
-        Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
-        Format::Svg => {
-            let Warned { value, notes } = if a.text == Text::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
-            Ok(Warned { value: value.into_bytes(), notes })
-        }
-        Format::Png => {
-            let Warned { value, notes } = svg::write(figure)?;
-            Ok(Warned { value: png::render(&value, a.dpi)?, notes })
-        }
-    }
 }

@@ -1,8 +1,11 @@
 //! Files: read with a bound, written whole or not at all.
 
+use super::args::{Format, Text};
 use super::{Failure, stop};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::font::own;
+use crate::figure::item::Figure;
+use crate::render::{pdf, png, svg};
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -136,19 +139,32 @@ pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
     Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
 }
 
-/// Writes one figure to a file ending in .svg, .png (at 200 dpi) or .pdf.
-pub fn figure(figure: &crate::figure::item::Figure, path: &str) -> Result<(), Failure> {
-    let input = |d: crate::diag::Faults| Failure::Input(d, path.to_string(), String::new());
-    let svg = crate::render::svg::write(figure).map_err(input)?.value;
-    let out = Path::new(path);
-    match out.extension().and_then(|e| e.to_str()) {
-        Some("svg") => write(out, svg.as_bytes()),
-        Some("png") => write(out, &crate::render::png::render(&svg, 200.0).map_err(|d| input(d.into()))?),
-        Some("pdf") => write(out, &crate::render::pdf::pdf(std::slice::from_ref(figure)).map_err(input)?.value),
-        _ => Err(input(
-            Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"))
-                .help("write -o figure.svg, -o figure.png or -o figure.pdf")
-                .into(),
-        )),
+/// A figure in a format; what has no letters in the fonts is noted.
+pub fn bytes(figure: &Figure, format: Format, text: Text, dpi: f64) -> Result<Warned<Vec<u8>>, Faults> {
+    match format {
+        Format::Pdf => pdf::pdf(std::slice::from_ref(figure)),
+        Format::Svg => {
+            let Warned { value, notes } = if text == Text::Editable { svg::write_editable(figure) } else { svg::write(figure) }?;
+            Ok(Warned { value: value.into_bytes(), notes })
+        }
+        Format::Png => {
+            let Warned { value, notes } = svg::write(figure)?;
+            Ok(Warned { value: png::render(&value, dpi)?, notes })
+        }
     }
+}
+
+/// Dots of a PNG in an inch, where nothing else is said.
+const DPI: f64 = 200.0;
+
+/// Writes one figure to a file ending in .svg, .png or .pdf. Returns the notes.
+pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
+    let input = |d: Faults| Failure::Input(d, path.to_string(), String::new());
+    let Some(format) = ending(path).and_then(Format::of) else {
+        let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
+        return Err(input(d.help("write -o figure.svg, -o figure.png or -o figure.pdf").into()));
+    };
+    let Warned { value, notes } = bytes(figure, format, Text::Outlines, DPI).map_err(input)?;
+    write(Path::new(path), &value)?;
+    Ok(notes)
 }

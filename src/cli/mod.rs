@@ -260,7 +260,7 @@ fn accuracy(a: args::Accuracy) -> Run {
     let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(failed)? } else { Vec::new() };
     if let Some(path) = &a.output {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, lang);
-        files::figure(&figure, path)?;
+        input.notes.extend(files::figure(&figure, path)?);
     }
     if a.json {
         files::print(&format!("{:#}\n", price::json(&measured, &series)))?;

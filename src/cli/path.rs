@@ -1,7 +1,7 @@
 //! `hodograph path`: paths of points on the mechanism, and the hodographs of their velocities and accelerations.
 
 use super::args::Path;
-use super::draw::{points_named, read_style};
+use super::draw::{points_named, style_of};
 use super::sweep::driver_of;
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Faults, Warned};
@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 /// Runs the command.
 pub fn run(a: Path) -> Run {
-    let style = read_style(&a.style)?;
+    let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common.scene)?;
     let worked = input.work(Scope::Figure)?;
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
@@ -25,7 +25,7 @@ pub fn run(a: Path) -> Run {
     let wanted = Wanted { points, driver, marks, poses };
     let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(failed)?;
     let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.name, "scene")));
-    files::figure(&value, &output)?;
+    input.notes.extend(files::figure(&value, &output)?);
     files::print(&format!("{output}\n"))?;
     input.notes.extend(notes);
     input.say_notes();

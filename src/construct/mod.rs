@@ -145,13 +145,8 @@ impl Polygon {
 
     /// Width and height of all that is drawn, the pole included, in SI.
     pub fn extent(&self) -> [f64; 2] {
-        let mut lo = Vec2::ZERO;
-        let mut hi = Vec2::ZERO;
-        for q in self.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(self.images.iter().flatten().copied()) {
-            lo = Vec2::new(lo.x.min(q.x), lo.y.min(q.y));
-            hi = Vec2::new(hi.x.max(q.x), hi.y.max(q.y));
-        }
-        [(hi.x - lo.x) * self.mu, (hi.y - lo.y) * self.mu]
+        let marks = self.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(self.images.iter().flatten().copied());
+        scale::extent(marks.chain([Point::ORIGIN])).map(|mm| mm * self.mu)
     }
 }
 

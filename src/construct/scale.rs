@@ -1,6 +1,6 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
-use crate::geom::Vec2;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
@@ -55,9 +55,14 @@ impl Boxes {
 
 /// Width and height of a mechanism (m): of the box around its joints.
 pub fn size(at: &Configuration) -> [f64; 2] {
+    extent(at.points.iter().flatten().copied())
+}
+
+/// Width and height of the box around all places; zero where there are none.
+pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
     let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);
     let mut hi = Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
-    for p in at.points.iter().flatten() {
+    for p in places {
         lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
         hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
     }

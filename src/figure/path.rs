@@ -21,7 +21,7 @@ use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
 use super::results::{number, symbol};
-use super::series::{LEVELS, extent};
+use super::series::LEVELS;
 use super::sheet::{MARGIN_MM, Maker, Options, Single, driver_symbol, of_level};
 use crate::sweep::follow::Follower;
 
@@ -90,7 +90,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
     let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
     let boxes = Boxes::of(&scene.paper, &worked.plan);
-    fitted.paper.mu_l = Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose(extent(ghosts.chain(places)), boxes.diagram)));
+    fitted.paper.mu_l = Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose(scale::extent(ghosts.chain(places)), boxes.diagram)));
     let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
     let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
     let mut page = Page { maker, moved: &moved, driver: wanted.driver, cut: false };
@@ -184,7 +184,7 @@ impl Page<'_> {
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
-            let mu = fixed[l].unwrap_or_else(|| scale::choose(extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon));
+            let mu = fixed[l].unwrap_or_else(|| scale::choose(scale::extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon));
             for (k, &point) in self.moved.points.iter().enumerate() {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {

@@ -235,6 +235,7 @@ impl Table<'_> {
         let Options { style, notation, lang, .. } = self.options;
         let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
         let courses = courses(&poses, style, notation);
+        let behind = self.behind(shows);
         let mut habits = Habits::new();
         let mut parts = Vec::new();
         for (k, row) in self.rows.iter().enumerate() {
@@ -259,10 +260,8 @@ impl Table<'_> {
                     }
                 }
             };
-            let behind = self.behind(shows);
             if !behind.is_empty() {
-                let items = behind.into_iter().chain(part.items).collect();
-                part = Part::of(items);
+                part = Part::of(behind.iter().cloned().chain(part.items).collect());
             }
             for item in &mut part.items {
                 let word = if item.id == "absent" { format!("absent-{}", shows.word()) } else { item.id.clone() };

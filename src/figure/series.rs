@@ -1,8 +1,8 @@
 //! One set of scales for a series of poses: everything fits the paper, but what stands next to a limit, where vectors grow beyond
 //! all bounds.
 
-use crate::construct::scale::{self, Boxes};
-use crate::geom::{Point, Vec2};
+use crate::construct::scale::{self, Boxes, extent};
+use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::scene::Paper;
 use crate::sweep::points::bounded;
@@ -61,14 +61,4 @@ impl Scales {
 fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
     let [w, h] = worked.construction.polygon(level)?.extent();
     Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
-}
-
-/// Width and height of what holds all places.
-pub fn extent(places: impl Iterator<Item = Point>) -> [f64; 2] {
-    let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
-    for p in places {
-        lo = Vec2::new(lo.x.min(p.x), lo.y.min(p.y));
-        hi = Vec2::new(hi.x.max(p.x), hi.y.max(p.y));
-    }
-    if lo.x <= hi.x { [hi.x - lo.x, hi.y - lo.y] } else { [0.0, 0.0] }
 }
