@@ -55,6 +55,13 @@ fn a_font_of_ones_own_sets_the_figures() {
     assert!(!said.contains("error"), "{said}");
     let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);
     assert!(pdf.starts_with(b"%PDF-1.7"));
+    // And so does every command that draws one figure.
+    for command in [&["curves"][..], &["path", "--point", "E"]] {
+        let file = out.path().join(format!("{}.svg", command[0]));
+        let font = ["templates/crank-rocker.json", "--font", "fonts/tinos-italic.ttf", "-o"];
+        hodograph().args(command).args(font).arg(&file).assert().success();
+        assert!(text(&std::fs::read(&file).unwrap()).contains("id=\"gp"), "{}", command[0]);
+    }
 }
 
 #[test]
