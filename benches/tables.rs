@@ -8,7 +8,7 @@ use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::sweep::{self, Placed, Stations, Table, Width};
 use std::fs::File;
 use std::hint::black_box;
 use std::io::Write;
@@ -47,7 +47,12 @@ fn in_memory() -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 100_000);
-    (0..100).map(|_| black_box(sweep::run(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest).unwrap()).rows()).sum()
+    let mut table = Table::default();
+    let mut again = || {
+        table = sweep::run_in(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest, std::mem::take(&mut table)).unwrap();
+        black_box(&table).rows()
+    };
+    (0..100).map(|_| again()).sum()
 }
 
 /// Writes blocks as the command does: the next is given its form while the last one is written.
@@ -82,7 +87,7 @@ fn command(arguments: &str, last: &Path) {
     assert!(c.status().unwrap().success());
 }
 
-fn writing() {
+fn writing(only_compute: usize) {
     let scene = asked(&["v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
@@ -91,8 +96,16 @@ fn writing() {
     let choice = Choice::Random { count: MECHANISMS, seed: 1 };
     let stations = Some(Stations::turned(Angle::Deg(0.0), Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
-    let blocks = || (0..MECHANISMS).step_by(STEP as usize).map(|from| batch.block(from, MECHANISMS.min(from + STEP)));
-    let kept: Vec<Block> = blocks().collect();
+    let ends = || (0..MECHANISMS).step_by(STEP as usize).map(|from| (from, MECHANISMS.min(from + STEP)));
+    // One after the other, each in the memory of the one before.
+    let computed = || ends().fold(Block::default(), |used, (from, to)| black_box(batch.block_in(from, to, used)));
+    if only_compute > 0 {
+        let start = Instant::now();
+        (0..only_compute).for_each(|_| drop(computed()));
+        println!("{:.2} us a mechanism", start.elapsed().as_secs_f64() * 1e6 / (MECHANISMS as f64 * only_compute as f64));
+        return;
+    }
+    let kept: Vec<Block> = ends().map(|(from, to)| batch.block(from, to)).collect();
     let rows: usize = kept.iter().map(|b| b.columns[0].len()).sum();
     let mut head = Head::new("", batch.columns());
     head.columns.iter_mut().take(5).for_each(|c| c.repeats = true);
@@ -107,7 +120,7 @@ fn writing() {
     let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
     let path = |ending: &str| folder.join(format!("designs.{ending}"));
     for _ in 0..5 {
-        compute.push(seconds(|| blocks().for_each(|b| drop(black_box(b)))));
+        compute.push(seconds(|| drop(computed())));
         for (k, (ending, format)) in formats.iter().enumerate() {
             alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
             let arguments = format!("batch templates/crank-rocker.json {ARGUMENTS}");
@@ -150,6 +163,10 @@ fn main() {
         println!("{{\"positions\": {}}}", in_memory());
         return;
     }
-    writing();
+    if std::env::args().any(|a| a == "batch") {
+        writing(10);
+        return;
+    }
+    writing(0);
     starting();
 }

@@ -469,8 +469,10 @@ fn a_batch_is_its_parts() {
         assert_eq!(batch.mechanisms(), 55);
         let whole = batch.block(0, 55);
         let mut parts = Block { columns: vec![Vec::new(); whole.columns.len()], missing: 0 };
+        // Each in the memory of the one before, whatever is left in it.
+        let mut part = whole.clone();
         for from in (0..55).step_by(7) {
-            let part = batch.block(from, (from + 7).min(55));
+            part = batch.block_in(from, (from + 7).min(55), part);
             parts.missing += part.missing;
             parts.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c.extend(p));
         }
@@ -492,6 +494,36 @@ fn a_batch_is_its_parts() {
             }
         }
     }
+}
+
+/// Mechanisms of a batch that pass a change point, or stop, are swept as they are by themselves; and a table of another sweep is
+/// memory, no more.
+#[test]
+fn change_points_in_a_batch() {
+    let text = templates::instantiate("crank-rocker", &[("l_BC", "300"), ("l_CD", "100"), ("l_AD", "300")]).unwrap();
+    let scene = read(edit::with_find(&text, &["v_C", "omega_3"]).unwrap()).unwrap().value;
+    let m = Mechanism::new(&scene).unwrap().value;
+    let variation = Variation::new(&scene, &["l_AB"]).unwrap();
+    let values = vec![variation.range(&scene, "l_AB", "90", "110", 2).unwrap()];
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 200);
+    let batch =
+        Batch { scene: &scene, mechanism: &m, variation, values, choice: Choice::Grid, driver: 0, stations: Some(stations.clone()) };
+    let whole = batch.block(0, 3);
+    let (mut table, mut changed, mut stopped) = (Table::default(), 0, 0);
+    for number in 0..3 {
+        let mut own = scene.clone();
+        batch.variation.set(&mut own, &batch.parameters(number)).unwrap();
+        table = sweep::run_in(&Placed::new(&own, &m).unwrap(), 0, &stations, Width::Widest, table).unwrap();
+        let coded = |code: &str| table.notes.iter().filter(|n| n.code == code).count();
+        changed += coded("change-point");
+        stopped += coded("limit");
+        let rows: Vec<usize> = (0..whole.columns[0].len()).filter(|&i| whole.columns[0][i] == number as f64).collect();
+        assert_eq!(rows.len(), table.rows(), "{number}");
+        for (c, t) in whole.columns[2..].iter().zip(&table.columns) {
+            rows.iter().zip(&t.values).for_each(|(&i, v)| assert_eq!(c[i].to_bits(), v.to_bits(), "{number} {} {i}", t.name));
+        }
+    }
+    assert!(changed >= 2 && stopped >= 1, "{changed} change points, {stopped} limits");
 }
 
 /// A sweep in pieces has the rows and the notes of the whole one, to the bit: where rows are missing over the ends of pieces, past

@@ -13,7 +13,7 @@ use crate::mechanism::Mechanism;
 use crate::report::table::{Format, GENERATOR, Head};
 use crate::scene::Scene;
 use crate::sweep::Placed;
-use crate::sweep::batch::{Batch, Choice};
+use crate::sweep::batch::{Batch, Block, Choice};
 use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
@@ -134,22 +134,25 @@ fn mechanisms_at_once(batch: &Batch) -> u64 {
     (BLOCK / (batch.positions() * batch.columns().len()).max(1)).max(1) as u64
 }
 
-/// Computes and writes block after block: one is computed and given its form while the one before it is written.
+/// Computes and writes block after block: one is computed while the one before it is given its form, and that before it is written.
 fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
     let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
     let bar = long::bar(all, part.done, "mechanisms");
     let mut from = part.done;
-    let make = || {
+    let make = |used: Option<(u64, Block)>| {
         if from >= all || stop::asked() {
             return None;
         }
         let to = all.min(from + step);
-        let block = batch.block(from, to);
+        let block = batch.block_in(from, to, used.unwrap_or_default().1);
         from = to;
-        let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-        Some((to, block.missing, format.piece(&columns)))
+        Some((to, block))
     };
-    long::overlapped(make, |(done, missing, piece)| {
+    let form = |(to, block): &(u64, Block)| {
+        let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
+        (*to, block.missing, format.piece(&columns))
+    };
+    long::pipeline(make, form, |(done, missing, piece)| {
         part.add(piece?, done, missing)?;
         bar.set_position(done);
         Ok(())

@@ -14,6 +14,33 @@ pub fn bar(all: u64, done: u64, what: &str) -> ProgressBar {
     bar
 }
 
+/// Makes, forms and takes pieces side by side until there are no more, or one of them fails. What has been formed goes back to the
+/// maker, who needs no new memory then; three of what is made and two of what is formed are there at most.
+pub fn pipeline<T: Send, U: Send>(
+    mut make: impl FnMut(Option<T>) -> Option<T> + Send,
+    mut form: impl FnMut(&T) -> U + Send,
+    mut take: impl FnMut(U) -> io::Result<()>,
+) -> io::Result<()> {
+    let (to_form, made) = mpsc::sync_channel(1);
+    let (give_back, used) = mpsc::channel();
+    let (to_take, formed) = mpsc::sync_channel(0);
+    std::thread::scope(|s| {
+        // An error of a sender: who should receive has failed and gone.
+        s.spawn(move || while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {});
+        s.spawn(move || {
+            for piece in made {
+                let new = form(&piece);
+                // The maker may have ended.
+                let _ = give_back.send(piece);
+                if to_take.send(new).is_err() {
+                    break;
+                }
+            }
+        });
+        formed.into_iter().try_for_each(&mut take)
+    })
+}
+
 /// Makes and takes pieces side by side until there are no more, or one of them fails. At most three are in memory.
 pub fn overlapped<T: Send>(mut make: impl FnMut() -> Option<T> + Send, mut take: impl FnMut(T) -> io::Result<()>) -> io::Result<()> {
     let (sender, pieces) = mpsc::sync_channel(1);

@@ -3,10 +3,15 @@
 //! Mechanisms are numbered; the values of one depend on its number alone, so that any stretch of a batch can be computed by
 //! itself, in any order and on any number of threads, with the same bits. Memory is that of a [`Block`], not of the batch.
 
+use super::chunks::{Rows, fill, run_parts};
 use super::general::{General, driver_name};
+use super::kernel::Reg;
+use super::limit::{SUSPECT, dense};
+use super::program::Program;
+use super::run::Buffer;
 use super::station::{Stations, angle_per_value, position_now};
 use super::vary::Variation;
-use super::{Placed, Width, branches, compile, run_parts};
+use super::{Placed, Width, beside, branches, compile};
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
@@ -17,6 +22,7 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 use std::borrow::Cow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How the parameters' values are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,9 +64,6 @@ pub struct Block {
     /// Positions that have no row, because the mechanism cannot be assembled there.
     pub missing: u64,
 }
-
-/// The stations of a mechanism, its columns, and which rows are there.
-type Rowed<'a> = (Cow<'a, Stations>, Vec<Vec<f64>>, Vec<bool>);
 
 impl Batch<'_> {
     /// How many mechanisms there are.
@@ -120,75 +123,119 @@ impl Batch<'_> {
 
     /// The rows of the mechanisms `from..to`, in order.
     pub fn block(&self, from: u64, to: u64) -> Block {
-        let width = self.columns().len();
-        let parts: Vec<Block> =
-            (from..to).into_par_iter().map_init(|| self.scene.clone(), |scene, number| self.one(scene, number, width)).collect();
-        let mut whole = Block { columns: vec![Vec::with_capacity(parts.iter().map(|p| p.columns[0].len()).sum()); width], missing: 0 };
-        for part in parts {
-            whole.missing += part.missing;
-            whole.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c.extend_from_slice(p));
-        }
-        whole
+        self.block_in(from, to, Block::default())
     }
 
-    fn one(&self, scene: &mut Scene, number: u64, width: usize) -> Block {
+    /// [`Batch::block`] in the memory of a block that is no longer needed: fresh memory costs as much as the numbers in it.
+    pub fn block_in(&self, from: u64, to: u64, used: Block) -> Block {
+        let (width, positions) = (self.columns().len(), self.positions().max(1));
+        let mut columns = used.columns;
+        columns.resize_with(width, Vec::new);
+        columns.iter_mut().for_each(|c| c.resize((to - from) as usize * positions, 0.0));
+        let mut parts: Vec<Vec<&mut [f64]>> = (from..to).map(|_| Vec::with_capacity(width)).collect();
+        for column in &mut columns {
+            parts.iter_mut().zip(column.chunks_mut(positions)).for_each(|(part, c)| part.push(c));
+        }
+        let missing: Vec<Vec<usize>> = parts
+            .into_par_iter()
+            .enumerate()
+            .map_init(|| self.scene.clone(), |scene, (i, part)| self.one(scene, from + i as u64, part))
+            .collect();
+        let gaps: Vec<usize> =
+            (0..).step_by(positions).zip(&missing).flat_map(|(first, rows)| rows.iter().map(move |k| first + k)).collect();
+        columns.iter_mut().for_each(|c| close(c, &gaps));
+        Block { columns, missing: gaps.len() as u64 }
+    }
+
+    /// Fills the columns of a mechanism; returns the rows that are missing.
+    fn one(&self, scene: &mut Scene, number: u64, mut columns: Vec<&mut [f64]>) -> Vec<usize> {
         let parameters = self.parameters(number);
-        let mut block = Block { columns: vec![Vec::new(); width], missing: 0 };
-        scene.drivers.clone_from(&self.scene.drivers);
-        match self.variation.set(scene, &parameters).and_then(|()| self.rows(scene)) {
-            Ok((stations, columns, there)) => {
-                let lead = std::iter::once(number as f64).chain(parameters.iter().map(|p| p.si()));
-                let rows = there.iter().filter(|t| **t).count();
-                for (column, value) in block.columns.iter_mut().zip(lead) {
-                    column.resize(rows, value);
-                }
-                let numbers = std::iter::once(&stations.values).chain(&columns);
-                for (column, values) in block.columns[1 + parameters.len()..].iter_mut().zip(numbers) {
-                    column.extend(values.iter().zip(&there).filter(|(_, t)| **t).map(|(v, _)| *v));
-                }
-                block.missing = (there.len() - rows) as u64;
-            }
-            Err(_) => block.missing = self.positions() as u64,
-        }
-        block
+        let lead = std::iter::once(number as f64).chain(parameters.iter().map(|p| p.si()));
+        columns.iter_mut().zip(lead).for_each(|(column, value)| column.fill(value));
+        let rows = self.variation.set(scene, &parameters).and_then(|()| self.rows(scene, columns.split_off(1 + parameters.len())));
+        rows.unwrap_or_else(|_| (0..self.positions()).collect())
     }
 
-    /// The stations of a mechanism, its columns, and which rows are there.
-    fn rows(&self, scene: &mut Scene) -> Result<Rowed<'_>, Faults> {
+    /// The driver's positions and the answers of a mechanism; returns the rows that are missing.
+    fn rows(&self, scene: &Scene, mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
         let demand = Demand::of(scene, self.mechanism);
-        let at = self.place(scene, &demand)?;
-        let scene = &*scene;
+        let (at, moved) = self.place(scene, &demand)?;
+        let scene = moved.as_ref().unwrap_or(scene);
         let placed = Placed { scene, mechanism: self.mechanism, demand, at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![position_now(scene, &placed.at, self.driver)], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
+        let answers = columns.split_off(1);
+        columns[0].copy_from_slice(&stations.values);
         let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
-                let (parts, _) = branches(program, &placed, self.driver, &stations);
-                let mut rows = run_parts(&parts, &placed, self.driver, &stations, Width::Widest);
-                rows.complete(&general, &stations, &|_| None);
+                let mut rows = self.run(&program, &placed, &stations, answers);
+                rows.complete(&general, &stations, &|row| beside(&program, &placed, self.driver, stations.values[row]));
                 rows
             }
-            Err(_) => general.follow(&stations),
+            Err(_) => copied(general.follow(&stations), answers),
         };
-        let there = rows.missing.iter().map(Option::is_none).collect();
-        Ok((stations, rows.columns, there))
+        Ok(rows.missing.into_keys().collect())
     }
 
-    /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first station where it can.
-    fn place(&self, scene: &mut Scene, demand: &Demand) -> Result<Configuration, Faults> {
+    /// Runs a program with its branches.
+    fn run<'a>(&self, program: &Program, placed: &Placed, stations: &Stations, answers: Vec<&'a mut [f64]>) -> Rows<&'a mut [f64]> {
+        if !program.tracks.is_empty() || !dense(placed, self.driver, stations) {
+            let (parts, _) = branches(program.clone(), placed, self.driver, stations);
+            return copied(run_parts(&parts, placed, self.driver, stations, Width::Widest), answers);
+        }
+        // The crossings are looked at on the way: most mechanisms come nowhere near a change point, and need not be searched for one.
+        let near = AtomicBool::new(false);
+        let fused = program.fused_watched();
+        let watched: Vec<Reg> = program.crossings().filter_map(|c| fused.place(c)).collect();
+        let seen = |buffer: &Buffer, n: usize| {
+            let clear = |reg: &Reg| buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT));
+            if !watched.iter().all(clear) {
+                near.store(true, Ordering::Relaxed);
+            }
+        };
+        let rows = fill(program, fused, None, stations, Width::Widest, answers, seen);
+        if !near.into_inner() {
+            return rows;
+        }
+        match &branches(program.clone(), placed, self.driver, stations).0[..] {
+            [_] => rows,
+            parts => copied(run_parts(parts, placed, self.driver, stations, Width::Widest), rows.columns),
+        }
+    }
+
+    /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first station where it can,
+    /// and the scene is another.
+    fn place(&self, scene: &Scene, demand: &Demand) -> Result<(Configuration, Option<Scene>), Faults> {
         let first = position::configure(scene, self.mechanism, demand);
-        let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| p.value) };
+        let (Err(why), Some(stations)) = (&first, &self.stations) else { return first.map(|p| (p.value, None)) };
         // A dozen places about the way: a mechanism that closes in a smaller part of it is as good as none.
         let step = stations.len().div_ceil(12).max(1);
         for value in stations.values.iter().step_by(step) {
             let there = with_driver_at(scene, self.driver, *value);
             if let Ok(placed) = position::configure(&there, self.mechanism, demand) {
-                *scene = there;
-                return Ok(placed.value);
+                return Ok((placed.value, Some(there)));
             }
         }
         Err(why.clone())
     }
+}
+
+/// Rows with their numbers copied to other columns.
+fn copied(rows: Rows, mut columns: Vec<&mut [f64]>) -> Rows<&mut [f64]> {
+    columns.iter_mut().zip(&rows.columns).for_each(|(c, v)| c.copy_from_slice(v));
+    Rows { columns, missing: rows.missing, open: rows.open }
+}
+
+/// Takes the numbers of the missing rows, given in order, out of a column.
+fn close(column: &mut Vec<f64>, gaps: &[usize]) {
+    let (mut end, all) = (gaps.first().copied().unwrap_or(column.len()), column.len());
+    for (k, &gap) in gaps.iter().enumerate() {
+        let kept = gap + 1..gaps.get(k + 1).copied().unwrap_or(all);
+        let next = end + kept.len();
+        column.copy_within(kept, end);
+        end = next;
+    }
+    column.truncate(end);
 }

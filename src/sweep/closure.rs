@@ -26,6 +26,7 @@ pub struct Margin<N> {
 impl<N: Lane> Margin<N> {
     /// sin² of the angle under which the loci cross, the transmission angle of the group: smooth in the driver's position,
     /// negative where they miss each other, with a double zero where they only touch.
+    #[inline(always)]
     pub fn crossing(&self) -> N {
         self.outer * self.inner / self.full
     }
@@ -43,6 +44,34 @@ pub trait Closure<const IN: usize> {
     /// By how much it does not.
     fn margin<N: Lane>(&self, x: [N; IN]) -> Margin<N>;
 }
+
+/// The crossing of a closure ([`Margin::crossing`]) as an operation of its own.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing<K>(pub K);
+
+/// Of two circles.
+pub type CirclesCrossing = Crossing<Circles>;
+/// Of circle and line.
+pub type CircleLineCrossing = Crossing<CircleLine>;
+/// Of a lever over a pin.
+pub type LeverCrossing = Crossing<Lever>;
+
+macro_rules! crossings {
+    ($($closure:ident: $in:literal to $out:literal),*) => {
+        $(impl Kernel<$in, 1> for Crossing<$closure> {
+            #[inline(always)]
+            fn inputs(&self) -> [Reg; $in] {
+                Kernel::<$in, $out>::inputs(&self.0)
+            }
+
+            #[inline(always)]
+            fn eval<N: Lane>(&self, x: [N; $in]) -> [N; 1] {
+                [self.0.margin(x).crossing()]
+            }
+        })*
+    };
+}
+crossings!(Circles: 6 to 3, CircleLine: 7 to 2, Lever: 4 to 2);
 
 /// The meeting point of two circles, to the left (`sign` 1) or right (−1) of the line from the first centre to the second;
 /// and det = u × w of the arms u, w from the centres to it: twice the signed area of the triangle.

@@ -4,13 +4,14 @@
 //! itself. Its extremes are the zeros of its rate, located by Newton's method on the rate with the acceleration as
 //! derivative, the driver running at unit speed. Where it stands still the mechanism is in a dead centre if it is driven from there.
 
+use super::chunks::{Rows, run_parts, run_program};
 use super::compile::outputs;
 use super::follow::Follower;
 use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::walked::Walk;
-use super::{Placed, Rows, Width, run_parts};
+use super::{Placed, Width};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
@@ -167,8 +168,9 @@ fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
     let swing_of = |output: &Output| {
         let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
         let column = |level: usize| samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect();
-        let missing = samples.iter().map(|s| s.is_none().then(Faults::default)).collect();
-        let rows = Rows { names: Vec::new(), columns: vec![column(0), column(1), column(2)], missing };
+        let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
+        let missing = lost.map(|(i, _)| (i, Faults::default())).collect();
+        let rows = Rows { columns: vec![column(0), column(1), column(2)], missing, open: Vec::new() };
         swing(*output, 0, &rows, &stations, &range, &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
@@ -213,15 +215,15 @@ fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], r
         // The branch is that of the nearest sample.
         let nearest = (0..stations.len()).min_by(|&a, &b| (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs()))?;
         let part = parts.iter().find(|(_, rows)| rows.contains(&nearest))?;
-        let rows = super::run_program(&part.0, placed, driver, &one, Width::One);
-        rows.missing[0].is_none().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
+        let rows = run_program(&part.0, placed, driver, &one, Width::One, Vec::new());
+        rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
     found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, range, &|x| at(x, k))).collect()
 }
 
 fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Range, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Swing {
     let (s, v) = (column(rows, k, 0), column(rows, k, 1));
-    let there = |i: usize| rows.missing[i].is_none() && s[i].is_finite() && v[i].is_finite();
+    let there = |i: usize| !rows.missing.contains_key(&i) && s[i].is_finite() && v[i].is_finite();
     // Angles run on without jumps.
     let mut position = s.to_vec();
     if matches!(output, Output::Turning(_)) {

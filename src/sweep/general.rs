@@ -1,11 +1,12 @@
 //! Positions one by one, by the general solvers: where a program has no value, and for mechanisms that have no program.
 
+use super::Placed;
+use super::chunks::Rows;
 use super::compile::ask;
 use super::limit::Event;
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
-use super::{Placed, Rows};
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
 use crate::answer::{Value, evaluate};
@@ -13,6 +14,7 @@ use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration, newton};
 use crate::quantity::{metres, significant};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// The general way to single rows of a sweep.
@@ -62,9 +64,8 @@ impl<'a> General<'a> {
     pub fn follow(&self, stations: &Stations) -> Rows {
         let p = self.placed;
         let n = stations.len();
-        let names: Vec<_> = p.scene.find.iter().flat_map(ask::names).collect();
-        let mut columns: Vec<Vec<f64>> = names.iter().map(|_| vec![f64::NAN; n]).collect();
-        let mut missing: Vec<Option<Faults>> = vec![None; n];
+        let mut columns: Vec<Vec<f64>> = p.scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
+        let mut missing = BTreeMap::new();
         let start = position_now(p.scene, &p.at, self.driver);
         for order in outward(start, &stations.values) {
             let mut last = p.at.clone();
@@ -80,11 +81,11 @@ impl<'a> General<'a> {
                 let scene = with_driver_at(p.scene, self.driver, stations.values[i]);
                 match stopped.clone().map_or_else(|| self.answers(&scene, &last), Err) {
                     Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
-                    Err(why) => missing[i] = Some(why),
+                    Err(why) => drop(missing.insert(i, why)),
                 }
             }
         }
-        Rows { names, columns, missing }
+        Rows { columns, missing, open: Vec::new() }
     }
 
     /// Moves the mechanism to another driver value in steps that each converge near by.
@@ -260,10 +261,10 @@ pub(super) struct Gap {
 }
 
 /// The runs of missing rows, the first row of all being the `first` of the sweep.
-pub(super) fn runs(missing: &[Option<Faults>], first: usize) -> Vec<Gap> {
+pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> {
     let mut gaps: Vec<Gap> = Vec::new();
-    for (i, why) in missing.iter().enumerate() {
-        let (Some(why), row) = (why, first + i) else { continue };
+    for (i, why) in missing {
+        let row = first + i;
         match gaps.last_mut().filter(|g| g.rows.end == row) {
             Some(gap) => gap.rows.end = row + 1,
             None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(String::new(), |d| d.message.clone()) }),
@@ -285,6 +286,6 @@ pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Di
 }
 
 /// [`gap_notes`] of the rows of a whole sweep.
-pub(super) fn gaps(words: &dyn Fn(usize) -> String, missing: &[Option<Faults>]) -> Vec<Diagnostic> {
+pub(super) fn gaps(words: &dyn Fn(usize) -> String, missing: &BTreeMap<usize, Faults>) -> Vec<Diagnostic> {
     gap_notes(words, &runs(missing, 0))
 }

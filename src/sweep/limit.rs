@@ -88,11 +88,28 @@ const STEPS: usize = 180;
 
 /// A smallest crossing (sin²) among the samples is looked at more closely below this: within a degree of a double zero it is
 /// less, unless the joint turns twenty times as fast as the driver.
-const SUSPECT: f64 = 0.1;
+pub(super) const SUSPECT: f64 = 0.1;
+
+/// Whether these stations leave no room between them for a limit or a change point that the crossings at them, each more than
+/// [`SUSPECT`], would not tell of: no farther apart than the samples of a search, with the driver's own place among them.
+pub(super) fn dense(placed: &Placed, driver: usize, stations: &Stations) -> bool {
+    let step = reach(placed, driver) / STEPS as f64;
+    let now = position_now(placed.scene, &placed.at, driver);
+    let ends = stations.values.first().zip(stations.values.last());
+    ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && stations.values.windows(2).all(|w| (w[1] - w[0]).abs() <= step)
+}
 
 /// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
 /// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
 const TOUCHING: f64 = 1e-14;
+
+/// See [`Probe::reach`].
+fn reach(placed: &Placed, driver: usize) -> f64 {
+    match placed.scene.drivers[driver].kind {
+        DriverKind::Turn { .. } => TAU,
+        _ => 2.0 * placed.at.extent(),
+    }
+}
 
 impl<'a> Probe<'a> {
     /// A program and where its driver stands.
@@ -115,10 +132,7 @@ impl<'a> Probe<'a> {
 
     /// How far a driver is looked at to either side of where it stands: a turn, or twice the mechanism's size.
     pub fn reach(&self) -> f64 {
-        match self.placed.scene.drivers[self.driver].kind {
-            DriverKind::Turn { .. } => TAU,
-            _ => 2.0 * self.placed.at.extent(),
-        }
+        reach(self.placed, self.driver)
     }
 
     /// sin² of the crossing of a joint at a driver position, with its derivative.
@@ -127,8 +141,7 @@ impl<'a> Probe<'a> {
         let mut registers = self.program.inputs(x, cos, sin, per_value);
         let joint = &self.program.joints[joint];
         self.program.derive_steps(0..joint.step, &mut registers);
-        let read = |r: Reg| registers[r.0 as usize];
-        self.program.margin(joint, &read).map_or(Dual::fixed(f64::NAN), |m| m.crossing())
+        registers[joint.crossing.0 as usize]
     }
 
     /// The way from where the driver stands to `until`: what ends it, and the change points on it. Each change point turns the
@@ -181,8 +194,9 @@ impl<'a> Probe<'a> {
 
     /// The crossings at many positions, joint by joint.
     fn sampled(&self, xs: &[f64]) -> Vec<Vec<f64>> {
-        let mut out = vec![Vec::with_capacity(xs.len()); self.program.joints.len()];
-        let fused = self.program.fused_margins();
+        let fused = self.program.fused_crossings();
+        let found: Vec<Option<Reg>> = self.program.crossings().map(|c| fused.place(c)).collect();
+        let mut out = vec![Vec::with_capacity(xs.len()); found.len()];
         let mut buffer = fused.buffer();
         let stations = sampled_at(xs, self.per_value);
         for (part, (cosines, sines)) in xs.chunks(CHUNK).zip(stations.cosines.chunks(CHUNK).zip(stations.sines.chunks(CHUNK))) {
@@ -190,9 +204,11 @@ impl<'a> Probe<'a> {
             buffer.fill(COS, cosines);
             buffer.fill(SIN, sines);
             fused.run(&mut buffer, Width::Widest);
-            for (joint, out) in self.program.joints.iter().zip(&mut out) {
-                let crossing = |i| fused.margin(&self.program, joint, &buffer, i).map_or(f64::NAN, |m| m.crossing());
-                out.extend((0..part.len()).map(crossing));
+            for (reg, out) in found.iter().zip(&mut out) {
+                match reg {
+                    Some(reg) => out.extend_from_slice(buffer.numbers(*reg, part.len())),
+                    None => out.resize(out.len() + part.len(), f64::NAN),
+                }
             }
         }
         out
@@ -292,9 +308,7 @@ impl<'a> Probe<'a> {
         let mut beyond = self.program.inputs(stuck.value + step, cos, sin, per_value);
         self.program.derive_steps(0..self.program.tracks[track].step, &mut beyond);
         for (j, joint) in self.program.joints.iter().enumerate().filter(|(_, j)| j.step < self.program.tracks[track].step) {
-            let read = |r: Reg| beyond[r.0 as usize];
-            let miss = self.program.margin(joint, &read).is_some_and(|m| m.crossing().value < 0.0);
-            if miss {
+            if beyond[joint.crossing.0 as usize].value < 0.0 {
                 return self.event(j, Kind::Limit, self.root(j, stuck.value, stuck.value + step));
             }
         }

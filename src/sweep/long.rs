@@ -1,9 +1,10 @@
 //! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
+use super::chunks::run_parts;
 use super::general::{self, Gap, General};
 use super::limit::Event;
 use super::program::Program;
-use super::{Placed, Stations, Steps, Width, beside, change_points, compile, ends, run_parts, span, stretches};
+use super::{Placed, Stations, Steps, Width, beside, change_points, compile, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
 
@@ -54,7 +55,7 @@ impl<'a> Long<'a> {
                 None => self.gaps.push(gap),
             }
         }
-        numbers.there(&stations)
+        numbers.there(stations.values)
     }
 
     /// What the rows cannot say, of all pieces so far.

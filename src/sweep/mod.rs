@@ -13,6 +13,7 @@
 
 pub mod batch;
 pub mod carry;
+mod chunks;
 pub mod closure;
 pub mod compile;
 pub mod extreme;
@@ -44,13 +45,11 @@ use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
 use crate::scene::Scene;
+use chunks::{run_parts, run_program};
 use general::General;
 pub use general::driver_name;
-use kernel::Reg;
 use limit::{Event, Probe};
-use program::{COS, Program, SIN, VALUE};
-use rayon::prelude::*;
-use run::{Buffer, CHUNK};
+use program::Program;
 
 /// A scene placed at its instant, ready to be swept.
 pub struct Placed<'a> {
@@ -84,6 +83,16 @@ impl<'a> Placed<'a> {
 /// # Errors
 /// A driver that the scene does not have.
 pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
+    run_in(placed, driver, stations, width, Table::default())
+}
+
+/// [`run()`] in the memory of a table that is no longer needed: fresh memory costs more than the numbers in it.
+///
+/// # Errors
+/// As [`run()`].
+pub fn run_in(placed: &Placed, driver: usize, stations: &Stations, width: Width, used: Table) -> Result<Table, Faults> {
+    let mut stock: Vec<Vec<f64>> = used.columns.into_iter().map(|c| c.values).collect();
+    let mut first = stock.pop().unwrap_or_default();
     let scene = placed.scene;
     if driver >= scene.drivers.len() {
         return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
@@ -94,10 +103,13 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
         Ok(program) => {
             let (parts, changes) = branches(program.clone(), placed, driver, stations);
             notes.extend(changes);
-            let mut rows = run_parts(&parts, placed, driver, stations, width);
+            let mut rows = match &parts[..] {
+                [(program, _)] => run_program(program, placed, driver, stations, width, stock),
+                _ => run_parts(&parts, placed, driver, stations, width),
+            };
             rows.complete(&general, stations, &|row| beside(&program, placed, driver, stations.values[row]));
             rows.explain(&general, stations);
-            if rows.missing.iter().any(Option::is_some) {
+            if !rows.missing.is_empty() {
                 notes.extend(ends(&program, placed, driver, stations));
             }
             rows
@@ -107,71 +119,9 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
             general.follow(stations)
         }
     };
-    Ok(rows.into_table(placed, driver, stations, notes))
-}
-
-/// The rows of a sweep under way: numbers of all columns, and which rows are there.
-pub(crate) struct Rows {
-    /// Name and unit of each column.
-    pub names: Vec<(String, &'static str)>,
-    /// The numbers, a column after the other.
-    pub columns: Vec<Vec<f64>>,
-    /// Why a row is missing, if it is.
-    pub missing: Vec<Option<Faults>>,
-}
-
-impl Rows {
-    /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
-    /// with what is `near` is meant.
-    fn complete(&mut self, general: &General, stations: &Stations, near: &(dyn Fn(usize) -> Option<Vec<f64>> + Sync)) {
-        let open: Vec<usize> =
-            (0..stations.len()).filter(|&i| self.missing[i].is_none() && self.columns.iter().any(|c| !c[i].is_finite())).collect();
-        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)))).collect();
-        for (i, row) in open.into_iter().zip(solved) {
-            match row {
-                Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
-                Err(why) => self.missing[i] = Some(why),
-            }
-        }
-    }
-
-    /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.
-    fn explain(&mut self, general: &General, stations: &Stations) {
-        for i in 0..stations.len() {
-            let silent = self.missing[i].as_ref().is_some_and(|why| why.list.is_empty());
-            if silent && (i == 0 || self.missing[i - 1].is_none()) {
-                self.missing[i] = Some(general.solve(stations, i).err().unwrap_or_default());
-            }
-        }
-    }
-
-    /// The numbers of the rows that are there, the driver's values first.
-    fn there(self, stations: &Stations) -> Vec<Vec<f64>> {
-        let there: Vec<usize> = (0..stations.len()).filter(|&i| self.missing[i].is_none()).collect();
-        // A long table is not copied for nothing.
-        let whole = there.len() == stations.len();
-        let pick = |values: Vec<f64>| if whole { values } else { there.iter().map(|&i| values[i]).collect() };
-        std::iter::once(stations.values.clone()).chain(self.columns).map(pick).collect()
-    }
-
-    fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, mut notes: Vec<Diagnostic>) -> Table {
-        let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
-        notes.extend(general::gaps(&words, &self.missing));
-        let heads: Vec<_> = std::iter::once(general::driver_name(placed.scene, driver)).chain(self.names.iter().cloned()).collect();
-        let columns = heads.into_iter().zip(self.there(stations)).map(|((name, unit), values)| Column { name, unit, values });
-        Table { columns: columns.collect(), notes }
-    }
-}
-
-/// The way on that is nearest to a row; the first where there is but one, or nothing to compare with.
-fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec<f64> {
-    if ways.len() > 1
-        && let Some(near) = near()
-    {
-        let off = |row: &Vec<f64>| row.iter().zip(&near).map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE)).sum::<f64>();
-        ways.sort_by(|a, b| off(a).total_cmp(&off(b)));
-    }
-    ways.swap_remove(0)
+    first.clear();
+    first.extend_from_slice(&stations.values);
+    Ok(rows.into_table(placed, driver, stations, first, notes))
 }
 
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
@@ -212,7 +162,7 @@ fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, sp
     let mut changes = [Vec::new(), Vec::new()];
     if program.tracks.is_empty() && !program.joints.is_empty() {
         // Both ways are searched by one program.
-        program.fused_margins();
+        program.fused_crossings();
         for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {
             *changes = Probe::of(program.clone(), placed, driver).walk(until).1;
         }
@@ -244,89 +194,4 @@ fn stretches(program: Program, now: f64, changes: &[Vec<Event>; 2], stations: &S
     }
     parts.retain(|(_, rows)| !rows.is_empty());
     parts
-}
-
-fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
-    if let [(program, _)] = parts {
-        return run_program(program, placed, driver, stations, width);
-    }
-    let mut whole: Option<Rows> = None;
-    for (program, rows) in parts {
-        let part = run_program(program, placed, driver, &stations.pick(rows), width);
-        let n = stations.len();
-        let whole = whole.get_or_insert_with(|| Rows {
-            names: part.names.clone(),
-            columns: vec![vec![f64::NAN; n]; part.columns.len()],
-            missing: vec![None; n],
-        });
-        for (k, &i) in rows.iter().enumerate() {
-            whole.columns.iter_mut().zip(&part.columns).for_each(|(c, p)| c[i] = p[k]);
-            whole.missing[i].clone_from(&part.missing[k]);
-        }
-    }
-    whole.unwrap_or(Rows { names: Vec::new(), columns: Vec::new(), missing: Vec::new() })
-}
-
-/// Below this many rows a sweep is not worth other threads.
-const ALONE: usize = 16 * CHUNK;
-
-fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
-    let n = stations.len();
-    let names = program.columns.iter().map(|c| (c.name.clone(), c.unit)).collect();
-    let mut columns: Vec<Vec<f64>> = program.columns.iter().map(|_| vec![0.0; n]).collect();
-    let mut missing: Vec<Option<Faults>> = vec![None; n];
-    let states = if program.tracks.is_empty() {
-        None
-    } else {
-        let states = general::follow_tracks(program, placed, driver, stations);
-        for (gap, state) in missing.iter_mut().zip(&states) {
-            if let Err(why) = state {
-                *gap = Some(why.clone());
-            }
-        }
-        Some(states)
-    };
-    let fused = program.fused();
-    let together = fused.positions();
-    // Where each column is found, and the part of it that each chunk fills.
-    let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(c.reg)).collect();
-    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
-    for column in &mut columns {
-        parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
-    }
-    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<usize> {
-        let rows = chunk * together..n.min((chunk + 1) * together);
-        buffer.fill(VALUE, &stations.values[rows.clone()]);
-        buffer.fill(COS, &stations.cosines[rows.clone()]);
-        buffer.fill(SIN, &stations.sines[rows.clone()]);
-        if let Some(states) = &states {
-            for (i, state) in states[rows.clone()].iter().enumerate() {
-                if let Ok(state) = state {
-                    program.show(state, fused, buffer, i);
-                }
-            }
-        }
-        fused.run(buffer, width);
-        let mut lost = [false; CHUNK];
-        for (numbers, reg) in part.iter_mut().zip(&found) {
-            if let Some(reg) = reg {
-                numbers.copy_from_slice(buffer.numbers(*reg, rows.len()));
-            }
-            lost.iter_mut().zip(numbers.iter()).for_each(|(lost, v)| *lost |= !v.is_finite());
-        }
-        // What misses by more than rounding needs nobody's second opinion.
-        (0..rows.len()).filter(|&row| lost[row] && fused.misses(program, buffer, row)).collect()
-    };
-    let missed: Vec<Vec<usize>> = if n <= ALONE {
-        let mut buffer = fused.buffer();
-        parts.iter_mut().enumerate().map(|part| one_chunk(&mut buffer, part)).collect()
-    } else {
-        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_chunk(buffer, part)).collect()
-    };
-    for (chunk, missed) in missed.into_iter().enumerate() {
-        for row in missed {
-            missing[chunk * together + row].get_or_insert_default();
-        }
-    }
-    Rows { names, columns, missing }
 }

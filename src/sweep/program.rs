@@ -4,7 +4,7 @@
 //! position at a time and in numbers with derivatives; over many positions it is run as [`super::fuse`] makes it.
 
 use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, TurningRate, Twist};
-use super::closure::{CircleLine, Circles, Closure, Lever, Lines, Margin};
+use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, Lever, LeverCrossing, Lines, Margin};
 use super::fuse::Fused;
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::{Dual, Lane};
@@ -26,6 +26,12 @@ operations! { Op:
     Lines,
     /// A lever over a pin.
     Lever,
+    /// How squarely two circles cross.
+    CirclesCrossing,
+    /// How squarely circle and line cross.
+    CircleLineCrossing,
+    /// How squarely a lever lies to its pivot.
+    LeverCrossing,
     /// A point of a link, its velocity, its acceleration.
     Image,
     /// From point to point.
@@ -100,6 +106,8 @@ pub struct Joint {
     pub group: usize,
     /// The step of positions that closes it.
     pub step: usize,
+    /// Where its crossing is found ([`Margin::crossing`]), which nothing but a search for its ends asks for.
+    pub crossing: Reg,
     /// The links that lie in line where it ends.
     pub links: Vec<LinkId>,
     /// The pin at which they meet.
@@ -136,8 +144,8 @@ pub struct Program {
     pub tracks: Vec<Track>,
     /// Whether the swept quantity is an angle.
     pub angular: bool,
-    /// The program as it is run, once it has been: for its answers, and for the margins of its joints.
-    pub(super) runs: [OnceLock<Fused>; 2],
+    /// The program as it is run, once it has been: for its answers, for its joints' crossings, for both.
+    pub(super) runs: [OnceLock<Fused>; 3],
 }
 
 /// The registers of the swept quantity: its value, and cosine and sine of it as an angle.

@@ -110,7 +110,7 @@ pub(super) struct Placed {
 }
 
 /// A chunk's registers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Buffer {
     columns: Vec<Column>,
     /// Groups of four that are filled.
@@ -118,8 +118,11 @@ pub struct Buffer {
 }
 
 impl Buffer {
-    pub(super) fn new(registers: usize) -> Buffer {
-        Buffer { columns: vec![Column([[0.0; 4]; QUADS]); registers], quads: QUADS }
+    /// The same memory for so many registers, all zero.
+    pub(super) fn sized(mut self, registers: usize) -> Buffer {
+        self.columns.clear();
+        self.columns.resize(registers, Column([[0.0; 4]; QUADS]));
+        Buffer { quads: QUADS, ..self }
     }
 
     /// The number of a register at a position of the chunk.

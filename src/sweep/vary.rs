@@ -3,10 +3,11 @@
 //! The quantities that depend on the varied parameters are found once, with their expressions; setting values only
 //! evaluates these. What the reader would refuse (a length that is not positive) is refused here too.
 
+use super::chunks::{Rows, run_program};
 use super::general::General;
 use super::station::{Stations, position_now};
 use super::table::{Column, Table};
-use super::{Placed, Rows, Width, run_program};
+use super::{Placed, Width};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
 use crate::quantity::shortest;
@@ -14,6 +15,7 @@ use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Place, Scene, Through, templates};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 /// A quantity of a scene.
 enum Slot<'a> {
@@ -252,18 +254,18 @@ pub fn sweep(scene: &Scene, mechanism: &Mechanism, variation: &Variation, values
         .collect();
     let unit = values.first().map_or("", |v| variation.unit(v));
     let mut table = Table { columns: vec![Column { name: name.clone(), unit, values: Vec::new() }], notes: Vec::new() };
-    let mut missing = Vec::new();
-    for (value, row) in values.iter().zip(rows) {
+    let mut missing = BTreeMap::new();
+    for (i, (value, row)) in values.iter().zip(rows).enumerate() {
         match row {
             Ok(row) => {
                 if table.columns.len() == 1 {
-                    table.columns.extend(row.names.iter().map(|(name, unit)| Column { name: name.clone(), unit, values: Vec::new() }));
+                    let names = scene.find.iter().flat_map(super::compile::ask::names);
+                    table.columns.extend(names.map(|(name, unit)| Column { name, unit, values: Vec::new() }));
                 }
                 let numbers = std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0]));
                 table.columns.iter_mut().zip(numbers).for_each(|(c, v)| c.values.push(v));
-                missing.push(None);
             }
-            Err(why) => missing.push(Some(why)),
+            Err(why) => drop(missing.insert(i, why)),
         }
     }
     let words =
@@ -277,13 +279,13 @@ fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
     let general = General::new(placed, 0);
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
-            let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
+            let mut rows = run_program(&program, placed, 0, stations, Width::Widest, Vec::new());
             rows.complete(&general, stations, &|_| None);
             rows
         }
         Err(_) => general.follow(stations),
     };
-    match rows.missing[0].take() {
+    match rows.missing.remove(&0) {
         Some(why) => Err(why),
         None => Ok(rows),
     }

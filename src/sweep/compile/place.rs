@@ -7,9 +7,9 @@ use crate::mechanism::{Core, Leg, Level};
 use crate::position::{Path, Pose};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
-use crate::sweep::closure::{CircleLine, Circles, Lever, Lines};
+use crate::sweep::closure::{CircleLine, Circles, Crossing, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
-use crate::sweep::program::Joint;
+use crate::sweep::program::{Joint, Op};
 use crate::sweep::reading::{Length, Quotient, Sum};
 use crate::sweep::track::{Held, Track};
 
@@ -204,16 +204,18 @@ impl Compiler<'_> {
             (Locus::Circle { centre: a, radius: r, now: p }, Locus::Circle { centre: b, radius: s, now: q }) => {
                 let (d, u) = (q - p, now - p);
                 let sign = sign(d.cross(u) / (d.norm() * u.norm()));
-                self.joint(g);
-                let out = self.emit(P, Circles { a, r, b, s, sign }, 3);
+                let closure = Circles { a, r, b, s, sign };
+                self.joint(g, Crossing(closure));
+                let out = self.emit(P, closure, 3);
                 return Ok(Pair { x: out, y: Reg(out.0 + 1) });
             }
             (Locus::Circle { centre: a, radius: r, now: c }, Locus::Line { through: q, direction: t, now: (_, u) })
             | (Locus::Line { through: q, direction: t, now: (_, u) }, Locus::Circle { centre: a, radius: r, now: c }) => {
                 let d = now - c;
                 let sign = sign(u.dot(d) / d.norm());
-                self.joint(g);
-                self.emit(P, CircleLine { a, r, q, t, sign }, 2)
+                let closure = CircleLine { a, r, q, t, sign };
+                self.joint(g, Crossing(closure));
+                self.emit(P, closure, 2)
             }
             (Locus::Line { through: p, direction: u, .. }, Locus::Line { through: q, direction: w, .. }) => {
                 self.emit(P, Lines { p, u, q, w }, 2)
@@ -222,14 +224,15 @@ impl Compiler<'_> {
         Ok(Pair { x: out, y: Reg(out.0 + 1) })
     }
 
-    /// Notes that the next step of positions closes a group and can miss.
-    fn joint(&mut self, g: usize) {
+    /// Notes that the next step of positions closes a group and can miss, and that this is how squarely its loci cross.
+    fn joint(&mut self, g: usize, crossing: impl Into<Op>) {
+        let crossing = self.emit(P, crossing, 1);
         let group = &self.m.groups[g];
         let pin = match &group.core {
             Core::Pin { pin, .. } => Some(*pin),
             _ => None,
         };
-        self.joints.push(Joint { group: g, step: self.steps[P as usize].len(), links: group.links.clone(), pin });
+        self.joints.push(Joint { group: g, step: self.steps[P as usize].len(), crossing, links: group.links.clone(), pin });
     }
 
     fn place_link(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
@@ -437,8 +440,9 @@ impl Compiler<'_> {
                 let sign = if ahead.abs() > 1e-7 * span { ahead.signum() } else { chosen };
                 // Seen from the slot's direction, the frame's x axis is its conjugate.
                 let k = [direction.x * self.unit, -direction.y * self.unit];
-                self.joint(g);
-                let arm = self.emit_pair(P, Lever { a, b, h: direction.cross(through - at), sign, k });
+                let closure = Lever { a, b, h: direction.cross(through - at), sign, k };
+                self.joint(g, Crossing(closure));
+                let arm = self.emit_pair(P, closure);
                 self.known_by_turning(link, Spot::Pin(pivot), pivot, Vec2::new(self.unit, 0.0), arm)?;
                 let n = self.direction_on(link, direction.perp())?;
                 self.rows[g].push(Row::Slot { link, over: Spot::Pin(pin), n });

@@ -53,24 +53,25 @@ impl Runner for Wires {
 impl Program {
     /// The program for its answers.
     pub fn fused(&self) -> &Fused {
-        self.runs[0].get_or_init(|| {
-            let answers: Vec<Reg> = self.columns.iter().map(|c| c.reg).collect();
-            Fused::of(self, Level::Acceleration, &answers)
-        })
+        self.runs[0].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().collect::<Vec<_>>()))
     }
 
-    /// The program for the margins of its joints: positions only.
-    pub(super) fn fused_margins(&self) -> &Fused {
-        self.runs[1].get_or_init(|| {
-            let mut wires = Wires::default();
-            let mut wanted = Vec::new();
-            for joint in &self.joints {
-                let step = &self.steps[0][joint.step];
-                step.op.run(&mut wires, step.out);
-                wanted.extend_from_slice(&wires.ins);
-            }
-            Fused::of(self, Level::Position, &wanted)
-        })
+    /// The program for the crossings of its joints: positions only.
+    pub(super) fn fused_crossings(&self) -> &Fused {
+        self.runs[1].get_or_init(|| Fused::of(self, Level::Position, &self.crossings().collect::<Vec<_>>()))
+    }
+
+    /// The program for its answers and the crossings of its joints.
+    pub(super) fn fused_watched(&self) -> &Fused {
+        self.runs[2].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().chain(self.crossings()).collect::<Vec<_>>()))
+    }
+
+    fn answers(&self) -> impl Iterator<Item = Reg> {
+        self.columns.iter().map(|c| c.reg)
+    }
+
+    pub(super) fn crossings(&self) -> impl Iterator<Item = Reg> {
+        self.joints.iter().map(|j| j.crossing)
     }
 }
 
@@ -104,7 +105,12 @@ impl Fused {
 
     /// Registers for a chunk, with the constants in their places.
     pub fn buffer(&self) -> Buffer {
-        let mut buffer = Buffer::new(self.registers);
+        self.buffer_in(Buffer::default())
+    }
+
+    /// The same in the memory of another.
+    pub(super) fn buffer_in(&self, used: Buffer) -> Buffer {
+        let mut buffer = used.sized(self.registers);
         for (reg, value) in &self.constants {
             buffer.fill(*reg, &[*value; CHUNK]);
         }

@@ -1,0 +1,201 @@
+//! All stations of a sweep: a program run chunk after chunk into columns, on one thread or on all; and which rows are there.
+
+use super::fuse::Fused;
+use super::general::{self, General};
+use super::kernel::Reg;
+use super::lane::Width;
+use super::program::{COS, Program, SIN, VALUE};
+use super::run::{Buffer, CHUNK};
+use super::table::{Column, Table};
+use super::track::State;
+use super::{Placed, Stations, compile};
+use crate::diag::{Diagnostic, Faults};
+use rayon::prelude::*;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::ops::DerefMut;
+
+/// The rows of a sweep under way: numbers of all columns, and which rows are there.
+pub(super) struct Rows<C = Vec<f64>> {
+    /// The numbers, a column after the other.
+    pub columns: Vec<C>,
+    /// The rows that are missing, and why.
+    pub missing: BTreeMap<usize, Faults>,
+    /// The rows whose numbers are not all finite, in order, with nobody having said why.
+    pub open: Vec<usize>,
+}
+
+impl<C: DerefMut<Target = [f64]>> Rows<C> {
+    /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
+    /// with what is `near` is meant.
+    pub fn complete(&mut self, general: &General, stations: &Stations, near: &(dyn Fn(usize) -> Option<Vec<f64>> + Sync)) {
+        let open = std::mem::take(&mut self.open);
+        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)))).collect();
+        for (i, row) in open.into_iter().zip(solved) {
+            match row {
+                Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
+                Err(why) => drop(self.missing.insert(i, why)),
+            }
+        }
+    }
+
+    /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.
+    pub fn explain(&mut self, general: &General, stations: &Stations) {
+        let mut last = None;
+        for (&i, why) in &mut self.missing {
+            let first = i == 0 || last != Some(i - 1);
+            last = Some(i);
+            if first && why.list.is_empty() {
+                *why = general.solve(stations, i).err().unwrap_or_default();
+            }
+        }
+    }
+}
+
+impl Rows {
+    /// The numbers of the rows that are there, the driver's values first.
+    pub fn there(self, values: Vec<f64>) -> Vec<Vec<f64>> {
+        let mut columns: Vec<Vec<f64>> = std::iter::once(values).chain(self.columns).collect();
+        if !self.missing.is_empty() {
+            for column in &mut columns {
+                let mut row = 0..;
+                column.retain(|_| row.next().is_some_and(|i| !self.missing.contains_key(&i)));
+            }
+        }
+        columns
+    }
+
+    pub fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, values: Vec<f64>, mut notes: Vec<Diagnostic>) -> Table {
+        let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
+        notes.extend(general::gaps(&words, &self.missing));
+        let heads =
+            std::iter::once(general::driver_name(placed.scene, driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
+        let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column { name, unit, values });
+        Table { columns: columns.collect(), notes }
+    }
+}
+
+/// The way on that is nearest to a row; the first where there is but one, or nothing to compare with.
+fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec<f64> {
+    if ways.len() > 1
+        && let Some(near) = near()
+    {
+        let off = |row: &Vec<f64>| row.iter().zip(&near).map(|(a, b)| (a - b).abs() / (a.abs() + b.abs() + f64::MIN_POSITIVE)).sum::<f64>();
+        ways.sort_by(|a, b| off(a).total_cmp(&off(b)));
+    }
+    ways.swap_remove(0)
+}
+
+/// Runs the program of each stretch over its stations.
+pub(super) fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    if let [(program, _)] = parts {
+        return run_program(program, placed, driver, stations, width, Vec::new());
+    }
+    let mut whole = Rows { columns: Vec::new(), missing: BTreeMap::new(), open: Vec::new() };
+    for (program, rows) in parts {
+        let part = run_program(program, placed, driver, &stations.pick(rows), width, Vec::new());
+        whole.columns.resize_with(part.columns.len(), || vec![f64::NAN; stations.len()]);
+        for (column, numbers) in whole.columns.iter_mut().zip(&part.columns) {
+            rows.iter().zip(numbers).for_each(|(&i, v)| column[i] = *v);
+        }
+        whole.missing.extend(part.missing.into_iter().map(|(k, why)| (rows[k], why)));
+        whole.open.extend(part.open.into_iter().map(|k| rows[k]));
+    }
+    whole.open.sort_unstable();
+    whole
+}
+
+/// Runs a program over all stations into columns in the memory of `used` ones.
+pub(super) fn run_program(
+    program: &Program,
+    placed: &Placed,
+    driver: usize,
+    stations: &Stations,
+    width: Width,
+    used: Vec<Vec<f64>>,
+) -> Rows {
+    let mut columns = used;
+    columns.resize_with(program.columns.len(), Vec::new);
+    columns.iter_mut().for_each(|c| c.resize(stations.len(), 0.0));
+    let states = (!program.tracks.is_empty()).then(|| general::follow_tracks(program, placed, driver, stations));
+    fill(program, program.fused(), states.as_deref(), stations, width, columns, |_, _| {})
+}
+
+/// Below this many rows a sweep is not worth other threads.
+const ALONE: usize = 16 * CHUNK;
+
+thread_local! {
+    /// The registers of the last sweep on this thread: those of the next one need no new memory.
+    static REGISTERS: RefCell<Buffer> = RefCell::default();
+}
+
+/// Runs a program in one of its forms over all stations into columns of their length. `states`: its followed links at each station.
+/// `seen` sees the registers of each chunk, and how many positions it has.
+pub(super) fn fill<C: DerefMut<Target = [f64]>>(
+    program: &Program,
+    fused: &Fused,
+    states: Option<&[Result<State, Faults>]>,
+    stations: &Stations,
+    width: Width,
+    mut columns: Vec<C>,
+    seen: impl Fn(&Buffer, usize) + Sync,
+) -> Rows<C> {
+    let n = stations.len();
+    let mut missing = BTreeMap::new();
+    for (row, state) in states.into_iter().flatten().enumerate() {
+        if let Err(why) = state {
+            missing.insert(row, why.clone());
+        }
+    }
+    let together = fused.positions();
+    // Where each column is found, and the part of it that each chunk fills.
+    let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(c.reg)).collect();
+    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
+    for column in &mut columns {
+        parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
+    }
+    // The rows of a chunk that are lost, and whether that is sure.
+    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
+        let rows = chunk * together..n.min((chunk + 1) * together);
+        buffer.fill(VALUE, &stations.values[rows.clone()]);
+        buffer.fill(COS, &stations.cosines[rows.clone()]);
+        buffer.fill(SIN, &stations.sines[rows.clone()]);
+        if let Some(states) = states {
+            for (i, state) in states[rows.clone()].iter().enumerate() {
+                if let Ok(state) = state {
+                    program.show(state, fused, buffer, i);
+                }
+            }
+        }
+        fused.run(buffer, width);
+        seen(buffer, rows.len());
+        // A sum of what is finite times zero is zero: no number of the row need be looked at by itself.
+        let mut lost = [0.0; CHUNK];
+        for (numbers, reg) in part.iter_mut().zip(&found) {
+            match reg {
+                Some(reg) => numbers.copy_from_slice(buffer.numbers(*reg, rows.len())),
+                None => numbers.fill(f64::NAN),
+            }
+            lost.iter_mut().zip(numbers.iter()).for_each(|(lost, v)| *lost += v * 0.0);
+        }
+        // What misses by more than rounding needs nobody's second opinion.
+        (0..rows.len()).filter(|&row| lost[row] != 0.0).map(|row| (rows.start + row, fused.misses(program, buffer, row))).collect()
+    };
+    let lost: Vec<Vec<(usize, bool)>> = if n <= ALONE {
+        let mut buffer = fused.buffer_in(REGISTERS.take());
+        let lost = parts.iter_mut().enumerate().map(|part| one_chunk(&mut buffer, part)).collect();
+        REGISTERS.set(buffer);
+        lost
+    } else {
+        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_chunk(buffer, part)).collect()
+    };
+    let mut open = Vec::new();
+    for (row, sure) in lost.into_iter().flatten() {
+        match sure {
+            true => drop(missing.entry(row).or_default()),
+            false if missing.contains_key(&row) => {}
+            false => open.push(row),
+        }
+    }
+    Rows { columns, missing, open }
+}
