@@ -33,6 +33,10 @@ const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
 const BESIDE_PART: f64 = 0.42;
 /// The same for a side that else runs over its page: the text keeps 45 mm, some twenty letters.
 const WIDE_BESIDE_PART: f64 = 0.69;
+/// A formula beside the table it is solved from begins here, so that those of a page stand one below another; and at least so far
+/// from its table.
+const FORMULA_MM: f64 = 105.0;
+const FORMULA_GAP_MM: f64 = 10.0;
 /// Between such a drawing and the text.
 const BESIDE_GAP_MM: f64 = 8.0;
 /// Room worth filling with text when a drawing does not fit in it.
@@ -58,19 +62,39 @@ const ROWS_MAX: usize = 34;
 /// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
 const SMALLEST: f64 = 0.6;
 
+/// How a side is set.
+#[derive(Clone, Copy)]
+struct Setting {
+    /// Distance of baselines.
+    line_em: f64,
+    /// Drawings up to this part of the text's width stand at the right.
+    beside_part: f64,
+    /// Whether lists of short members stand in two columns.
+    columns: bool,
+}
+
+/// As a side is set where nothing is gained by another setting, and what is tried to save a page: the least change first.
+const USUAL: Setting = Setting { line_em: LINE_EM, beside_part: BESIDE_PART, columns: false };
+const CLOSER: [Setting; 4] = [
+    Setting { line_em: CLOSE_LINE_EM, ..USUAL },
+    Setting { line_em: CLOSE_LINE_EM, columns: true, ..USUAL },
+    Setting { beside_part: WIDE_BESIDE_PART, ..USUAL },
+    Setting { line_em: CLOSE_LINE_EM, beside_part: WIDE_BESIDE_PART, columns: false },
+];
+
 /// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page
-/// and some lines has its drawing beside the text.
+/// and some lines has its short lists in columns, or else its drawing beside the text.
 pub fn pages(document: &Document) -> Vec<Page> {
     let begins = |b: &Block| matches!(b, Block::Heading(1, _));
     let mut pages = Vec::new();
     for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
         let title = (k == 0).then_some(document.title.as_str());
-        let mut best = set(title, side, LINE_EM, BESIDE_PART);
-        for (line_em, beside) in [(CLOSE_LINE_EM, BESIDE_PART), (LINE_EM, WIDE_BESIDE_PART), (CLOSE_LINE_EM, WIDE_BESIDE_PART)] {
+        let mut best = set(title, side, USUAL);
+        for setting in CLOSER {
             // A narrow column beside a wide drawing is worth it only where all then stands on one page.
-            let most = if beside > BESIDE_PART { 2 } else { best.len() };
+            let most = if setting.beside_part > BESIDE_PART { 2 } else { best.len() };
             if best.len() > 1 {
-                let other = set(title, side, line_em, beside);
+                let other = set(title, side, setting);
                 best = if other.len() < most { other } else { best };
             }
         }
@@ -85,8 +109,8 @@ pub fn pages(document: &Document) -> Vec<Page> {
     pages
 }
 
-fn set(title: Option<&str>, blocks: &[Block], line_em: f64, beside_part: f64) -> Vec<Page> {
-    let mut setter = Setter::new(line_em, beside_part);
+fn set(title: Option<&str>, blocks: &[Block], setting: Setting) -> Vec<Page> {
+    let mut setter = Setter::new(setting);
     if let Some(title) = title {
         setter.heading(0, title);
     }
@@ -114,10 +138,7 @@ struct Chunk {
 }
 
 struct Setter {
-    /// Distance of baselines.
-    line_em: f64,
-    /// Drawings up to this part of the text's width stand at the right.
-    beside_part: f64,
+    setting: Setting,
     pages: Vec<Page>,
     parts: Vec<Part>,
     /// The upper edge of what is still free.
@@ -130,13 +151,15 @@ struct Setter {
     large: Vec<Page>,
     /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
     beside: Option<[f64; 2]>,
+    /// The equation's table that was put last, if nothing has been put since: the width of the text it stands in, its right edge and the
+    /// baseline of its middle row.
+    table: Option<[f64; 3]>,
 }
 
 impl Setter {
-    fn new(line_em: f64, beside_part: f64) -> Setter {
+    fn new(setting: Setting) -> Setter {
         Setter {
-            line_em,
-            beside_part,
+            setting,
             pages: Vec::new(),
             parts: Vec::new(),
             y: PAPER_MM[1] - TOP_MM,
@@ -144,12 +167,13 @@ impl Setter {
             drawings: VecDeque::new(),
             large: Vec::new(),
             beside: None,
+            table: None,
         }
     }
 
     /// An em of air: less where the lines stand closer.
     fn air(&self) -> f64 {
-        TEXT_MM * self.line_em / LINE_EM
+        TEXT_MM * self.setting.line_em / LINE_EM
     }
 
     /// Width of the lines that begin here.
@@ -196,6 +220,7 @@ impl Setter {
     }
 
     fn place(&mut self, chunk: Chunk) {
+        self.table = None;
         if !self.fresh() {
             self.y -= chunk.air_mm;
         }
@@ -267,7 +292,7 @@ impl Setter {
             return self.lines(phrase, 0.0, None, air_mm);
         }
         // What announces a table or a formula stays with it.
-        let step = self.line_em * TEXT_MM;
+        let step = self.setting.line_em * TEXT_MM;
         for (k, label) in wrapped(phrase, self.width(), TEXT_MM).iter().enumerate() {
             let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
             let air_mm = if k == 0 { air_mm } else { 0.0 };
@@ -276,6 +301,9 @@ impl Setter {
     }
 
     fn list(&mut self, numbered: bool, members: &[Phrase]) {
+        if self.setting.columns && !numbered && self.columns(members) {
+            return;
+        }
         for (k, m) in members.iter().enumerate() {
             let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
             let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
@@ -283,11 +311,30 @@ impl Setter {
         }
     }
 
+    /// A list in two columns, one below another in each; false where a member is longer than a column is wide.
+    fn columns(&mut self, members: &[Phrase]) -> bool {
+        let (column, step) = (self.width() / 2.0, self.setting.line_em * TEXT_MM);
+        let labels: Vec<Vec<Label>> = members.iter().map(|m| wrapped(m, column - INDENT_MM, TEXT_MM)).collect();
+        if labels.len() < 2 || labels.iter().any(|lines| lines.len() > 1) {
+            return false;
+        }
+        let rows = labels.len().div_ceil(2);
+        let mut items = Vec::new();
+        for (k, label) in labels.iter().flatten().enumerate() {
+            let at = Point::new((k / rows) as f64 * column + INDENT_MM, -((k % rows) as f64) * step - TEXT_MM * 1.1);
+            items.push(line(&Label::text("–"), at - Vec2::new(1.8, 0.0), TEXT_MM, Anchor::End));
+            items.push(line(label, at, TEXT_MM, Anchor::Start));
+        }
+        let air_mm = BLOCK_AIR_EM / 2.0 * self.air();
+        self.put(Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm });
+        true
+    }
+
     /// Lines of text; the first two and the last two stay together.
     fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
         let labels = wrapped(phrase, self.width() - indent, TEXT_MM);
         let count = labels.len();
-        let step = self.line_em * TEXT_MM;
+        let step = self.setting.line_em * TEXT_MM;
         let mut group: Vec<Item> = Vec::new();
         let (mut rows, mut first) = (0, true);
         for (k, label) in labels.iter().enumerate() {
@@ -320,7 +367,7 @@ impl Setter {
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
             let rows: Vec<Row> =
-                table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale, self.line_em)).collect();
+                table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale, self.setting.line_em)).collect();
             grid::set(&rows, gap * scale)
         };
         let mut items = set(1.0);
@@ -330,7 +377,7 @@ impl Setter {
         if scale < 1.0 {
             items = set(scale);
         }
-        let step = self.line_em * TEXT_MM * scale;
+        let step = self.setting.line_em * TEXT_MM * scale;
         if table.kind == TableKind::Values {
             let y = -step * 1.15;
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
@@ -342,14 +389,27 @@ impl Setter {
         let cell = |c: &Phrase| c.plain();
         let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
+        let right = bounds(&items).map_or(0.0, |b| b.max.x);
         self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+        let middle = self.y + height_mm - (table.rows.len() + 1) as f64 / 2.0 * step;
+        self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
     }
 
+    /// A formula: beside the table that it is solved from where there is room, else on a line of its own.
     fn formula(&mut self, parts: &[Math]) {
         let built = built(parts, TEXT_MM);
         let mut items = built.items;
-        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
+        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
+        if let Some([room, right, y]) = self.table.take() {
+            let x = FORMULA_MM.max(right + FORMULA_GAP_MM);
+            if self.waiting.is_empty() && x + wide <= room && y - built.below >= self.y {
+                translate(&mut items, Vec2::new(SIDE_MM + x, y));
+                self.parts.push(Part { kind: Kind::Formula(words), items });
+                return;
+            }
+        }
+        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
         self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
     }
@@ -368,7 +428,7 @@ impl Setter {
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
-        if wide <= self.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
+        if wide <= self.setting.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
             translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
             self.parts.push(Part { kind, items });
             self.beside = Some([wide, self.y - air_mm - high]);
