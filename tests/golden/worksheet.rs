@@ -188,6 +188,40 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// A pupil gets one page; a solution has a page for each of its polygons, and what else it has is told on two more at most.
+#[test]
+fn no_page_is_wasted() {
+    let mut long = Vec::new();
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let [problem, solution] =
+                [Sides::Problem, Sides::Solution].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
+            println!("{} {suffix}: {problem} + {solution}", t.name);
+            if problem > 1 || solution > 5 {
+                long.push(format!("{} {suffix}: {problem} + {solution}", t.name));
+            }
+        }
+    }
+    assert!(long.is_empty(), "{long:?}");
+}
+
+/// The turning rates stand beside the table that they are solved from; a list's first members stay together, and its last ones.
+#[test]
+fn formulas_stand_beside_their_tables() {
+    let (scene, worked) = worked("radial-engine");
+    let sheets = pages::pages(&document(&scene, &worked, Lang::En, Sides::Both));
+    let mut beside = 0;
+    for page in &sheets {
+        let formulas: Vec<Rect> =
+            page.parts.iter().filter(|p| matches!(p.kind, Kind::Formula(_))).filter_map(|p| bounds(&p.items)).collect();
+        for pair in formulas.windows(2) {
+            beside += usize::from(pair[1].min.x > pair[0].max.x && pair[1].min.y > pair[0].min.y && pair[1].max.y < pair[0].max.y);
+        }
+    }
+    assert_eq!(beside, 4, "one for each equation");
+}
+
 #[test]
 fn pdf_pages_carry_their_text() {
     let (scene, worked) = worked("slotted-lever");
