@@ -293,7 +293,9 @@ pub enum Shape {
 impl Item {
     /// The same with its letters in these fonts of the author's.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Item {
-        if let Shape::Label { label, .. } = &mut self.shape {
+        if let Shape::Label { label, .. } = &mut self.shape
+            && label.fonts() != fonts
+        {
             *label = label.clone().in_fonts(fonts);
         }
         self
