@@ -55,13 +55,39 @@ fn a_font_of_ones_own_sets_the_figures() {
     assert!(!said.contains("error"), "{said}");
     let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);
     assert!(pdf.starts_with(b"%PDF-1.7"));
-    // And so does every command that draws one figure.
-    for command in [&["curves"][..], &["path", "--point", "E"]] {
-        let file = out.path().join(format!("{}.svg", command[0]));
-        let font = ["templates/crank-rocker.json", "--font", "fonts/tinos-italic.ttf", "-o"];
-        hodograph().args(command).args(font).arg(&file).assert().success();
-        assert!(text(&std::fs::read(&file).unwrap()).contains("id=\"gp"), "{}", command[0]);
+    // A style file names its fonts from where it is; every command that draws takes it, or the font alone.
+    std::fs::create_dir(out.path().join("type")).unwrap();
+    for (from, to) in [("tinos-italic.ttf", "type/slanted.ttf"), ("tinos-normal.ttf", "type/upright.ttf")] {
+        std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("fonts").join(from), out.path().join(to)).unwrap();
     }
+    let style = out.path().join("book.json");
+    std::fs::write(&style, r#"{ "base": "print", "fonts": ["type/upright.ttf", "type/slanted.ttf"] }"#).unwrap();
+    let commands: [(&[&str], &str); 7] = [
+        (&["draw"], "svg"),
+        (&["curves"], "svg"),
+        (&["path", "--point", "E"], "svg"),
+        (&["accuracy", "--patience", "1"], "svg"),
+        (&["worksheet"], "html"),
+        (&["lesson", "--positions", "8"], "html"),
+        (&["lesson", "--reveal"], "html"),
+    ];
+    for (command, ending) in commands {
+        let file = out.path().join(format!("figure.{ending}"));
+        let run = |look: [&str; 2]| {
+            let scene = ["templates/crank-rocker.json", "--lang", "zh"];
+            let run = hodograph().args(command).args(scene).args(look).arg("-o").arg(&file).assert().success();
+            (text(&std::fs::read(&file).unwrap()), text(&run.get_output().stderr))
+        };
+        // What costs are measured of has no quantities.
+        let letters = command[0] != "accuracy";
+        let (drawn, _) = run(["--style", style.to_str().unwrap()]);
+        assert!(drawn.contains("id=\"go") && drawn.contains("id=\"gp") == letters && !drawn.contains("id=\"gi"), "{command:?}");
+        let (drawn, said) = run(["--font", "fonts/tinos-italic.ttf"]);
+        assert!(drawn.contains("id=\"gp") == letters && !said.contains("font"), "{command:?}: {said}");
+    }
+    std::fs::write(out.path().join("lost.json"), r#"{ "fonts": ["lost.ttf"] }"#).unwrap();
+    let run = hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(out.path().join("lost.json")).assert().code(2);
+    assert!(text(&run.get_output().stderr).contains("lost.ttf"));
 }
 
 #[test]

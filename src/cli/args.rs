@@ -79,8 +79,8 @@ pub struct Look {
     /// Style: print (black on white), slides (a colour for each link), dark, or a style file ending in .json
     #[arg(long, value_name = "STYLE", default_value = "print")]
     pub style: String,
-    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one. What it lacks is
-    /// set in the bundled fonts
+    /// A font of your own (.otf, .ttf) for letters, digits and words; twice for an upright and an italic one; before those of the
+    /// style. What it lacks is set in the bundled fonts
     #[arg(long, value_name = "FILE")]
     pub font: Vec<String>,
 }
@@ -147,6 +147,8 @@ pub struct Lesson {
     /// Which of the scene's drivers is moved, counted from 1
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub driver: u64,
+    #[command(flatten)]
+    pub look: Look,
 }
 
 #[derive(ClapArgs, Debug)]
@@ -193,9 +195,8 @@ pub struct Worksheet {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
-    /// A font of your own, as for `draw`
-    #[arg(long, value_name = "FILE")]
-    pub font: Vec<String>,
+    #[command(flatten)]
+    pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
     #[arg(long, default_value_t = crate::figure::results::DIGITS, value_parser = digits)]
     pub digits: usize,
@@ -208,7 +209,7 @@ pub struct Accuracy {
     /// Also a series of poses that approach the nearest limit of the first driver, down to 1e-12
     #[arg(long)]
     pub toward_toggle: bool,
-    /// Write the work-precision figure to this file, ending in .svg or .png
+    /// Write the work-precision figure to this file, ending in .svg, .png or .pdf
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
     /// The tables as JSON
@@ -217,6 +218,8 @@ pub struct Accuracy {
     /// Milliseconds for which each way is repeated; the median of its times counts
     #[arg(long, value_name = "MS", default_value_t = 20, value_parser = clap::value_parser!(u64).range(1..=10_000))]
     pub patience: u64,
+    #[command(flatten)]
+    pub look: Look,
 }
 
 /// A driver's or parameter's values, and what is asked at each.

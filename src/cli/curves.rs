@@ -15,7 +15,7 @@ use std::process::ExitCode;
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?;
+    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
     let find = match &a.range.find {
         Some(find) => find.clone(),
         None => with_positions(&input)?.join(","),

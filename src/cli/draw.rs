@@ -3,6 +3,7 @@
 use super::args::{self, Format, Picture, Vectors};
 use super::{Failure, Input, Run, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Warned};
+use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::mechanism::Overlay;
 use crate::figure::poses;
@@ -19,7 +20,7 @@ use std::path::{Path, PathBuf};
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?;
+    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     let mut worked = input.work(Scope::Figure)?;
     if drafting {
@@ -57,10 +58,16 @@ pub fn run(a: args::Draw) -> Run {
     Ok(verdict(&worked))
 }
 
-/// The style of a look; its fonts are those of all figures from now on.
+/// The style of a look, with the fonts of the command line before its own.
 pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
-    files::fonts(&look.font)?;
-    read_style(&look.style)
+    let mut style = read_style(&look.style)?;
+    let mut fonts = Fonts::default();
+    for name in &look.font {
+        let read = files::font(Path::new(name)).and_then(|bytes| fonts.with(name, bytes));
+        fonts = read.map_err(|d| Failure::Input(d.into(), name.clone(), String::new()))?;
+    }
+    style.fonts = fonts.over(&style.fonts);
+    Ok(style)
 }
 
 /// A bundled style by its name, or a style file.
@@ -78,7 +85,10 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         ));
     }
     let (shown, bytes) = files::read(name).map_err(|d| Failure::Input(d.into(), name.into(), String::new()))?;
-    style::read(&bytes).map_err(|faults| Failure::Input(faults, shown, String::from_utf8_lossy(&bytes).into_owned()))
+    // Fonts are named from where the style is.
+    let folder = Path::new(name).parent().unwrap_or(Path::new(""));
+    style::read_with(&bytes, &mut |font| files::font(&folder.join(font)))
+        .map_err(|faults| Failure::Input(faults, shown, String::from_utf8_lossy(&bytes).into_owned()))
 }
 
 /// The figures asked for, each with the word that its file is named after.

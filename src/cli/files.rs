@@ -29,21 +29,16 @@ pub fn read(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
     }
 }
 
-/// Reads the fonts of `--font` and sets everything in them from now on.
-pub fn fonts(paths: &[String]) -> Result<(), Failure> {
-    let read = |path: &String| {
-        let mut bytes = Vec::new();
-        let reach = own::LARGEST as u64 + 1;
-        match std::fs::File::open(path).and_then(|f| f.take(reach).read_to_end(&mut bytes)) {
-            Ok(_) => Ok((path.clone(), bytes)),
-            Err(e) => Err(Diagnostic::error("cannot-read", format!("{path} cannot be read: {e}")).help("name a font file: .otf or .ttf")),
+/// Reads a font's file, bounded.
+pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    let mut bytes = Vec::new();
+    let reach = own::LARGEST as u64 + 1;
+    match std::fs::File::open(path).and_then(|f| f.take(reach).read_to_end(&mut bytes)) {
+        Ok(_) => Ok(bytes),
+        Err(e) => {
+            Err(Diagnostic::error("cannot-read", format!("{} cannot be read: {e}", path.display())).help("name a font file: .otf or .ttf"))
         }
-    };
-    if paths.is_empty() {
-        return Ok(());
     }
-    let files: Result<Vec<_>, _> = paths.iter().map(read).collect();
-    files.and_then(own::install).map_err(|d| Failure::Input(d.into(), paths.join(", "), String::new()))
 }
 
 /// Prints; a reader that closed its end (`| head`) ends the run quietly.

@@ -19,8 +19,9 @@ mod worksheet;
 use crate::accuracy::{certify, steps, ways};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::effort::Work;
-use crate::figure::font::own;
+use crate::figure::font::own::Fonts;
 use crate::figure::sheet;
+use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price};
@@ -28,6 +29,7 @@ use crate::scene::{self, Lang, Scene, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::Parser;
+use draw::style_of;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -85,6 +87,8 @@ struct Input {
     source: String,
     scene: Scene,
     notes: Vec<Diagnostic>,
+    /// The author's fonts that its figures are set in.
+    fonts: Fonts,
 }
 
 impl Input {
@@ -92,9 +96,14 @@ impl Input {
         let (name, bytes) = files::read(path).map_err(|d| Failure::Input(d.into(), path.into(), String::new()))?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         match scene::read(&bytes) {
-            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes }),
+            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default() }),
             Err(faults) => Err(Failure::Input(faults, name, source)),
         }
+    }
+
+    /// The same, its figures to be drawn in a style.
+    fn drawn_in(self, style: &Style) -> Input {
+        Input { fonts: style.fonts.clone(), ..self }
     }
 
     /// The scene worked through, its notes added.
@@ -117,8 +126,9 @@ impl Input {
         Ok(drafting.is_some())
     }
 
+    /// Says what is to be known of the work, and what the author's fonts did not have.
     fn say_notes(&self) {
-        let list: Vec<_> = self.notes.iter().cloned().chain(own::lacking()).collect();
+        let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
         if !list.is_empty() {
             eprint!("{}", diagnostics::render(&Faults { list }, &self.name, &self.source));
         }
@@ -147,16 +157,18 @@ fn agrees(worked: &Worked) -> bool {
 }
 
 fn lesson(a: args::Lesson) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
+    let style = style_of(&a.look)?;
+    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
     let (lang, notation) = choices(&input.scene, &a.common);
+    let notation = style.marks.over(&notation);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let made = if a.reveal {
         let Warned { value: worked, notes } = work(&input.scene, Scope::Figure).map_err(failed)?;
         input.notes.extend(notes);
-        let options = sheet::Options { notation, ..sheet::Options::of_language(lang) };
+        let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
         crate::lesson::reveal(&input.scene, &worked, &options)
     } else {
-        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1 };
+        let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1, style };
         crate::lesson::lesson(&input.scene, &options)
     };
     let Warned { value, notes } = made.map_err(|faults| Failure::Input(faults, input.name.clone(), input.source.clone()))?;
@@ -251,7 +263,8 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
 }
 
 fn accuracy(a: args::Accuracy) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
+    let style = style_of(&a.look)?;
+    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let patience = Duration::from_millis(a.patience);
@@ -259,7 +272,7 @@ fn accuracy(a: args::Accuracy) -> Run {
     let measured = ways::measure(&input.scene, &worked, patience).map_err(failed)?;
     let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(failed)? } else { Vec::new() };
     if let Some(path) = &a.output {
-        let figure = crate::figure::price::figure(&input.scene, &measured, &series, lang);
+        let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
         input.notes.extend(files::figure(&figure, path)?);
     }
     if a.json {

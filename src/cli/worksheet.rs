@@ -1,5 +1,6 @@
 //! `hodograph worksheet`: the problem and its solution as a document.
 
+use super::draw::style_of;
 use super::{Failure, Input, Run, args, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::sheet;
@@ -12,8 +13,8 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(a: args::Worksheet) -> Run {
     let write = writer(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
-    files::fonts(&a.font)?;
-    let mut input = Input::read(&a.common.scene)?;
+    let style = style_of(&a.look)?;
+    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let sides = match (a.problem_only, a.solution) {
@@ -21,7 +22,7 @@ pub fn run(a: args::Worksheet) -> Run {
         (_, true) => Sides::Solution,
         _ => Sides::Both,
     };
-    let options = Options { sheet: sheet::Options { notation, digits: a.digits, ..sheet::Options::of_language(lang) }, sides };
+    let options = Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides };
     let document = worksheet(&input.scene, &worked, &options);
     let out = Path::new(&a.output);
     let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");

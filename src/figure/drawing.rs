@@ -93,6 +93,7 @@ impl Drawing {
     /// Draws a thing of one or more items, named after `name`; returns its owner for labels.
     pub fn draw(&mut self, name: &str, class: &str, mut items: Vec<Item>) -> u32 {
         self.owners += 1;
+        items = items.into_iter().map(|item| item.in_fonts(&self.style.fonts)).collect();
         self.obstacles.add(&items, Some(self.owners));
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
         for item in &mut items {
@@ -116,7 +117,8 @@ impl Drawing {
     }
 
     /// Asks for a label; it is placed when the drawing is finished. Returns its name.
-    pub fn label(&mut self, name: &str, class: &str, request: LabelRequest) -> String {
+    pub fn label(&mut self, name: &str, class: &str, mut request: LabelRequest) -> String {
+        request.label = request.label.in_fonts(&self.style.fonts);
         let id = self.name(&format!("label-{name}"));
         self.wanted.push(Wanted { request, id: id.clone(), class: format!("{} {class} {PLACED}", self.kind), link: self.link });
         id

@@ -1,6 +1,6 @@
 //! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
 //!
-//! Decided here: the order in which the four fonts are asked, after the author's own ([`own`]) where there are any. Not decided here: what is italic (the label
+//! Decided here: the order in which the four fonts are asked, after the author's own ([`own::Fonts`]) where there are any. Not decided here: what is italic (the label
 //! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
 //! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
 //! caller, never drawn as a box.
@@ -8,13 +8,18 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
 use skrifa::font::{Font, glyph::outline::PathSink};
 use skrifa::{DrawMemory, GlyphId, ScalerFont};
 
 pub mod own;
+
+use own::{Fonts, Own};
+
+/// The file of a font; copies share it.
+pub type Bytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
 
 /// How a character is to look, before a font is chosen for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -46,7 +51,7 @@ impl Cut {
 }
 
 /// One of the fonts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Face {
     /// Tinos Regular: Latin and Greek with the metrics of Times.
     Roman,
@@ -56,9 +61,13 @@ pub enum Face {
     Math,
     /// Noto Serif CJK SC (subset): Song-style Chinese.
     Song,
-    /// The author's own: there only after [`own::install`].
-    Own(Cut),
+    /// One of the author's own.
+    Own(Own),
 }
+
+/// Stands for a font where fonts are looked up: it holds no file. Bundled fonts come before the author's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FaceKey(u8, u64);
 
 const ITALIC_FIRST: [Face; 4] = [Face::Italic, Face::Roman, Face::Math, Face::Song];
 const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Italic];
@@ -70,11 +79,11 @@ struct Loaded {
 }
 
 impl Loaded {
-    fn new(bytes: &'static [u8]) -> Loaded {
-        Loaded::try_new(bytes).expect("an embedded font is readable: a test shapes with each of them")
+    fn new(face: &Face) -> Loaded {
+        Loaded::try_new(face.bytes()).expect("an embedded font is readable: a test shapes with each of them")
     }
 
-    fn try_new(bytes: &'static [u8]) -> Option<Loaded> {
+    fn try_new(bytes: Bytes) -> Option<Loaded> {
         let font = Font::new(bytes, 0)?;
         let scaler = ScalerFont::unhinted(font.clone(), None);
         Some(Loaded { font, scaler })
@@ -117,10 +126,10 @@ impl Loaded {
     }
 }
 
-static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Roman.bytes()));
-static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Italic.bytes()));
-static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Math.bytes()));
-static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(Face::Song.bytes()));
+static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Roman));
+static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Italic));
+static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
+static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
 
 /// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
 const MOST_RUNS: usize = 2048;
@@ -132,64 +141,73 @@ const MOST_OUTLINES: usize = 2048;
 
 thread_local! {
     /// Only looked up in, never iterated.
-    static RUNS: RefCell<HashMap<(Face, String), Rc<Run>>> = RefCell::default();
-    static KNOWN: RefCell<HashMap<(Face, char), bool>> = RefCell::default();
-    static OUTLINES: RefCell<HashMap<(Face, u32), Rc<Outline>>> = RefCell::default();
+    static RUNS: RefCell<HashMap<(FaceKey, String), Rc<Run>>> = RefCell::default();
+    static KNOWN: RefCell<HashMap<(FaceKey, char), bool>> = RefCell::default();
+    static OUTLINES: RefCell<HashMap<(FaceKey, u32), Rc<Outline>>> = RefCell::default();
 }
 
 impl Face {
-    /// All of them.
-    pub const ALL: [Face; 6] = [Face::Roman, Face::Italic, Face::Math, Face::Song, Face::Own(Cut::Upright), Face::Own(Cut::Slanted)];
+    /// What it is looked up by.
+    pub fn key(&self) -> FaceKey {
+        match self {
+            Face::Roman => FaceKey(0, 0),
+            Face::Italic => FaceKey(1, 0),
+            Face::Math => FaceKey(2, 0),
+            Face::Song => FaceKey(3, 0),
+            Face::Own(own) => FaceKey(4 + own.cut() as u8, own.key()),
+        }
+    }
 
     /// The font file, for formats that carry their fonts.
-    pub fn bytes(self) -> &'static [u8] {
-        match self {
+    pub fn bytes(&self) -> Bytes {
+        let embedded: &'static [u8] = match self {
             Face::Roman => include_bytes!("../../fonts/tinos-normal.ttf"),
             Face::Italic => include_bytes!("../../fonts/tinos-italic.ttf"),
             Face::Math => include_bytes!("../../fonts/stix-math-sub.ttf"),
             Face::Song => include_bytes!("../../fonts/song-gb1-cff.otf"),
-            Face::Own(cut) => own::font(cut).map_or(&[], |own| own.bytes),
-        }
+            Face::Own(own) => return own.bytes(),
+        };
+        Arc::new(embedded)
     }
 
-    fn loaded(self) -> &'static Loaded {
+    fn loaded(&self) -> &Loaded {
         match self {
             Face::Roman => &ROMAN,
             Face::Italic => &ITALIC,
             Face::Math => &MATH,
             Face::Song => &SONG,
-            Face::Own(cut) => &own::font(cut).expect("a face of one's own comes from an installed font").loaded,
+            Face::Own(own) => own.loaded(),
         }
     }
 
-    /// The font for a character of that slant; `None` when no embedded font has it.
-    pub fn of(c: char, slant: Slant) -> Option<Face> {
+    /// The font for a character of that slant: of the author's, else of the embedded ones; `None` when none has it.
+    pub fn of(c: char, slant: Slant, fonts: &Fonts) -> Option<Face> {
         let order = match slant {
             Slant::Italic => ITALIC_FIRST,
             Slant::Upright => ROMAN_FIRST,
             Slant::Symbol => MATH_FIRST,
         };
-        own::face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some()))
+        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some()))
     }
 
     /// Shapes a run of characters (kerning included).
     ///
     /// A sheet measures the same few runs many times over while it looks for places: they are kept.
-    pub fn shaped(self, run: &str) -> Rc<Run> {
+    pub fn shaped(&self, run: &str) -> Rc<Run> {
         RUNS.with_borrow_mut(|runs| {
-            if let Some(known) = runs.get(&(self, run.to_owned())) {
+            if let Some(known) = runs.get(&(self.key(), run.to_owned())) {
                 return Rc::clone(known);
             }
             if runs.len() >= MOST_RUNS {
                 runs.clear();
             }
             let shaped = Rc::new(self.shape(run));
-            runs.insert((self, run.to_owned()), Rc::clone(&shaped));
+            runs.insert((self.key(), run.to_owned()), Rc::clone(&shaped));
             shaped
         })
     }
 
-    fn shape(self, run: &str) -> Run {
+    fn shape(&self, run: &str) -> Run {
         let whole = self.loaded().shape(run);
         if !matches!(self, Face::Own(_)) || sound(&whole, run) {
             return whole;
@@ -206,26 +224,26 @@ impl Face {
     }
 
     /// Whether the font has a character and can draw it.
-    fn draws(self, c: char) -> bool {
+    fn draws(&self, c: char) -> bool {
         KNOWN.with_borrow_mut(|known| {
             if known.len() >= MOST_RUNS {
                 known.clear();
             }
-            *known.entry((self, c)).or_insert_with(|| drawn(self.loaded(), c).is_some())
+            *known.entry((self.key(), c)).or_insert_with(|| drawn(self.loaded(), c).is_some())
         })
     }
 
     /// What a glyph looks like.
-    pub fn outline(self, glyph: u32) -> Rc<Outline> {
+    pub fn outline(&self, glyph: u32) -> Rc<Outline> {
         OUTLINES.with_borrow_mut(|outlines| {
             if outlines.len() >= MOST_OUTLINES {
                 outlines.clear();
             }
-            Rc::clone(outlines.entry((self, glyph)).or_insert_with(|| Rc::new(self.draw(glyph))))
+            Rc::clone(outlines.entry((self.key(), glyph)).or_insert_with(|| Rc::new(self.draw(glyph))))
         })
     }
 
-    fn draw(self, glyph: u32) -> Outline {
+    fn draw(&self, glyph: u32) -> Outline {
         // A character that cannot be drawn has been taken from another font.
         self.loaded().outline(glyph).unwrap_or(Outline { segments: Vec::new(), ink: Ink::NONE })
     }
@@ -404,11 +422,12 @@ mod tests {
 
     #[test]
     fn faces_by_slant() {
-        assert_eq!(Face::of('v', Slant::Italic), Some(Face::Italic));
-        assert_eq!(Face::of('v', Slant::Upright), Some(Face::Roman));
-        assert_eq!(Face::of('=', Slant::Symbol), Some(Face::Math));
-        assert_eq!(Face::of('→', Slant::Italic), Some(Face::Math));
-        assert_eq!(Face::of('度', Slant::Italic), Some(Face::Song));
-        assert_eq!(Face::of('\u{1F600}', Slant::Upright), None);
+        let none = Fonts::default();
+        assert_eq!(Face::of('v', Slant::Italic, &none), Some(Face::Italic));
+        assert_eq!(Face::of('v', Slant::Upright, &none), Some(Face::Roman));
+        assert_eq!(Face::of('=', Slant::Symbol, &none), Some(Face::Math));
+        assert_eq!(Face::of('→', Slant::Italic, &none), Some(Face::Math));
+        assert_eq!(Face::of('度', Slant::Italic, &none), Some(Face::Song));
+        assert_eq!(Face::of('\u{1F600}', Slant::Upright, &none), None);
     }
 }

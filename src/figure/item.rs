@@ -6,6 +6,7 @@
 use crate::geom::Point;
 
 use super::arrow::Head;
+use super::font::own::Fonts;
 use super::label::Label;
 
 /// A drawing on a sheet.
@@ -290,6 +291,16 @@ pub enum Shape {
 }
 
 impl Item {
+    /// The same with its letters in these fonts of the author's.
+    pub fn in_fonts(mut self, fonts: &Fonts) -> Item {
+        if let Shape::Label { label, .. } = &mut self.shape
+            && label.fonts() != fonts
+        {
+            *label = label.clone().in_fonts(fonts);
+        }
+        self
+    }
+
     /// An item without a name.
     pub fn new(class: impl Into<String>, shape: Shape) -> Item {
         Item { id: String::new(), class: class.into(), link: None, shape }

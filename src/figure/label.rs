@@ -11,7 +11,7 @@
 
 use crate::diag::Diagnostic;
 
-use super::font::Slant;
+use super::font::{Slant, own::Fonts};
 use super::text::Typeset;
 use std::sync::{Arc, OnceLock};
 
@@ -23,6 +23,7 @@ pub struct Label {
     source: String,
     row: Vec<Node>,
     faults: Vec<Diagnostic>,
+    fonts: Fonts,
     kept: Kept,
 }
 
@@ -85,14 +86,23 @@ impl Label {
     pub fn math(source: impl Into<String>) -> Label {
         let source = source.into();
         let (row, faults) = parse::formula(&source);
-        Label { source, row, faults, kept: Kept::default() }
+        Label { source, row, faults, fonts: Fonts::default(), kept: Kept::default() }
     }
 
     /// A sentence: every character upright and as it stands.
     pub fn text(source: impl Into<String>) -> Label {
         let source = source.into();
         let row = vec![Node::new(in_letters(&source), Slant::Upright, Role::Ordinary)];
-        Label { source, row, faults: Vec::new(), kept: Kept::default() }
+        Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: Kept::default() }
+    }
+
+    /// The same set in these fonts of the author's: whoever draws a label gives it those of the style, as it gives it a size.
+    pub fn in_fonts(mut self, fonts: &Fonts) -> Label {
+        if self.fonts != *fonts {
+            self.fonts = fonts.clone();
+            self.kept = Kept::default();
+        }
+        self
     }
 
     /// This label followed by another, such as a caption's words followed by a formula.
@@ -107,6 +117,11 @@ impl Label {
     /// Where [`super::text::set`] keeps its result.
     pub(super) fn kept(&self) -> &OnceLock<Arc<Typeset>> {
         &self.kept.0
+    }
+
+    /// The author's fonts that it is set in.
+    pub fn fonts(&self) -> &Fonts {
+        &self.fonts
     }
 
     /// What was written.

@@ -16,6 +16,7 @@ pub mod label;
 pub mod mechanism;
 pub mod path;
 pub mod place;
+mod plot;
 pub mod polygon;
 pub mod poses;
 pub mod price;

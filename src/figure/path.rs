@@ -221,7 +221,7 @@ impl Page<'_> {
         for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
             let cell = |text: Label, anchor, row: &str, k: usize| {
                 let id = format!("position-{row}-{}", block * IN_ROW + k);
-                Some(Cell { label: text, size_mm: style.small_mm, anchor, class: "positions".into(), id })
+                Some(Cell { label: text.in_fonts(&style.fonts), size_mm: style.small_mm, anchor, class: "positions".into(), id })
             };
             let mut row = |name: &str, head: Label, text: &dyn Fn(usize) -> Label| {
                 let first = cell(head, Anchor::Start, name, 0);
@@ -253,7 +253,7 @@ impl Page<'_> {
             let at = crate::geom::Point::new(0.0, y - ROW_MM * (k as f64 + 1.2));
             let shape = super::item::Shape::Label {
                 at,
-                label: Label::text(said),
+                label: Label::text(said).in_fonts(&style.fonts),
                 size_mm: style.small_mm,
                 anchor: Anchor::Start,
                 colour: super::item::Colour::BLACK,

@@ -280,7 +280,9 @@ impl Table<'_> {
         } else {
             tr(lang, "too large for the paper", "超出图纸")
         };
-        vec![text("absent", Point::ORIGIN, Label::text(said), self.options.style.small_mm, Anchor::Middle).with_id("absent")]
+        let style = &self.options.style;
+        let said = text("absent", Point::ORIGIN, Label::text(said), style.small_mm, Anchor::Middle).with_id("absent");
+        vec![said.in_fonts(&style.fonts)]
     }
 
     /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
@@ -422,9 +424,9 @@ impl Page<'_> {
             let middle = (edges[k] + edges[k + 1]) / 2.0;
             let id = |what: &str| format!("head-{what}-{block}-{k}");
             let name = text("head", Point::new(middle, top - 6.0), words, style.caption_mm, Anchor::Middle);
-            items.push(name.with_id(id("name")));
+            items.push(name.with_id(id("name")).in_fonts(&style.fonts));
             let scale = text("head", Point::new(middle, top - 12.0), Label::math(mu), style.small_mm, Anchor::Middle);
-            items.push(scale.with_id(id("scale")));
+            items.push(scale.with_id(id("scale")).in_fonts(&style.fonts));
         }
         items
     }
@@ -440,9 +442,11 @@ impl Page<'_> {
         let value = if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") };
         vec![
             text("position", at + Vec2::new(0.0, 1.5), Label::math((row + 1).to_string()), style.caption_mm * 1.5, Anchor::Middle)
-                .with_id(format!("position-{}", row + 1)),
+                .with_id(format!("position-{}", row + 1))
+                .in_fonts(&style.fonts),
             text("position", at - Vec2::new(0.0, 5.5), Label::math(value), style.small_mm, Anchor::Middle)
-                .with_id(format!("position-{}-driver", row + 1)),
+                .with_id(format!("position-{}-driver", row + 1))
+                .in_fonts(&style.fonts),
         ]
     }
 }

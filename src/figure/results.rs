@@ -53,7 +53,7 @@ pub struct Answers<'a> {
 pub fn results(style: &Style, answers: &Answers) -> Part {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let heading = Cell {
-        label: Label::text(words.results),
+        label: Label::text(words.results).in_fonts(&style.fonts),
         size_mm: style.caption_mm,
         anchor: Anchor::Start,
         class: "result heading".into(),
@@ -68,7 +68,13 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
                 let find = &scene.find[u.find];
                 let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
                 let cell = |text: Label, anchor, what: &str| {
-                    Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
+                    Some(Cell {
+                        label: text.in_fonts(&style.fonts),
+                        size_mm: style.caption_mm,
+                        anchor,
+                        class: "result".into(),
+                        id: format!("{id}-{what}"),
+                    })
                 };
                 let value = Label::text(verdict(u.refused.why, words.lang()));
                 rows.push(Row {
@@ -96,7 +102,13 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         }
         let id = format!("result-{}", find.text);
         let cell = |text: Label, anchor, what: &str| {
-            Some(Cell { label: text, size_mm: style.caption_mm, anchor, class: "result".into(), id: format!("{id}-{what}") })
+            Some(Cell {
+                label: text.in_fonts(&style.fonts),
+                size_mm: style.caption_mm,
+                anchor,
+                class: "result".into(),
+                id: format!("{id}-{what}"),
+            })
         };
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
@@ -133,7 +145,8 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     for (class, id, line) in lines {
-        let cell = Cell { label: line.label(), size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
+        let cell =
+            Cell { label: line.label().in_fonts(&style.fonts), size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
         below += REMARK_MM;
     }

@@ -196,6 +196,7 @@ impl Maker<'_> {
         let x = part.bounds.centre().x;
         let y = part.bounds.min.y - CAPTION_MM;
         let text = |at: Point, label: Label, size_mm: f64, what: &str| {
+            let label = label.in_fonts(&self.options.style.fonts);
             let shape = Shape::Label { at, label, size_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
             Item::new(what, shape).with_id(format!("{what}-{id}"))
         };
@@ -206,7 +207,8 @@ impl Maker<'_> {
     }
 
     fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {
-        let shape = Shape::Label { at: Point::ORIGIN, label: Label::text(text), size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
+        let label = Label::text(text).in_fonts(&self.options.style.fonts);
+        let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
         Part::of(vec![Item::new(id, shape).with_id(id)])
     }
 

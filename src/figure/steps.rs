@@ -12,6 +12,7 @@ use crate::worked::Worked;
 
 use super::drawing::Part;
 use super::extent::Rect;
+use super::font::own::Fonts;
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::sheet::{MARGIN_MM, Maker, Options, Single};
 use super::style::Palette;
@@ -77,6 +78,7 @@ struct Steps {
     /// For each sentence, the equation being solved.
     equations: Vec<Option<Part>>,
     caption_mm: f64,
+    fonts: Fonts,
 }
 
 impl Steps {
@@ -94,7 +96,8 @@ impl Steps {
             written.iter().find(|part| finds(part).is_some_and(|step| step >= action)).cloned()
         };
         let equations = (0..sentences.len()).map(equation).collect();
-        Steps { polygon, sentences, equations, caption_mm: maker.options.style.caption_mm }
+        let style = &maker.options.style;
+        Steps { polygon, sentences, equations, caption_mm: style.caption_mm, fonts: style.fonts.clone() }
     }
 
     /// The polygon when `k` actions are done: later ones are not there, earlier ones stand back.
@@ -123,7 +126,7 @@ impl Steps {
         }
         let shape = Shape::Label {
             at: Point::new(0.0, y - self.caption_mm),
-            label: self.sentences[k].label(),
+            label: self.sentences[k].label().in_fonts(&self.fonts),
             size_mm: self.caption_mm,
             anchor: Anchor::Start,
             colour: Colour::BLACK,

@@ -78,7 +78,7 @@ impl Tables<'_> {
     }
 
     fn cell(&self, label: Label, size_mm: f64, anchor: Anchor, id: String, class: &str) -> Cell {
-        Cell { label, size_mm, anchor, class: class.into(), id }
+        Cell { label: label.in_fonts(&self.style.fonts), size_mm, anchor, class: class.into(), id }
     }
 
     fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Option<Part> {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::diag::Diagnostic;
 
-use super::font::{Face, Glyph, Ink, Slant};
+use super::font::{Face, Glyph, Ink, Slant, own::Fonts};
 use super::label::{Label, Node, Role};
 
 /// `ScriptPercentScaleDown` = 70.
@@ -82,7 +82,7 @@ pub fn set(label: &Label) -> Arc<Typeset> {
 }
 
 fn set_anew(label: &Label) -> Typeset {
-    let mut setter = Setter { missing: Vec::new() };
+    let mut setter = Setter { fonts: label.fonts(), missing: Vec::new() };
     let line = setter.row(label.row());
     let mut faults = label.faults().to_vec();
     for c in setter.missing {
@@ -123,11 +123,12 @@ impl Line {
     }
 }
 
-struct Setter {
+struct Setter<'a> {
+    fonts: &'a Fonts,
     missing: Vec<char>,
 }
 
-impl Setter {
+impl Setter<'_> {
     fn row(&mut self, row: &[Node]) -> Line {
         let mut line = Line::empty();
         for (i, node) in row.iter().enumerate() {
@@ -198,12 +199,12 @@ impl Setter {
         let mut run = String::new();
         let mut face = None;
         for c in text.chars() {
-            let next = Face::of(c, slant);
+            let next = Face::of(c, slant, self.fonts);
             if next != face {
                 Self::flush(&mut line, &mut run, face);
                 face = next;
             }
-            if next.is_some() {
+            if face.is_some() {
                 run.push(c);
             } else {
                 self.missing.push(c);
@@ -251,7 +252,7 @@ mod tests {
         assert!(close(vb.width_em, v.width_em + 0.611 * SCRIPT_SCALE + AFTER_SCRIPT), "{}", vb.width_em);
         assert!((0.0..0.01).contains(&(vb.descent_em - SUB_DOWN)), "{}", vb.descent_em);
         // Both scripts stand one above the other, with the gap between them.
-        let both = Setter { missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
+        let both = Setter { fonts: &Fonts::default(), missing: Vec::new() }.atom(&Label::math("a_3^2").row()[0].clone());
         let ink = |r: &Run| r.face.shaped(&r.text).ink.placed(r.size_em, r.x_em, r.y_em);
         let (sup, sub) = (ink(&both.runs[1]), ink(&both.runs[2]));
         let gap = sup.min[1] - sub.max[1];

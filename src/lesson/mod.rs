@@ -21,6 +21,7 @@ mod words;
 pub use reveal::reveal;
 
 use crate::diag::{Diagnostic, Faults, Warned};
+use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene};
 use crate::worked::{Scope, work};
@@ -39,12 +40,14 @@ pub struct Options {
     pub positions: usize,
     /// Which of the scene's drivers is moved; the others stand at their places, with their rates.
     pub driver: usize,
+    /// Weights, sizes and fonts of the drawings; the colours are the page's, which has a light and a dark theme.
+    pub style: Style,
 }
 
 impl Options {
     /// The usual lesson in a language.
     pub fn of_language(lang: Lang) -> Options {
-        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, driver: 0 }
+        Options { lang, notation: Notation::of_language(lang), positions: POSITIONS, driver: 0, style: Style::default() }
     }
 }
 

@@ -44,7 +44,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         let equations = equations(frames, notation, &mut formulas);
         (steps, answers, equations, formulas)
     };
-    let (drawings, (steps, answers, equations, formulas)) = rayon::join(|| scenery(frames, notation), written);
+    let (drawings, (steps, answers, equations, formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
     let drawings = drawings?;
     let told: Vec<Told> = drawings.iter().map(|d| d.track.told()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));

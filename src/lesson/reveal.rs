@@ -5,7 +5,7 @@ use crate::figure::extent::Rect;
 use crate::figure::sheet::{self, Single};
 use crate::geom::Point;
 use crate::render::number::mm;
-use crate::render::svg::Elements;
+use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
 use crate::worked::Worked;
 
@@ -56,8 +56,9 @@ pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Resul
     let title = scene.title.get(options.lang);
     let (w, h) = (mm(paper.width_mm()), mm(paper.height_mm()));
     let value = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:#fff\">\n{}\n{body}</svg>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:xlink=\"http://www.w3.org/1999/xlink\" viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{}\" style=\"width:100%;background:{}\">\n{}\n{body}</svg>\n",
         escaped(title),
+        hex(options.style.palette.paper),
         Elements::letters([&elements])
     );
     Ok(Warned { value, notes: Vec::new() })

@@ -62,17 +62,18 @@ pub struct Scenery {
 ///
 /// # Errors
 /// Those of the SVG writer.
-pub fn scenery(frames: &Frames, notation: &Notation) -> Result<Vec<Scenery>, Faults> {
+pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Vec<Scenery>, Faults> {
     let mut wanted = vec![Shows::Mechanism];
     let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
     wanted.extend(LEVELS.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
     // The drawings know nothing of one another.
-    wanted.into_par_iter().map(|shows| one(frames, notation, shows)).collect()
+    wanted.into_par_iter().map(|shows| one(frames, notation, style, shows)).collect()
 }
 
-fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Faults> {
+fn one(frames: &Frames, notation: &Notation, style: &Style, shows: Shows) -> Result<Scenery, Faults> {
     // Black on white: the page gives it the colours of its light or dark theme.
-    let style = Style::default();
+    let Style { palette, plate, .. } = Style::default();
+    let style = Style { palette, plate, ..style.clone() };
     let poses: Vec<_> = frames.list.iter().map(|f| (&f.scene, &f.worked)).collect();
     let courses = if shows == Shows::Mechanism { courses(&poses, &style, notation) } else { Vec::new() };
     let looks = Looks { notation, style, courses };

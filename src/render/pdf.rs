@@ -4,6 +4,8 @@
 //! date and no random name). Letters keep their characters, so mathematics and Chinese can be searched and copied; a page
 //! says to screen readers what its parts are ([`Kind`]). Not decided here: where anything stands.
 
+use std::collections::BTreeMap;
+
 use krilla::color::{luma, rgb};
 use krilla::geom::{PathBuilder, Point as At, Transform};
 use krilla::metadata::Metadata;
@@ -19,7 +21,7 @@ use krilla::{Data, Document};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::Face;
+use crate::figure::font::FaceKey;
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::text;
@@ -113,6 +115,7 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
 /// `label-syntax` for a label that cannot be read, `pdf` when the file cannot be made (a limit of PDF).
 pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8>>, Faults> {
     let mut faults = Faults::default();
+    let mut faces = BTreeMap::new();
     for page in pages {
         let (w, h) = (page.width_mm, page.height_mm);
         if !(w > 0.0 && h > 0.0 && w <= SIDE_MAX_MM && h <= SIDE_MAX_MM) {
@@ -125,17 +128,26 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
                 faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
             }
             if let Shape::Label { label, .. } = &item.shape {
-                faults.list.extend(text::set(label).faults.iter().cloned());
+                let set = text::set(label);
+                faults.list.extend(set.faults.iter().cloned());
+                faces.extend(set.runs.iter().map(|r| (r.face.key(), r.face.clone())));
             }
         }
     }
-    if let Err(unfit) = own_fonts() {
-        faults.push(unfit);
+    let mut fonts = BTreeMap::new();
+    for (key, face) in faces {
+        match Font::new(Data::from(face.bytes()), 0) {
+            Some(font) => drop(fonts.insert(key, font)),
+            None => {
+                let d = Diagnostic::error("font", format!("the font {face:?} cannot be put into a PDF"));
+                faults.push(d.help("write an SVG or a PNG, or give another font"));
+            }
+        }
     }
     if faults.has_errors() {
         return Err(faults);
     }
-    let mut writer = Writer { fonts: Default::default(), tags: Vec::new(), outline: Outline::new() };
+    let mut writer = Writer { fonts, tags: Vec::new(), outline: Outline::new() };
     let mut file = Document::new();
     for (n, page) in pages.iter().enumerate() {
         writer.page(&mut file, n, page);
@@ -150,8 +162,8 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
 }
 
 struct Writer {
-    /// By the order of [`Face::ALL`]; read when first used.
-    fonts: [Option<Font>; Face::ALL.len()],
+    /// Those of all labels.
+    fonts: BTreeMap<FaceKey, Font>,
     tags: Vec<Node>,
     outline: Outline,
 }
@@ -259,29 +271,7 @@ impl Writer {
             };
             let glyphs: Vec<KrillaGlyph> = run.glyphs.iter().map(glyph).collect();
             let origin = paper.down(at + Vec2::new(run.x_em, run.y_em) * size_mm);
-            surface.draw_glyphs(origin, &glyphs, self.font(run.face), &run.text, (run.size_em * size_mm) as f32, false);
-        }
-    }
-
-    fn font(&mut self, face: Face) -> Font {
-        let slot = Face::ALL.iter().position(|f| *f == face).expect("a face is one of all");
-        let read = || font(face).expect("an embedded font is readable: a test writes with each of them; others have been tried");
-        self.fonts[slot].get_or_insert_with(read).clone()
-    }
-}
-
-fn font(face: Face) -> Option<Font> {
-    Font::new(Data::from(face.bytes()), 0)
-}
-
-/// Whether the author's own fonts can be put into a PDF.
-fn own_fonts() -> Result<(), Diagnostic> {
-    let unreadable = |face: &&Face| !face.bytes().is_empty() && font(**face).is_none();
-    match Face::ALL.iter().filter(|f| matches!(f, Face::Own(_))).find(unreadable) {
-        None => Ok(()),
-        Some(_) => {
-            Err(Diagnostic::error("font", "the font of --font cannot be put into a PDF")
-                .help("write an SVG or a PNG, or give another font"))
+            surface.draw_glyphs(origin, &glyphs, self.fonts[&run.face.key()].clone(), &run.text, (run.size_em * size_mm) as f32, false);
         }
     }
 }

@@ -16,7 +16,7 @@ use ::svg::node::{Blob, Node, Text};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::{Cut, Face, Segment, own};
+use crate::figure::font::{Cut, Face, FaceKey, Segment};
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
@@ -115,7 +115,7 @@ impl Elements {
 
     /// The outlines that all these elements use.
     pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
-        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(l, name)| (*l, name.clone())).collect();
+        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
         Writer { height_mm: 0.0, writing: Writing::Used, letters, faults: Faults::default() }.definitions().to_string()
     }
 }
@@ -133,12 +133,15 @@ struct Writer {
     height_mm: f64,
     writing: Writing,
     /// The letters used, each with the name that its uses call it by.
-    letters: BTreeMap<Letter, String>,
+    letters: BTreeMap<LetterKey, (Letter, String)>,
     faults: Faults,
 }
 
+/// What a letter is looked up by: its font, number and size.
+type LetterKey = (FaceKey, u32, i32);
+
 /// A glyph of a font at a part of the label's size (in 1/1000).
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone)]
 struct Letter {
     face: Face,
     glyph: u32,
@@ -244,7 +247,10 @@ impl Writer {
     fn used(&mut self, set: &Typeset) -> String {
         let mut out = String::new();
         for (letter, [x, y]) in letters(set) {
-            let name = self.letters.entry(letter).or_insert_with(|| letter.name());
+            let (_, name) = self.letters.entry(letter.key()).or_insert_with(|| {
+                let name = letter.name();
+                (letter, name)
+            });
             let _ = write!(out, "<use xlink:href=\"#{name}\"");
             for (axis, at) in [("x", x), ("y", -y)] {
                 if at != 0 {
@@ -259,7 +265,7 @@ impl Writer {
     /// The outlines of all letters used.
     fn definitions(&self) -> Definitions {
         let mut out = String::new();
-        for (letter, name) in &self.letters {
+        for (letter, name) in self.letters.values() {
             let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(letter.contours()));
         }
         Definitions::new().add(Blob::new(out))
@@ -326,7 +332,7 @@ fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
             let at = [pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em].map(milli);
             pen += glyph.advance_em * run.size_em;
             if run.face.outline(glyph.id).ink.any() {
-                out.push((Letter { face: run.face, glyph: glyph.id, size: milli(run.size_em) }, at));
+                out.push((Letter { face: run.face.clone(), glyph: glyph.id, size: milli(run.size_em) }, at));
             }
         }
     }
@@ -335,19 +341,19 @@ fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
 
 /// A label as text that a drawing program can change; sizes and places in mm.
 fn editable(set: &Typeset, size_mm: f64) -> String {
-    let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(Face::Roman));
+    let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(&Face::Roman));
     for run in &set.runs {
         let (x, y, size) = (mm(run.x_em * size_mm), mm(-run.y_em * size_mm), mm(run.size_em * size_mm));
         let _ = write!(out, "<tspan x=\"{x}\" y=\"{y}\" font-size=\"{size}\"");
-        match run.face {
+        match &run.face {
             Face::Roman => {}
             Face::Italic => out.push_str(" font-style=\"italic\""),
             Face::Math | Face::Song => {
-                let _ = write!(out, " font-family=\"{}\"", family(run.face));
+                let _ = write!(out, " font-family=\"{}\"", family(&run.face));
             }
-            Face::Own(cut) => {
-                let style = if cut == Cut::Slanted { " font-style=\"italic\"" } else { "" };
-                let _ = write!(out, " font-family=\"'{}',{}\"{style}", own::family(cut), family(run.face));
+            Face::Own(own) => {
+                let style = if own.cut() == Cut::Slanted { " font-style=\"italic\"" } else { "" };
+                let _ = write!(out, " font-family=\"'{}',{}\"{style}", own.family(), family(&run.face));
             }
         }
         let _ = write!(out, ">{}</tspan>", escaped(&run.text));
@@ -357,7 +363,7 @@ fn editable(set: &Typeset, size_mm: f64) -> String {
 }
 
 /// Fonts that look like the embedded ones, the same first.
-fn family(face: Face) -> &'static str {
+fn family(face: &Face) -> &'static str {
     match face {
         Face::Roman | Face::Italic | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
         Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
@@ -366,23 +372,30 @@ fn family(face: Face) -> &'static str {
 }
 
 impl Letter {
+    /// Letters of one key are one; those of bundled fonts come first.
+    fn key(&self) -> LetterKey {
+        (self.face.key(), self.glyph, self.size)
+    }
+
     /// Its outline, in 1/1000 em of the label.
-    fn contours(self) -> Vec<Segment<i32>> {
+    fn contours(&self) -> Vec<Segment<i32>> {
         let size = f64::from(self.size) / 1000.0;
         self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
     }
 
-    fn name(self) -> String {
-        let face = match self.face {
+    fn name(&self) -> String {
+        let face = match &self.face {
             Face::Roman => 'r',
             Face::Italic => 'i',
             Face::Math => 'm',
             Face::Song => 's',
-            Face::Own(Cut::Upright) => 'o',
-            Face::Own(Cut::Slanted) => 'p',
+            Face::Own(own) if own.cut() == Cut::Upright => 'o',
+            Face::Own(_) => 'p',
         };
+        // Two figures of a page may have fonts of their own each.
+        let own = if let Face::Own(own) = &self.face { format!("{:08x}-", own.key() as u32) } else { String::new() };
         let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
-        format!("g{face}{}{size}", self.glyph)
+        format!("g{face}{own}{}{size}", self.glyph)
     }
 }
 
@@ -417,7 +430,7 @@ fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) 
     }
 }
 
-fn hex(c: Colour) -> String {
+pub(crate) fn hex(c: Colour) -> String {
     format!("#{:02x}{:02x}{:02x}", c.r, c.g, c.b)
 }
 

@@ -118,7 +118,7 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
         },
         (Some(class), Lang::En) => format!("class {class}, {}", g.kind()),
         (Some(class), Lang::Zh) => format!(
-            "{}级杆组 {}",
+            "{}级杆组{}",
             match class {
                 "II" => "Ⅱ",
                 "III" => "Ⅲ",
@@ -126,16 +126,21 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
             },
             match g.kind().as_str() {
                 "triad" | "higher group" => String::new(),
-                dyad => dyad.to_string(),
+                dyad => format!(" {dyad}"),
             }
         ),
     };
+    let comma = tr(lang, ", ", "、");
     let links = match links.len() {
         0 => String::new(),
-        1 => format!("{} {}: ", tr(lang, "link", "构件"), links[0]),
-        _ => format!("{} {}: ", tr(lang, "links", "构件"), links.join(", ")),
+        1 => format!("{} {}{}", tr(lang, "link", "构件"), links[0], tr(lang, ": ", "：")),
+        _ => format!("{} {}{}", tr(lang, "links", "构件"), links.join(comma), tr(lang, ": ", "：")),
     };
-    let at = if at.is_empty() || g.class().is_none() { String::new() } else { format!("{} {}", tr(lang, ", at", "，"), at.join(", ")) };
+    let at = if at.is_empty() || g.class().is_none() {
+        String::new()
+    } else {
+        format!("{} {}", tr(lang, ", at", "，内接副"), at.join(comma))
+    };
     format!("{links}{what}{at}")
 }
 

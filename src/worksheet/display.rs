@@ -1,6 +1,7 @@
 //! A formula on a line of its own, set in type: fractions about the axis, roots that grow with what stands under them.
 
 use crate::figure::extent::bounds;
+use crate::figure::font::own::Fonts;
 use crate::figure::item::{Anchor, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::text;
@@ -23,20 +24,23 @@ pub(super) struct Built {
 }
 
 /// Sets a formula whose em is `em` mm.
-pub(super) fn built(parts: &[Math], em: f64) -> Built {
+pub(super) fn built(parts: &[Math], em: f64, fonts: &Fonts) -> Built {
     let mut out = Built { items: Vec::new(), above: em, below: 0.3 * em };
     let mut x = 0.0;
     let rule = |from: f64, to: f64, y: f64| {
         let shape = Shape::Line { from: Point::new(from, y), to: Point::new(to, y), stroke: Stroke::new(RULE_EM * em) };
         Item::new("rule", shape)
     };
+    let set = |label: &Label| label.clone().in_fonts(fonts);
     for part in parts {
         match part {
             Math::Row(label) => {
+                let label = &set(label);
                 out.items.push(line(label, Point::new(x, 0.0), em, Anchor::Start));
                 x += text::set(label).width_em * em;
             }
             Math::Fraction(over, under) => {
+                let [over, under] = &[over, under].map(set);
                 let [top, bottom] = [over, under].map(text::set);
                 let wide = top.width_em.max(bottom.width_em) * em + 0.2 * em;
                 x += 0.1 * em;
@@ -51,7 +55,7 @@ pub(super) fn built(parts: &[Math], em: f64) -> Built {
                 x += wide + 0.1 * em;
             }
             Math::Root(label) => {
-                let sign = Label::math("√");
+                let (label, sign) = (&set(label), Label::math("√"));
                 let (set, inner) = (text::set(&sign), text::set(label));
                 // The sign grows with what stands under it; its bar begins where it ends.
                 let top = inner.ascent_em + GAP_EM;
@@ -76,7 +80,11 @@ mod tests {
 
     #[test]
     fn a_fraction_stands_on_the_axis() {
-        let b = built(&[Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))], 4.0);
+        let b = built(
+            &[Math::Row(Label::math("\\omega_3 =")), Math::Fraction(Label::math("v_C"), Label::math("l_{CD}"))],
+            4.0,
+            &Fonts::default(),
+        );
         let ys: Vec<f64> = b
             .items
             .iter()

@@ -55,9 +55,16 @@ impl Maker<'_> {
             Place::At([x, y]) => format!("${symbol} = ({}, {})$", length(x), length(y)),
             Place::InLink { base: (a, b), xy: [x, y] } => {
                 let (a, b) = (self.point(*a), self.point(*b));
+                let back = x.value < 0.0;
+                let along = match self.lang() {
+                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", size(x), if back { "away from" } else { "toward" }),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, size(x)),
+                };
+                let left = y.value > 0.0;
                 match self.lang() {
-                    Lang::En => format!("${symbol}$ is ${}$ from {a} toward {b} and ${}$ to the left", length(x), length(y)),
-                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} 方向 ${}$、向左 ${}$", length(x), length(y)),
+                    _ if y.value == 0.0 => along,
+                    Lang::En => format!("{along} and ${}$ to the {}", size(y), if left { "left" } else { "right" }),
+                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, size(y)),
                 }
             }
             Place::Polar { base: (a, b), length: l, angle: turn } => {
@@ -209,6 +216,11 @@ fn length(given: &Given) -> String {
         metres if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
         metres => format!("{} mm", inked(metres * 1e3)),
     })
+}
+
+/// A length without its sign, which is told in words.
+fn size(given: &Given) -> String {
+    length(given).trim_start_matches('−').to_owned()
 }
 
 fn angle(given: &Given<Angle>) -> String {

@@ -8,13 +8,14 @@ use std::collections::VecDeque;
 use icu_segmenter::LineSegmenter;
 use icu_segmenter::options::LineBreakOptions;
 
+use crate::figure::font::own::Fonts;
 use crate::figure::label::Label;
 use crate::figure::text;
 use crate::report::phrase::{Phrase, Piece};
 
 /// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
 /// breaks anywhere; a formula that is, sticks out.
-pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label> {
+pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
     // A formula is one thing among the words; before its relations it may break too.
     const THING: char = '\u{FFFC}';
     let mut plain = String::new();
@@ -33,7 +34,7 @@ pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label
     let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
     let breaks: Vec<usize> = segmenter.segment_str(&plain).collect();
     let label = |from: &str, formulas: &mut VecDeque<String>| {
-        let mut out = Label::text("");
+        let mut out = Label::text("").in_fonts(fonts);
         for (k, words) in from.split(THING).enumerate() {
             if k > 0 {
                 out = out.then(Label::math(formulas.pop_front().unwrap_or_default()));
@@ -49,7 +50,7 @@ pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64) -> Vec<Label
     let mut here: Option<Label> = None;
     let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
     let pieces = whole.flat_map(|segment| {
-        let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end())) > width_mm;
+        let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end()).in_fonts(fonts)) > width_mm;
         if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
     });
     for segment in pieces {
@@ -95,13 +96,13 @@ mod tests {
     use super::*;
 
     fn texts(source: &str, width_mm: f64) -> Vec<String> {
-        wrapped(&Phrase::new(source), width_mm, 4.0).iter().map(|l| l.plain().trim_end().to_owned()).collect()
+        wrapped(&Phrase::new(source), width_mm, 4.0, &Fonts::default()).iter().map(|l| l.plain().trim_end().to_owned()).collect()
     }
 
     #[test]
     fn lines_break_at_words_and_fit() {
         let source = "Through $b$ draw the direction of $v_{CB}$, $\\perp BC$, and through the pole that of $v_C$.";
-        let lines = wrapped(&Phrase::new(source), 50.0, 4.0);
+        let lines = wrapped(&Phrase::new(source), 50.0, 4.0, &Fonts::default());
         assert!(lines.len() > 2);
         for l in &lines {
             assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());

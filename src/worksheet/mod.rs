@@ -20,6 +20,7 @@ mod solution;
 pub mod typst;
 
 use crate::accuracy::{Certified, Steps, certify, steps};
+use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::sheet;
 use crate::figure::words::{Words, words};
@@ -65,6 +66,8 @@ pub struct Document {
     pub title: String,
     /// Its language.
     pub lang: Lang,
+    /// The author's fonts that its pages are set in; the other formats leave that to their readers.
+    pub fonts: Fonts,
     /// What stands in it.
     pub blocks: Vec<Block>,
 }
@@ -146,7 +149,7 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document 
     }
     let title = scene.title.get(lang);
     let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
-    Document { title: title.into(), lang, blocks }
+    Document { title: title.into(), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 
 /// What all parts of a worksheet are made from.

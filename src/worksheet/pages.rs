@@ -10,9 +10,11 @@ use super::display::built;
 use super::lines::wrapped;
 use super::{Block, Document, Table, TableKind};
 use crate::figure::extent::{bounds, translate};
+use crate::figure::font::own::Fonts;
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
+use crate::figure::text;
 use crate::geom::{Point, Vec2};
 use crate::render::pdf::{Kind, Page, Part};
 use crate::report::math::Math;
@@ -24,7 +26,7 @@ const PAPER_MM: [f64; 2] = [210.0, 297.0];
 const SIDE_MM: f64 = 18.0;
 /// Above and below; the page number stands in the lower one.
 const TOP_MM: f64 = 18.0;
-const BOTTOM_MM: f64 = 20.0;
+const BOTTOM_MM: f64 = 18.0;
 /// The page number's baseline.
 const FOOT_MM: f64 = 10.0;
 /// Width of the text.
@@ -33,10 +35,16 @@ const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
 const BESIDE_PART: f64 = 0.42;
 /// The same for a side that else runs over its page: the text keeps 45 mm, some twenty letters.
 const WIDE_BESIDE_PART: f64 = 0.69;
+/// A formula beside the table it is solved from begins here, so that those of a page stand one below another; and at least so far
+/// from its table.
+const FORMULA_MM: f64 = 105.0;
+const FORMULA_GAP_MM: f64 = 10.0;
 /// Between such a drawing and the text.
 const BESIDE_GAP_MM: f64 = 8.0;
 /// Room worth filling with text when a drawing does not fit in it.
 const FLOW_MM: f64 = 70.0;
+/// The same where pages are filled to the end: three lines.
+const LINES_MM: f64 = 18.0;
 /// Size of the type: 11 point.
 const TEXT_MM: f64 = 3.9;
 /// Sizes of the headings, title first.
@@ -50,27 +58,55 @@ const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
 const BLOCK_AIR_EM: f64 = 0.6;
 /// From the margin to the text of a list's member.
 const INDENT_MM: f64 = 7.5;
+/// A list of fewer members does not stand in columns.
+const COLUMNS_MIN: usize = 4;
 /// Between the columns of tables; an equation's are nearer than a table's.
 const EQUATION_GAP_MM: f64 = 2.2;
 const VALUES_GAP_MM: f64 = 5.0;
 /// Rows of a table that fit on a page below a heading.
 const ROWS_MAX: usize = 34;
+/// Of a table that is cut no part is shorter, its head not counted.
+const ROWS_MIN: usize = 3;
 /// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
 const SMALLEST: f64 = 0.6;
 
+/// How a side is set.
+#[derive(Clone, Copy)]
+struct Setting {
+    /// Distance of baselines.
+    line_em: f64,
+    /// Drawings up to this part of the text's width stand at the right.
+    beside_part: f64,
+    /// Whether lists of short members stand in two columns.
+    columns: bool,
+    /// Whether pages are filled to the end: a table of values goes on, under its head again, on the next page, and text stands
+    /// before a drawing that does not fit wherever a few lines of it do.
+    filled: bool,
+}
+
+/// As a side is set where nothing is gained by another setting, and what is tried to save a page: the least change first.
+const USUAL: Setting = Setting { line_em: LINE_EM, beside_part: BESIDE_PART, columns: false, filled: false };
+const CLOSER: [Setting; 5] = [
+    Setting { line_em: CLOSE_LINE_EM, ..USUAL },
+    Setting { line_em: CLOSE_LINE_EM, columns: true, ..USUAL },
+    Setting { beside_part: WIDE_BESIDE_PART, ..USUAL },
+    Setting { line_em: CLOSE_LINE_EM, beside_part: WIDE_BESIDE_PART, ..USUAL },
+    Setting { line_em: CLOSE_LINE_EM, columns: true, filled: true, ..USUAL },
+];
+
 /// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page
-/// and some lines has its drawing beside the text.
+/// and some lines has its short lists in columns, or else its drawing beside the text.
 pub fn pages(document: &Document) -> Vec<Page> {
     let begins = |b: &Block| matches!(b, Block::Heading(1, _));
     let mut pages = Vec::new();
     for (k, side) in document.blocks.chunk_by(|_, next| !begins(next)).enumerate() {
         let title = (k == 0).then_some(document.title.as_str());
-        let mut best = set(title, side, LINE_EM, BESIDE_PART);
-        for (line_em, beside) in [(CLOSE_LINE_EM, BESIDE_PART), (LINE_EM, WIDE_BESIDE_PART), (CLOSE_LINE_EM, WIDE_BESIDE_PART)] {
+        let mut best = set(document, title, side, USUAL);
+        for setting in CLOSER {
             // A narrow column beside a wide drawing is worth it only where all then stands on one page.
-            let most = if beside > BESIDE_PART { 2 } else { best.len() };
+            let most = if setting.beside_part > BESIDE_PART { 2 } else { best.len() };
             if best.len() > 1 {
-                let other = set(title, side, line_em, beside);
+                let other = set(document, title, side, setting);
                 best = if other.len() < most { other } else { best };
             }
         }
@@ -78,15 +114,15 @@ pub fn pages(document: &Document) -> Vec<Page> {
     }
     let count = pages.len();
     for (n, page) in pages.iter_mut().enumerate() {
-        let label = Label::text(format!("{} / {count}", n + 1));
+        let label = Label::text(format!("{} / {count}", n + 1)).in_fonts(&document.fonts);
         let foot = line(&label, Point::new(page.width_mm / 2.0, FOOT_MM), TEXT_MM * 0.9, Anchor::Middle);
         page.parts.push(Part { kind: Kind::Artifact, items: vec![foot] });
     }
     pages
 }
 
-fn set(title: Option<&str>, blocks: &[Block], line_em: f64, beside_part: f64) -> Vec<Page> {
-    let mut setter = Setter::new(line_em, beside_part);
+fn set(document: &Document, title: Option<&str>, blocks: &[Block], setting: Setting) -> Vec<Page> {
+    let mut setter = Setter::new(setting, document.fonts.clone());
     if let Some(title) = title {
         setter.heading(0, title);
     }
@@ -114,10 +150,8 @@ struct Chunk {
 }
 
 struct Setter {
-    /// Distance of baselines.
-    line_em: f64,
-    /// Drawings up to this part of the text's width stand at the right.
-    beside_part: f64,
+    setting: Setting,
+    fonts: Fonts,
     pages: Vec<Page>,
     parts: Vec<Part>,
     /// The upper edge of what is still free.
@@ -130,13 +164,16 @@ struct Setter {
     large: Vec<Page>,
     /// A narrow drawing at the right, beside which the text stands: its width and its lower edge.
     beside: Option<[f64; 2]>,
+    /// The equation's table that was put last, if nothing has been put since: the width of the text it stands in, its right edge and the
+    /// baseline of its middle row.
+    table: Option<[f64; 3]>,
 }
 
 impl Setter {
-    fn new(line_em: f64, beside_part: f64) -> Setter {
+    fn new(setting: Setting, fonts: Fonts) -> Setter {
         Setter {
-            line_em,
-            beside_part,
+            setting,
+            fonts,
             pages: Vec::new(),
             parts: Vec::new(),
             y: PAPER_MM[1] - TOP_MM,
@@ -144,12 +181,13 @@ impl Setter {
             drawings: VecDeque::new(),
             large: Vec::new(),
             beside: None,
+            table: None,
         }
     }
 
     /// An em of air: less where the lines stand closer.
     fn air(&self) -> f64 {
-        TEXT_MM * self.line_em / LINE_EM
+        TEXT_MM * self.setting.line_em / LINE_EM
     }
 
     /// Width of the lines that begin here.
@@ -196,6 +234,7 @@ impl Setter {
     }
 
     fn place(&mut self, chunk: Chunk) {
+        self.table = None;
         if !self.fresh() {
             self.y -= chunk.air_mm;
         }
@@ -251,7 +290,7 @@ impl Setter {
         let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
         let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * self.air();
         let width = self.width();
-        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size).into_iter().enumerate() {
+        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size, &self.fonts).into_iter().enumerate() {
             let title = if k == 0 { words.to_owned() } else { label.plain() };
             let (anchor, x) = if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
             let height_mm = size * 1.35;
@@ -264,11 +303,11 @@ impl Setter {
     fn paragraph(&mut self, phrase: &Phrase) {
         let air_mm = BLOCK_AIR_EM * self.air();
         if !phrase.plain().trim_end().ends_with([':', '：']) {
-            return self.lines(phrase, 0.0, None, air_mm);
+            return self.lines(phrase, 0.0, None, air_mm, false);
         }
         // What announces a table or a formula stays with it.
-        let step = self.line_em * TEXT_MM;
-        for (k, label) in wrapped(phrase, self.width(), TEXT_MM).iter().enumerate() {
+        let step = self.setting.line_em * TEXT_MM;
+        for (k, label) in wrapped(phrase, self.width(), TEXT_MM, &self.fonts).iter().enumerate() {
             let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
             let air_mm = if k == 0 { air_mm } else { 0.0 };
             self.waiting.push(Chunk { kind: Kind::Paragraph, items, height_mm: step, air_mm });
@@ -276,31 +315,65 @@ impl Setter {
     }
 
     fn list(&mut self, numbered: bool, members: &[Phrase]) {
+        if self.setting.columns && !numbered && self.columns(members) {
+            return;
+        }
         for (k, m) in members.iter().enumerate() {
             let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
             let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
-            self.lines(m, INDENT_MM, Some(mark), air);
+            // No member stands alone at the end of a page or at its beginning.
+            let wait = k + 1 < members.len() && (k == 0 || k + 2 == members.len());
+            self.lines(m, INDENT_MM, Some(mark), air, wait);
         }
     }
 
-    /// Lines of text; the first two and the last two stay together.
-    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64) {
-        let labels = wrapped(phrase, self.width() - indent, TEXT_MM);
+    /// A list in two columns, one below another in each: halves of the text where its members are no longer; false where they do not
+    /// stand beside one another at all.
+    fn columns(&mut self, members: &[Phrase]) -> bool {
+        let (width, step) = (self.width(), self.setting.line_em * TEXT_MM);
+        let rows = members.len().div_ceil(2);
+        let labels: Vec<Label> = members.iter().map(|m| m.label().in_fonts(&self.fonts)).collect();
+        let wide = |some: &[Label]| INDENT_MM + some.iter().map(|l| text::set(l).width_em * TEXT_MM).fold(0.0, f64::max);
+        let [first, second] = [wide(&labels[..rows]), wide(&labels[rows..])];
+        let column = if first.max(second) <= width / 2.0 { width / 2.0 } else { first + VALUES_GAP_MM };
+        if labels.len() < COLUMNS_MIN || column + second > width {
+            return false;
+        }
+        let mut items = Vec::new();
+        for (k, label) in labels.iter().enumerate() {
+            let at = Point::new((k / rows) as f64 * column + INDENT_MM, -((k % rows) as f64) * step - TEXT_MM * 1.1);
+            items.push(line(&Label::text("–").in_fonts(&self.fonts), at - Vec2::new(1.8, 0.0), TEXT_MM, Anchor::End));
+            items.push(line(label, at, TEXT_MM, Anchor::Start));
+        }
+        let air_mm = BLOCK_AIR_EM / 2.0 * self.air();
+        self.put(Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm });
+        true
+    }
+
+    /// Lines of text; the first two and the last two stay together. Those that wait stay with what follows them.
+    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64, wait: bool) {
+        let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
         let count = labels.len();
-        let step = self.line_em * TEXT_MM;
+        let step = self.setting.line_em * TEXT_MM;
         let mut group: Vec<Item> = Vec::new();
         let (mut rows, mut first) = (0, true);
         for (k, label) in labels.iter().enumerate() {
             let y = -(rows as f64) * step - TEXT_MM * 1.1;
             if let (0, Some(mark)) = (k, &mark) {
-                group.push(line(&Label::text(mark.clone()), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
+                group.push(line(&Label::text(mark.clone()).in_fonts(&self.fonts), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
             }
             group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
             rows += 1;
             let held = k == 0 && count > 1 || k + 2 == count;
             if !held {
-                let air = if first { air_mm } else { 0.0 };
-                self.put(Chunk { kind: Kind::Paragraph, items: std::mem::take(&mut group), height_mm: rows as f64 * step, air_mm: air });
+                let air_mm = if first { air_mm } else { 0.0 };
+                let items = std::mem::take(&mut group);
+                let chunk = Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm };
+                if wait && k + 1 == count {
+                    self.waiting.push(chunk);
+                } else {
+                    self.put(chunk);
+                }
                 (rows, first) = (0, false);
             }
         }
@@ -317,10 +390,16 @@ impl Setter {
             }
             return;
         }
+        if let Some(fit) = self.fitting(table).filter(|_| self.setting.filled) {
+            let (here, there) = table.rows.split_at(fit);
+            let rest = table.rows[..1].iter().chain(there).cloned().collect();
+            self.table(&Table { kind: table.kind, rows: here.to_vec() });
+            self.break_page();
+            return self.table(&Table { kind: table.kind, rows: rest });
+        }
         let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
         let set = |scale: f64| {
-            let rows: Vec<Row> =
-                table.rows.iter().enumerate().map(|(r, row)| cells(table.kind, r, row, TEXT_MM * scale, self.line_em)).collect();
+            let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| self.cells(table.kind, r, row, TEXT_MM * scale)).collect();
             grid::set(&rows, gap * scale)
         };
         let mut items = set(1.0);
@@ -330,7 +409,7 @@ impl Setter {
         if scale < 1.0 {
             items = set(scale);
         }
-        let step = self.line_em * TEXT_MM * scale;
+        let step = self.setting.line_em * TEXT_MM * scale;
         if table.kind == TableKind::Values {
             let y = -step * 1.15;
             let to = bounds(&items).map_or(0.0, |b| b.max.x);
@@ -342,20 +421,66 @@ impl Setter {
         let cell = |c: &Phrase| c.plain();
         let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
         let height_mm = table.rows.len() as f64 * step + 0.5 * step;
+        let right = bounds(&items).map_or(0.0, |b| b.max.x);
         self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
+        let middle = self.y + height_mm - (table.rows.len() + 1) as f64 / 2.0 * step;
+        self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
     }
 
+    /// How many rows of a table of values fit on the rest of this page, if they are not all but enough to cut it.
+    fn fitting(&self, table: &Table) -> Option<usize> {
+        let above: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
+        let step = self.setting.line_em * TEXT_MM;
+        // The head, and the air around the table, take the room of two rows.
+        let fit = ((self.room() - above - BLOCK_AIR_EM * self.air()) / step) as usize;
+        let (fit, all) = (fit.saturating_sub(1), table.rows.len());
+        let enough = table.kind == TableKind::Values && fit > ROWS_MIN && fit + ROWS_MIN <= all && all <= ROWS_MAX;
+        (enough && !self.fresh()).then_some(fit)
+    }
+
+    /// A row of a table.
+    fn cells(&self, kind: TableKind, r: usize, row: &[Phrase], size_mm: f64) -> Row {
+        let cell = |(c, phrase): (usize, &Phrase)| {
+            let anchor = match kind {
+                TableKind::Equation if c > 0 => Anchor::Middle,
+                _ => Anchor::Start,
+            };
+            let label = phrase.label().in_fonts(&self.fonts);
+            (!phrase.pieces().is_empty()).then(|| Cell { label, size_mm, anchor, class: "cell".into(), id: String::new() })
+        };
+        // The second row stands off the rule below the head.
+        let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
+        let height = if r == 0 { 0.9 } else { air };
+        Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * self.setting.line_em * size_mm }
+    }
+
+    /// A formula: beside the table that it is solved from where there is room, else on a line of its own.
     fn formula(&mut self, parts: &[Math]) {
-        let built = built(parts, TEXT_MM);
+        let built = built(parts, TEXT_MM, &self.fonts);
         let mut items = built.items;
-        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
+        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
+        if let Some([room, right, y]) = self.table.take() {
+            let x = FORMULA_MM.max(right + FORMULA_GAP_MM);
+            if self.waiting.is_empty() && x + wide <= room && y - built.below >= self.y {
+                translate(&mut items, Vec2::new(SIDE_MM + x, y));
+                self.parts.push(Part { kind: Kind::Formula(words), items });
+                return;
+            }
+        }
+        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
         let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
         self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
     }
 
     fn figure(&mut self, figure: &Figure) {
         let mut items = figure.items.clone();
+        // White is the paper itself.
+        if figure.paper != Colour::WHITE {
+            let corners = [(0.0, 0.0), (figure.width_mm, 0.0), (figure.width_mm, figure.height_mm), (0.0, figure.height_mm)];
+            let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
+            items.insert(0, Item::new("paper", Shape::Polyline { points, closed: true, stroke: None, fill: Some(figure.paper) }));
+        }
         let Some(ink) = bounds(&items) else { return };
         let (wide, high) = (ink.width_mm(), ink.height_mm());
         let kind = Kind::Figure(figure.desc.clone());
@@ -368,7 +493,7 @@ impl Setter {
         }
         let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
         self.clear();
-        if wide <= self.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
+        if wide <= self.setting.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
             translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
             self.parts.push(Part { kind, items });
             self.beside = Some([wide, self.y - air_mm - high]);
@@ -379,7 +504,8 @@ impl Setter {
         let mut together: Vec<&Chunk> = self.waiting.iter().collect();
         together.push(&chunk);
         // With little room left, heading and drawing go on together; with much, the text flows on before the drawing.
-        if self.need(&together) > self.room() && !self.fresh() && self.room() > FLOW_MM {
+        let worth = if self.setting.filled { LINES_MM } else { FLOW_MM };
+        if self.need(&together) > self.room() && !self.fresh() && self.room() > worth {
             self.drawings.push_back(chunk);
         } else {
             self.put(chunk);
@@ -390,18 +516,4 @@ impl Setter {
 /// A line of text.
 pub(super) fn line(label: &Label, at: Point, size_mm: f64, anchor: Anchor) -> Item {
     Item::new("text", Shape::Label { at, label: label.clone(), size_mm, anchor, colour: Colour::BLACK })
-}
-
-fn cells(kind: TableKind, r: usize, row: &[Phrase], size_mm: f64, line_em: f64) -> Row {
-    let cell = |(c, phrase): (usize, &Phrase)| {
-        let anchor = match kind {
-            TableKind::Equation if c > 0 => Anchor::Middle,
-            _ => Anchor::Start,
-        };
-        (!phrase.pieces().is_empty()).then(|| Cell { label: phrase.label(), size_mm, anchor, class: "cell".into(), id: String::new() })
-    };
-    // The second row stands off the rule below the head.
-    let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
-    let height = if r == 0 { 0.9 } else { air };
-    Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * line_em * size_mm }
 }

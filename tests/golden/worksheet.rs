@@ -188,6 +188,54 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
     assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
+/// A pupil gets one page, a teacher five more at most: no mechanism of the templates needs them all but those of many equations.
+#[test]
+fn no_page_is_wasted() {
+    let mut long = Vec::new();
+    for t in templates::list() {
+        let (scene, worked) = worked(t.name);
+        for (lang, suffix) in LANGS {
+            let [problem, both] = [Sides::Problem, Sides::Both].map(|sides| pages::pages(&document(&scene, &worked, lang, sides)).len());
+            println!("{} {suffix}: {problem} of {both} pages", t.name);
+            if problem > 1 || both > 6 {
+                long.push(format!("{} {suffix}: {problem} of {both} pages", t.name));
+            }
+        }
+    }
+    assert!(long.is_empty(), "{long:?}");
+}
+
+/// The turning rates stand beside the table that they are solved from; a list's first members stay together, and its last ones.
+#[test]
+fn formulas_stand_beside_their_tables() {
+    let (scene, worked) = worked("radial-engine");
+    let sheets = pages::pages(&document(&scene, &worked, Lang::En, Sides::Both));
+    let mut beside = 0;
+    for page in &sheets {
+        let formulas: Vec<Rect> =
+            page.parts.iter().filter(|p| matches!(p.kind, Kind::Formula(_))).filter_map(|p| bounds(&p.items)).collect();
+        for pair in formulas.windows(2) {
+            beside += usize::from(pair[1].min.x > pair[0].max.x && pair[1].min.y > pair[0].min.y && pair[1].max.y < pair[0].max.y);
+        }
+    }
+    assert_eq!(beside, 4, "one for each equation");
+}
+
+/// What lies on a line is not said to lie 0 beside it, and no length is negative where words tell the side.
+#[test]
+fn places_are_told_in_words() {
+    let told = |name: &str, lang| {
+        let (scene, worked) = worked(name);
+        markdown::markdown(&document(&scene, &worked, lang, Sides::Problem), "x").unwrap().0
+    };
+    let pantograph = told("pantograph", Lang::En);
+    assert!(pantograph.contains("from $O$ toward $B$; $D$ is"), "{pantograph}");
+    let excavator = told("excavator", Lang::En);
+    assert!(excavator.contains("from $D$ away from $G$ and $0.25"), "{excavator}");
+    let excavator = told("excavator", Lang::Zh);
+    assert!(excavator.contains(" 的反方向 $0.8") && !excavator.contains("-0.8"), "{excavator}");
+}
+
 #[test]
 fn pdf_pages_carry_their_text() {
     let (scene, worked) = worked("slotted-lever");

@@ -2,9 +2,11 @@
 //!
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
+mod fonts;
 mod legible;
 mod motion;
 mod parted;
+mod plots;
 
 use std::sync::LazyLock;
 

@@ -6,6 +6,7 @@
 
 use super::{Marks, Style};
 use crate::diag::{Diagnostic, Faults};
+use crate::figure::font::own::Fonts;
 use crate::figure::item::Colour;
 use crate::figure::label::Label;
 use crate::figure::text;
@@ -54,13 +55,16 @@ const TEXT: &[Length] = &[
 
 const SECTIONS: &[(&str, &str, &[Length])] =
     &[("lines", "\"lines\"", LINES), ("heads", "\"heads\"", HEADS), ("symbols", "\"symbols\"", SYMBOLS), ("text", "\"text\"", TEXT)];
-const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "colours", "notation"];
+const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
 const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown"];
 /// More colours than this nobody tells apart; the bound keeps a file from filling the memory.
 const LINKS_MAX: usize = 64;
 
-/// Reads a style file.
+/// What reads the file that a style names so: fonts stand beside the style, and this room opens no files.
+pub type Open<'a> = dyn FnMut(&str) -> Result<Vec<u8>, Diagnostic> + 'a;
+
+/// Reads a style file that names no other files.
 ///
 /// # Errors
 /// All faults in one list, each with its place in `source` as byte offsets.
@@ -71,18 +75,31 @@ const LINKS_MAX: usize = 64;
 /// assert!(hodograph::figure::style::read(br#"{ "lines": { "link": 90 } }"#).is_err());
 /// ```
 pub fn read(source: &[u8]) -> Result<Style, Faults> {
-    read_onto(source, Style::default())
+    read_with(source, &mut nothing)
+}
+
+/// Reads a style file whose fonts `open` reads.
+///
+/// # Errors
+/// As [`read`]; also those of `open`, and `font` for a file that is no font and for a second font of a cut.
+pub fn read_with(source: &[u8], open: &mut Open) -> Result<Style, Faults> {
+    read_onto(source, Style::default(), open)
+}
+
+/// Opens nothing.
+pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
+    Err(Diagnostic::error("font", format!("{name} cannot be read: this style is read without other files")))
 }
 
 /// The same for a file that differs, where it names no base, from `usual`.
-pub(super) fn read_onto(source: &[u8], usual: Style) -> Result<Style, Faults> {
+pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut Open) -> Result<Style, Faults> {
     let mut faults = Faults::default();
     let (_, root) = json::parse(source, &mut faults)?;
-    let style = style(&root, usual, &mut faults);
+    let style = style(&root, usual, open, &mut faults);
     style.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
-fn style(root: &Node, usual: Style, faults: &mut Faults) -> Option<Style> {
+fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Option<Style> {
     let f = Fields::open(root, "a style", KEYS, faults)?;
     let mut style = match f.get("base") {
         None => usual,
@@ -108,6 +125,9 @@ fn style(root: &Node, usual: Style, faults: &mut Faults) -> Option<Style> {
             }
         }
     }
+    if let Some(node) = f.get("fonts") {
+        style.fonts = fonts(node, open, faults);
+    }
     if let Some(node) = f.get("colours") {
         colours(node, &mut style, faults);
     }
@@ -127,6 +147,19 @@ fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) 
             None
         }
     }
+}
+
+/// An upright font, a slanted one, or both; a fault stands at the name that it is about.
+fn fonts(node: &Node, open: &mut Open, faults: &mut Faults) -> Fonts {
+    let mut fonts = Fonts::default();
+    for item in list(node, "\"fonts\"", faults).unwrap_or_default() {
+        let Some(name) = word(item, "a font", faults) else { continue };
+        match open(&name.text).and_then(|bytes| fonts.with(&name.text, bytes)) {
+            Ok(more) => fonts = more,
+            Err(d) => faults.push(d.at(name.span)),
+        }
+    }
+    fonts
 }
 
 fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
@@ -190,6 +223,24 @@ mod tests {
         assert_eq!(codes, ["unknown-key", "unknown-key", "out-of-range", "wrong-type", "colour", "colour", "mark"]);
         assert!(faults.list.iter().all(|d| d.span.is_some()));
         assert!(faults.list[2].help.as_ref().unwrap().contains("0.1 to 2 mm"));
+    }
+
+    #[test]
+    fn fonts_stand_beside_the_style() {
+        let mut asked = Vec::new();
+        let mut open = |name: &str| {
+            asked.push(name.to_owned());
+            std::fs::read(format!("fonts/{name}")).map_err(|e| Diagnostic::error("cannot-read", e.to_string()))
+        };
+        let style = read_with(br#"{ "base": "dark", "fonts": ["tinos-italic.ttf", "tinos-normal.ttf"] }"#, &mut open).unwrap();
+        assert!(!style.fonts.is_empty() && style != Style::named("dark").unwrap());
+        let faults = read_with(br#"{ "fonts": ["tinos-italic.ttf", "nosuch.ttf", "README.md", "tinos-italic.ttf", 3] }"#, &mut open);
+        let faults = faults.unwrap_err();
+        let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
+        assert_eq!(codes, ["cannot-read", "font", "font", "wrong-type"]);
+        assert!(faults.list.iter().all(|d| d.span.is_some()));
+        assert_eq!(asked[..2], ["tinos-italic.ttf", "tinos-normal.ttf"]);
+        assert_eq!(read(br#"{ "fonts": ["a.ttf"] }"#).unwrap_err().list[0].code, "font");
     }
 
     #[test]

@@ -2,13 +2,14 @@
 //! JSON files beside this one, a user's own is such a file that says what differs (the `file` module reads both).
 
 use super::arrow::Head;
+use super::font::own::Fonts;
 use super::item::{Colour, Stroke};
 use crate::plan::notation::Notation;
 
 mod file;
 mod palette;
 
-pub use file::read;
+pub use file::{Open, read, read_with};
 pub use palette::Palette;
 
 /// How a figure is drawn.
@@ -60,6 +61,8 @@ pub struct Style {
     pub palette: Palette,
     /// Marks that differ from those of the chosen notation profile.
     pub marks: Marks,
+    /// Fonts of the author's, asked before the embedded ones.
+    pub fonts: Fonts,
 }
 
 /// Marks of a notation profile that a style replaces; empty where it does not.
@@ -107,7 +110,7 @@ impl Style {
     pub fn named(name: &str) -> Option<Style> {
         let (_, source) = BUNDLED.iter().find(|(n, _)| *n == name)?;
         let print = name == BUNDLED[0].0;
-        let read = if print { file::read_onto(source.as_bytes(), Style::blank()) } else { read(source.as_bytes()) };
+        let read = if print { file::read_onto(source.as_bytes(), Style::blank(), &mut file::nothing) } else { read(source.as_bytes()) };
         Some(read.expect("bundled styles are read by a test"))
     }
 
@@ -138,6 +141,7 @@ impl Style {
             small_mm: 0.0,
             palette: Palette::default(),
             marks: Marks::default(),
+            fonts: Fonts::default(),
         }
     }
 }

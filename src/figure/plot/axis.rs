@@ -1,16 +1,22 @@
-//! A linear axis: its range and its ticks.
+//! An axis, linear or of powers of ten: its range, its ticks and their names.
 
 use crate::figure::results::number;
 
 /// Steps between the ticks of an axis that people read without thinking, of a power of ten; for degrees their own.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];
 const DEGREES: [f64; 8] = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 60.0];
+/// More decades than these have a tick at every fifth only.
+const DECADES_MAX: f64 = 12.0;
 /// A range with ticks.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(in crate::figure) struct Axis {
+    /// The value where it begins, at the left or below; that where it ends may be less.
     pub from: f64,
+    /// The value where it ends.
     pub to: f64,
+    /// Between ticks: of the values, or of their powers of ten.
     step: f64,
+    powers: bool,
 }
 
 impl Axis {
@@ -33,21 +39,47 @@ impl Axis {
         let steps = (decade..=decade + 1).flat_map(|e| STEPS.map(|s| s * libm::pow(10.0, f64::from(e))));
         let step = own.or_else(|| steps.into_iter().find(|s| round(*s))).unwrap_or(least);
         // A hair beyond a tick is at the tick: 360.00000000000006° ends at 360°.
-        Axis { from: libm::floor(lo / step + 1e-9) * step, to: libm::ceil(hi / step - 1e-9) * step, step }
+        let (from, to) = (libm::floor(lo / step + 1e-9) * step, libm::ceil(hi / step - 1e-9) * step);
+        Axis { from, to, step, powers: false }
     }
 
+    /// From one power of ten to another.
+    pub fn powers(from: f64, to: f64) -> Axis {
+        let step = if (to - from).abs() > DECADES_MAX { 5.0 } else { 1.0 };
+        Axis { from: libm::pow(10.0, from), to: libm::pow(10.0, to), step, powers: true }
+    }
+
+    /// A value as the axis is divided: itself, or its power of ten.
+    fn scaled(&self, value: f64) -> f64 {
+        if self.powers { libm::log10(value) } else { value }
+    }
+
+    /// Where a value stands, from 0 to 1; what lies outside stands at the end, zero on an axis of powers at the lower one.
     pub fn part(&self, value: f64) -> f64 {
-        ((value - self.from) / (self.to - self.from)).clamp(0.0, 1.0)
+        let [from, to, value] = [self.from, self.to, value].map(|v| self.scaled(v));
+        ((value - from) / (to - from)).clamp(0.0, 1.0)
     }
 
+    /// The values at the ticks, upwards.
     pub fn ticks(&self) -> impl Iterator<Item = f64> + '_ {
-        let first = libm::round(self.from / self.step);
-        let count = libm::round((self.to - self.from) / self.step) as usize;
-        (0..=count).map(move |k| (first + k as f64) * self.step)
+        let [from, to] = [self.from, self.to].map(|v| self.scaled(v) / self.step);
+        // A hair beyond a tick is at the tick.
+        let (first, last) = (libm::ceil(from.min(to) - 1e-9), libm::floor(from.max(to) + 1e-9));
+        let value = |k: f64| if self.powers { libm::pow(10.0, k) } else { k };
+        (0..=(last - first) as usize).map(move |k| value((first + k as f64) * self.step))
+    }
+
+    /// Whether the value lies between the ends, at neither of them.
+    pub fn holds(&self, value: f64) -> bool {
+        self.from.min(self.to) < value && value < self.from.max(self.to)
     }
 
     /// A tick's number, with no more places than the step has.
     pub fn name(&self, tick: f64) -> String {
+        if self.powers {
+            let power = libm::round(libm::log10(tick));
+            return if power == 0.0 { "1".into() } else { format!("10^{{{power}}}").replace('-', "−") };
+        }
         let places = (-libm::floor(libm::log10(self.step)) + 1.0).clamp(0.0, 12.0) as usize;
         let tick = if tick.abs() < self.step * 1e-6 { 0.0 } else { tick };
         let large = self.from.abs().max(self.to.abs());
@@ -63,6 +95,18 @@ impl Axis {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn powers_of_ten() {
+        let names = |axis: &Axis| axis.ticks().map(|t| axis.name(t)).collect::<Vec<_>>();
+        let few = Axis::powers(-2.0, 1.0);
+        assert_eq!(names(&few), ["10^{−2}", "10^{−1}", "1", "10^{1}"]);
+        assert!((few.part(0.1) - 1.0 / 3.0).abs() < 1e-12 && few.part(0.0) == 0.0 && few.part(1e9) == 1.0);
+        // Toward the right ever smaller.
+        let back = Axis::powers(0.0, -14.0);
+        assert_eq!(names(&back), ["10^{−10}", "10^{−5}", "1"]);
+        assert!(back.part(1.0) == 0.0 && back.part(1e-14) == 1.0 && back.holds(1e-3) && !back.holds(2.0));
+    }
 
     #[test]
     fn ticks_that_people_read() {

@@ -1,0 +1,74 @@
+//! Fonts of one's own: whatever is drawn in a style is set in the fonts of that style, and nothing else is.
+
+use std::time::Duration;
+
+use hodograph::accuracy::ways;
+use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::font::{Face, own::Fonts};
+use hodograph::figure::item::{Figure, Item, Shape};
+use hodograph::figure::mechanism::Overlay;
+use hodograph::figure::sheet::{Options, diagram, sheet};
+use hodograph::figure::style::Style;
+use hodograph::figure::{path, poses, price, steps, text};
+use hodograph::mechanism::Mechanism;
+use hodograph::scene::{Angle, Lang, PointId, read, templates};
+use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::worked::{Scope, work};
+use hodograph::worksheet::{self, Sides, pages};
+
+fn tinos() -> Fonts {
+    let file = |name: &str| std::fs::read(format!("{}/fonts/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let names = ["tinos-normal.ttf", "tinos-italic.ttf"];
+    names.iter().fold(Fonts::default(), |fonts, name| fonts.with(name, file(name)).unwrap())
+}
+
+/// Letters that come from a bundled font of words or quantities, and how many come from one's own.
+fn letters<'a>(items: impl IntoIterator<Item = &'a Item>) -> (Vec<String>, usize) {
+    let (mut bundled, mut own) = (Vec::new(), 0);
+    for item in items {
+        let Shape::Label { label, .. } = &item.shape else { continue };
+        for run in &text::set(label).runs {
+            match run.face {
+                Face::Own(_) => own += 1,
+                Face::Roman | Face::Italic if run.text.chars().any(char::is_alphanumeric) => bundled.push(label.plain()),
+                _ => {}
+            }
+        }
+    }
+    (bundled, own)
+}
+
+#[test]
+fn every_label_is_set_in_the_fonts_of_its_style() {
+    let scene = read(templates::get("crank-rocker").unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value.with_drafting(&scene);
+    let style = Style { fonts: tinos(), ..Style::default() };
+    let options = Options { style: style.clone(), ..Options::of_language(Lang::En) };
+    let points = vec![PointId(scene.points.iter().position(|p| p.name == "E").unwrap())];
+    let mut drawn: Vec<(&str, Vec<Item>)> = Vec::new();
+    let mut figures = |what: &'static str, list: Vec<Figure>| drawn.extend(list.into_iter().map(|f| (what, f.items)));
+    figures("sheet", vec![sheet(&scene, &worked, &options).unwrap()]);
+    figures("steps", steps::figures(&scene, &worked, &options));
+    let overlay = Overlay { dimensions: true, ..Overlay::default() };
+    figures("diagram", vec![diagram(&scene, &worked, &options, &overlay)]);
+    let wanted = poses::Wanted { count: 4, driver: 0, points: points.clone() };
+    figures("poses", poses::sheets(&scene, &worked, &options, &wanted).unwrap().value);
+    let wanted = path::Wanted { points, driver: 0, marks: 4, poses: 3 };
+    figures("path", vec![path::figure(&scene, &worked, &options, &wanted).unwrap().value]);
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
+    let lines = Diagram::of(&placed, 0, &table, &options.notation);
+    figures("curves", vec![curves::figure(&scene, &lines, &style, Lang::En)]);
+    let measured = ways::measure(&scene, &worked, Duration::from_millis(1)).unwrap();
+    figures("accuracy", vec![price::figure(&scene, &measured, &[], &style, Lang::En)]);
+    let document = worksheet::worksheet(&scene, &worked, &worksheet::Options { sheet: options, sides: Sides::Both });
+    drawn.extend(pages::pages(&document).into_iter().map(|p| ("worksheet", p.parts.into_iter().flat_map(|p| p.items).collect())));
+    for (what, items) in &drawn {
+        let (bundled, own) = letters(items);
+        assert!(bundled.is_empty() && own > 0, "{what}: {own} in one's own, but {bundled:?}");
+    }
+    // The next figure of the same program knows nothing of it.
+    let usual = sheet(&scene, &worked, &Options::of_language(Lang::En)).unwrap();
+    assert_eq!(letters(&usual.items).1, 0);
+}

@@ -1,0 +1,74 @@
+//! Plots, with axes of numbers and of powers of ten: all on the paper, no name on another.
+
+use std::time::Duration;
+
+use hodograph::accuracy::ways;
+use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::extent::{Rect, bounds};
+use hodograph::figure::item::{Figure, Shape};
+use hodograph::figure::price;
+use hodograph::figure::style::Style;
+use hodograph::mechanism::Mechanism;
+use hodograph::plan::notation::Notation;
+use hodograph::scene::{Angle, Lang, read, templates};
+use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::worked::{Scope, work};
+
+fn faults_of(figure: &Figure, what: &str) -> Vec<String> {
+    let mut faults = Vec::new();
+    let ink = bounds(&figure.items).unwrap();
+    if ink.min.x < 0.0 || ink.min.y < 0.0 || ink.max.x > figure.width_mm || ink.max.y > figure.height_mm {
+        faults.push(format!("{what}: ink at {ink:?} of {} x {} mm", figure.width_mm, figure.height_mm));
+    }
+    let label = |i: &&hodograph::figure::item::Item| matches!(i.shape, Shape::Label { .. });
+    let boxes: Vec<(&str, Rect)> = figure.items.iter().filter(label).filter_map(|i| Some((i.id.as_str(), i.bounds()?))).collect();
+    for (k, (a, r)) in boxes.iter().enumerate() {
+        for (b, s) in &boxes[k + 1..] {
+            let (w, h) = (r.max.x.min(s.max.x) - r.min.x.max(s.min.x), r.max.y.min(s.max.y) - r.min.y.max(s.min.y));
+            if w > 0.05 && h > 0.05 {
+                faults.push(format!("{what}: {a} on {b}"));
+            }
+        }
+    }
+    faults
+}
+
+#[test]
+fn plots_stay_on_the_paper_and_their_names_apart() {
+    let near = include_str!("../../docs/near-toggle.json");
+    let near = read(near).unwrap().value;
+    let worked = work(&near, Scope::Questions).unwrap().value;
+    let patience = Duration::from_millis(1);
+    let measured = ways::measure(&near, &worked, patience).unwrap();
+    let series = ways::toward_toggle(&near, patience).unwrap();
+    let scene = read(templates::get("jansen-leg").unwrap()).unwrap().value;
+    let mechanism = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &mechanism).unwrap();
+    let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
+    let mut faults = Vec::new();
+    for style in Style::names().map(|name| Style::named(name).unwrap()) {
+        for lang in [Lang::En, Lang::Zh] {
+            let figure = price::figure(&near, &measured, &series, &style, lang);
+            let named = |text: &str| {
+                figure.items.iter().filter(|i| matches!(&i.shape, Shape::Label { label, .. } if label.source() == text)).count()
+            };
+            assert!(named("10^{−10}") >= 2 && named("1") >= 2, "both vertical axes have their powers of ten");
+            faults.extend(faults_of(&figure, &format!("accuracy {} {lang:?}", style.name)));
+            let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
+            let figure = curves::figure(&scene, &diagram, &style, lang);
+            // More lines than kinds of dashes are told apart all the same.
+            let mut strokes: Vec<String> = Vec::new();
+            for item in figure.items.iter().filter(|i| i.class == "curve" && i.id.starts_with("panel-0-")) {
+                if let Shape::Polyline { stroke: Some(s), .. } = item.shape {
+                    strokes.push(format!("{:?} {}", s.dash, s.width_mm));
+                }
+            }
+            let all = strokes.len();
+            strokes.sort();
+            strokes.dedup();
+            assert_eq!((all, strokes.len()), (5, 5), "five velocities");
+            faults.extend(faults_of(&figure, &format!("curves {} {lang:?}", style.name)));
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
