@@ -11,6 +11,7 @@ mod files;
 mod long;
 mod part;
 mod path;
+mod spool;
 mod stop;
 mod sweep;
 mod tables;

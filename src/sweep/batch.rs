@@ -6,7 +6,7 @@
 use super::general::{General, driver_name};
 use super::station::{Stations, angle_per_value, position_now};
 use super::vary::Variation;
-use super::{Placed, Width, branches, compile, run_parts};
+use super::{Placed, Width, branches, compile, moved, run_parts};
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
@@ -162,15 +162,14 @@ impl Batch<'_> {
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![position_now(scene, &placed.at, self.driver)], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
-        let general = General::new(&placed, self.driver);
         let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
                 let (parts, _) = branches(program, &placed, self.driver, &stations);
                 let mut rows = run_parts(&parts, &placed, self.driver, &stations, Width::Widest);
-                rows.complete(&general, &stations, &|_| None);
+                rows.complete(&General::new(&placed, self.driver), &stations, &|_| None);
                 rows
             }
-            Err(_) => general.follow(&stations),
+            Err(_) => moved::follow(&placed, self.driver, &stations).0,
         };
         let there = rows.missing.iter().map(Option::is_none).collect();
         Ok((stations, rows.columns, there))

@@ -3,10 +3,10 @@
 //! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); class III groups are followed ([`track`]). Positions at
+//! ([`lane`]); class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
-//! [`long`] sweeps go piece by piece. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]). [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -15,6 +15,7 @@ pub mod batch;
 pub mod carry;
 pub mod closure;
 pub mod compile;
+mod course;
 pub mod extreme;
 pub mod follow;
 pub mod fuse;
@@ -23,6 +24,8 @@ pub mod kernel;
 pub mod lane;
 pub mod limit;
 pub mod long;
+mod moved;
+pub mod pieces;
 pub mod points;
 pub mod program;
 pub mod reading;
@@ -31,6 +34,7 @@ pub mod run;
 pub mod station;
 pub mod table;
 pub mod track;
+mod tracked;
 pub mod vary;
 mod walked;
 pub mod zoom;
@@ -104,13 +108,16 @@ pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) ->
         }
         Err(note) => {
             notes.push(note);
-            general.follow(stations)
+            let (rows, limits) = moved::follow(placed, driver, stations);
+            notes.extend(limits);
+            rows
         }
     };
     Ok(rows.into_table(placed, driver, stations, notes))
 }
 
 /// The rows of a sweep under way: numbers of all columns, and which rows are there.
+#[derive(Default)]
 pub(crate) struct Rows {
     /// Name and unit of each column.
     pub names: Vec<(String, &'static str)>,
@@ -271,21 +278,21 @@ fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, st
 const ALONE: usize = 16 * CHUNK;
 
 fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    let states = (!program.tracks.is_empty()).then(|| tracked::follow(program, placed, driver, stations));
+    run_with(program, states, stations, width)
+}
+
+/// Runs a program whose followed links, if it has any, are where `states` says.
+fn run_with(program: &Program, states: Option<tracked::States>, stations: &Stations, width: Width) -> Rows {
     let n = stations.len();
     let names = program.columns.iter().map(|c| (c.name.clone(), c.unit)).collect();
     let mut columns: Vec<Vec<f64>> = program.columns.iter().map(|_| vec![0.0; n]).collect();
     let mut missing: Vec<Option<Faults>> = vec![None; n];
-    let states = if program.tracks.is_empty() {
-        None
-    } else {
-        let states = general::follow_tracks(program, placed, driver, stations);
-        for (gap, state) in missing.iter_mut().zip(&states) {
-            if let Err(why) = state {
-                *gap = Some(why.clone());
-            }
+    for (gap, state) in missing.iter_mut().zip(states.iter().flatten()) {
+        if let Err(why) = state {
+            *gap = Some(why.clone());
         }
-        Some(states)
-    };
+    }
     let fused = program.fused();
     let together = fused.positions();
     // Where each column is found, and the part of it that each chunk fills.
