@@ -662,7 +662,8 @@ fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     let told = limits_of(&scene);
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 180);
     let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
-    let line = |e: &sweep::limit::Event| e.toggle.as_ref().is_some_and(|t| t.words(&scene, Lang::En) == "link 7 (EH) and link 8 (HK) lie in line");
+    let line =
+        |e: &sweep::limit::Event| e.toggle.as_ref().is_some_and(|t| t.words(&scene, Lang::En) == "link 7 (EH) and link 8 (HK) lie in line");
     let end = told.range.ends.iter().flatten().find(|e| line(e)).expect("a limit where links 7 and 8 lie in line");
     let length = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let reach = length([7.0, 2.0], [8.0, 3.2]) + length([8.0, 3.2], [8.6, 4.4]);

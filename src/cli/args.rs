@@ -231,6 +231,10 @@ pub struct Range {
     /// Where it ends (default: a full turn, or as far as the driver goes)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
+    /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each mechanism stands where the scene
+    /// puts it)
+    #[arg(long, value_name = "N", value_parser = steps)]
+    pub steps: Option<usize>,
     /// Other questions than the scene's, such as v_E,a_E,omega_3
     #[arg(long, value_name = "LIST")]
     pub find: Option<String>,
@@ -242,9 +246,6 @@ pub struct Sweep {
     pub common: Common,
     #[command(flatten)]
     pub range: Range,
-    /// Equal steps from one to the other; both ends are rows
-    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
-    pub steps: usize,
     /// Write to this file, ending in .csv, .json, .npy or .parquet, instead of standard output (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
@@ -256,9 +257,6 @@ pub struct Curves {
     pub common: Common,
     #[command(flatten)]
     pub range: Range,
-    /// Equal steps from one to the other; both ends are rows
-    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
-    pub steps: usize,
     #[command(flatten)]
     pub look: Look,
     /// The file, ending in .svg, .png or .pdf
@@ -407,15 +405,12 @@ pub struct Batch {
     pub seed: u64,
     #[command(flatten)]
     pub range: Range,
-    /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
-    #[arg(long, value_parser = steps)]
-    pub steps: Option<usize>,
     /// Write to this file, ending in .csv, .npy or .parquet; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
 }
 
-/// As many steps as a table in memory may have: a hundred columns of ten million rows are eight gigabytes.
+/// As many steps as a file is likely to be wanted with: a hundred columns of ten million rows are eight gigabytes.
 fn steps(s: &str) -> Result<usize, String> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),

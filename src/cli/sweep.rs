@@ -43,7 +43,7 @@ fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     }
     let driver = driver_of(scene, a.range.over.as_deref()).map_err(failed)?;
     let placed = Placed::new(scene, &mechanism).map_err(failed)?;
-    let steps = steps(&placed, driver, &a.range, a.steps).map_err(failed)?;
+    let steps = steps(&placed, driver, &a.range, a.range.steps.unwrap_or(STEPS)).map_err(failed)?;
     write(&mut Long::new(&placed, driver, steps), title, a.output.as_deref())
 }
 
@@ -100,7 +100,7 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
 /// The values of a parameter between the bounds of the command line.
 fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Faults> {
     let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-    variation.span(scene, name, &from, &to, a.steps)
+    variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS))
 }
 
 fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {

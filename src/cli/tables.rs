@@ -63,7 +63,11 @@ pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// The pieces of a sweep, in the form that `shape` gives them, one after the other until all are made or the user asks to stop.
-fn pieces<'a, T>(sweep: &'a mut dyn Pieces, bar: &'a ProgressBar, shape: impl Fn(Vec<Vec<f64>>) -> T + 'a) -> impl FnMut() -> Option<T> + 'a {
+fn pieces<'a, T>(
+    sweep: &'a mut dyn Pieces,
+    bar: &'a ProgressBar,
+    shape: impl Fn(Vec<Vec<f64>>) -> T + 'a,
+) -> impl FnMut() -> Option<T> + 'a {
     let (count, mut from) = (sweep.count(), 0);
     move || {
         let to = count.min(from + ROWS);

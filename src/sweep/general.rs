@@ -1,7 +1,7 @@
 //! Positions one by one, by the general solvers, where a program has no value; and what is said of rows and limits.
 
-use super::limit::Event;
 use super::Placed;
+use super::limit::Event;
 use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};

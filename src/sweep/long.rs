@@ -27,14 +27,14 @@ pub struct Long<'a> {
 enum Way<'a> {
     /// Each by itself.
     Free {
-        program: Program,
+        program: Box<Program>,
         /// The ends of the whole way.
         reach: Stations,
         now: f64,
         changes: [Vec<Event>; 2],
     },
     /// With links that are followed.
-    Tracked { program: Program, reach: Stations, course: Course<Tracked<'a>> },
+    Tracked { course: Box<Course<Tracked<'a>>>, reach: Stations },
     /// The whole mechanism is followed; why there is no program.
     Moved { course: Course<Moved<'a>>, why: Diagnostic },
 }
@@ -52,10 +52,9 @@ impl<'a> Long<'a> {
                 if program.tracks.is_empty() {
                     let (now, bounds) = span(placed, driver, &reach);
                     let changes = change_points(&program, placed, driver, now, bounds);
-                    Way::Free { program, reach, now, changes }
+                    Way::Free { program: Box::new(program), reach, now, changes }
                 } else {
-                    let course = Tracked::course(program.clone(), placed, driver, count, &values);
-                    Way::Tracked { program, reach, course }
+                    Way::Tracked { course: Box::new(Tracked::course(program, placed, driver, count, &values)), reach }
                 }
             }
             Err(why) => Way::Moved { course: Moved::course(placed, driver, count, &values), why },
@@ -71,12 +70,13 @@ impl<'a> Long<'a> {
         let row = |position| flipped(position, descending, count) - rows.start;
         let (program, mut numbers) = match &mut self.way {
             Way::Free { program, now, changes, .. } => {
-                let parts = stretches(program.clone(), *now, changes, stations);
-                (&*program, run_parts(&parts, placed, driver, stations, Width::Widest))
+                let parts = stretches((**program).clone(), *now, changes, stations);
+                (&**program, run_parts(&parts, placed, driver, stations, Width::Widest))
             }
-            Way::Tracked { program, course, .. } => {
+            Way::Tracked { course, .. } => {
                 let states = tracked::states(course, part, &values, &row, stop)?;
-                (&*program, run_with(program, Some(states), stations, Width::Widest))
+                let program = course.follow().program();
+                (program, run_with(program, Some(states), stations, Width::Widest))
             }
             Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
         };
@@ -125,7 +125,7 @@ impl Pieces for Long<'_> {
                 let changes = changes.iter().flatten().map(|c| general::change_note(scene, self.driver, c));
                 changes.chain(limits(program, reach)).collect()
             }
-            Way::Tracked { program, reach, .. } => limits(program, reach),
+            Way::Tracked { course, reach } => limits(course.follow().program(), reach),
             Way::Moved { course, why } => std::iter::once(why.clone()).chain(moved::ends(course)).collect(),
         };
         notes.extend(self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))));

@@ -10,10 +10,10 @@ use super::{Placed, Rows};
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Core, Mechanism};
+use crate::position::Configuration;
 use crate::position::fold::fold;
 use crate::position::newton::{self, DriverValues};
 use crate::position::toggle::Toggle;
-use crate::position::Configuration;
 use crate::scene::DriverKind;
 use std::ops::Range;
 

@@ -29,8 +29,7 @@ pub trait Pieces: Send {
 
 /// All rows in memory.
 pub fn gather(pieces: &mut dyn Pieces) -> Table {
-    let mut columns: Vec<Column> =
-        pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
+    let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
     let (count, step) = (pieces.count(), pieces.at_once());
     for from in (0..count).step_by(step) {
         let piece = pieces.piece(from..count.min(from + step), &|| false).unwrap_or_default();

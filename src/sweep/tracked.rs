@@ -27,6 +27,11 @@ impl<'a> Tracked<'a> {
         Course::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
     }
 
+    /// The program.
+    pub fn program(&self) -> &Program {
+        &self.program
+    }
+
     fn turn(&self, x: f64) -> (f64, f64, f64) {
         (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
     }
