@@ -53,8 +53,7 @@ impl Curve<'_> {
             if slopes.nrows() != n {
                 return None;
             }
-            let square = slopes.insert_row(n, 0.0);
-            let mut square = square;
+            let mut square = slopes.insert_row(n, 0.0);
             square.set_row(n, &self.along.transpose());
             let mut miss = self.residuals(&z).insert_row(n, 0.0);
             miss[n] = self.along.dot(&(&z - &self.base)) - distance;

@@ -128,8 +128,7 @@ mod tests {
                 match (a, b) {
                     (None, None) => {}
                     (Some(a), Some(b)) => {
-                        // By halving with Newton's method, which next to a fold meets the root of the rounding.
-                        close(name, a.value, b.value, 1e-9);
+                        close(name, a.value, b.value, 1e-13);
                         assert_eq!(a.toggle.is_some(), b.toggle.is_some(), "{name}");
                     }
                     _ => panic!("{name}: {a:?} against {b:?}"),
