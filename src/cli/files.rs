@@ -1,6 +1,6 @@
 //! Files: read with a bound, written whole or not at all.
 
-use super::args::{Format, Text};
+use super::values::{Format, Text};
 use super::{Failure, stop};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::font::own;

@@ -15,6 +15,7 @@ mod spool;
 mod stop;
 mod sweep;
 mod tables;
+mod values;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
