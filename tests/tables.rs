@@ -213,27 +213,66 @@ fn from(ending: &str, path: &Path) -> Read {
     }
 }
 
-/// A sweep is written beside its name first: asked to stop, it takes that away.
+/// Of many pieces, with rows missing over their ends: the document is that of a writer who has all of it in memory.
+#[test]
+fn a_long_json_is_the_document_of_a_whole_one() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.json");
+    hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
+    let write = |ending: &str| {
+        let path = folder.path().join(format!("table.{ending}"));
+        hodograph().args(["sweep", "--steps", "140000", "--find", "a_C", "-o"]).arg(&path).arg(&scene).assert().success();
+        path
+    };
+    let (json, (labels, columns)) = (std::fs::read_to_string(write("json")).unwrap(), from_npy(&write("npy")));
+    let title: serde_json::Value = serde_json::from_slice(&std::fs::read(&scene).unwrap()).unwrap();
+    let part = |label: &str| label.split_once(" [").map(|(n, u)| (n.to_owned(), u.trim_end_matches(']').to_owned())).unwrap();
+    let columns = labels.iter().zip(&columns).map(|(label, values)| {
+        let (name, unit) = part(label);
+        serde_json::json!({"name": name, "unit": unit, "values": values})
+    });
+    // The notes are told by the other formats too, and stand last.
+    let notes = json[json.rfind("\"notes\": ").unwrap() + 9..].trim_end().strip_suffix('}').unwrap();
+    let notes: serde_json::Value = serde_json::from_str(notes).unwrap();
+    assert!(notes.as_array().unwrap().len() >= 2, "{notes}");
+    let document = serde_json::json!({
+        "title": title["title"]["en"],
+        "generator": concat!("hodograph ", env!("CARGO_PKG_VERSION")),
+        "columns": columns.collect::<Vec<_>>(),
+        "notes": notes,
+    });
+    assert!(json == format!("{document:#}\n"), "{} bytes against {}", json.len(), format!("{document:#}\n").len());
+}
+
+/// A sweep is written beside its name first: asked to stop, it takes that away. By rows and by columns; each row by itself, from the one
+/// before it, or a mechanism for each.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_leaves_nothing() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("long.csv");
-    let words = "sweep templates/crank-rocker.json --steps 400000 --find a_C -o";
-    let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect();
-    let begun = || std::fs::read_dir(folder.path()).unwrap().any(|f| f.is_ok_and(|f| f.metadata().is_ok_and(|m| m.len() > 0)));
-    // The writing may end before the signal comes; then the file is whole.
-    let stopped = (0..5).any(|_| {
-        let code = interrupted(&arguments, "-INT", &begun);
-        let left = std::fs::read_dir(folder.path()).unwrap().count();
-        match code {
-            Some(130) => assert_eq!(left, 0),
-            _ => assert_eq!((code, left, from_csv(&out).1[0].len()), (Some(0), 1, 400_001)),
-        }
-        let _ = std::fs::remove_file(&out);
-        code == Some(130)
-    });
-    assert!(stopped, "five times too late");
+    let commands = [
+        ("sweep templates/crank-rocker.json --steps 400000 --find a_C -o", "csv"),
+        ("sweep templates/crank-rocker.json --steps 400000 --find a_C -o", "json"),
+        ("sweep templates/class-iii-six-bar.json --steps 400000 --find omega_3 -o", "npy"),
+        ("sweep templates/crank-rocker.json --over l_BC --from 200 --to 300 --steps 100000 --find a_C -o", "parquet"),
+    ];
+    for (words, ending) in commands {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join(format!("long.{ending}"));
+        let arguments: Vec<String> = words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect();
+        let begun = || std::fs::read_dir(folder.path()).unwrap().count() > 0;
+        // The writing may end before the signal comes; then the file is whole.
+        let stopped = (0..5).any(|_| {
+            let code = interrupted(&arguments, "-INT", &begun);
+            let left = std::fs::read_dir(folder.path()).unwrap().count();
+            match code {
+                Some(130) => assert_eq!(left, 0, "{words} {ending}"),
+                _ => assert_eq!((code, left, out.exists()), (Some(0), 1, true), "{words} {ending}"),
+            }
+            let _ = std::fs::remove_file(&out);
+            code == Some(130)
+        });
+        assert!(stopped, "{words} {ending}: five times too late");
+    }
 }
 
 /// A limit on the size of files stands for a full disk: the system refuses to write on in the middle of the table.

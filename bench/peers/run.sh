@@ -8,8 +8,9 @@ root=$(cd ../.. && pwd)
 venv/bin/pip install --quiet --requirement requirements.txt
 (cd "$root" && cargo build --release --quiet --bin hodograph)
 # The benchmark's own binary times the library on one core.
-library=$(cd "$root" && cargo bench --bench tables --no-run --message-format=json 2>/dev/null |
+library=$( (cd "$root" && cargo bench --bench tables --no-run --quiet --message-format=json) |
   venv/bin/python -c 'import json, sys
-print([m["executable"] for m in map(json.loads, sys.stdin) if m.get("executable")][-1])')
+made = [m for m in map(json.loads, sys.stdin) if m.get("executable") and m["target"]["name"] == "tables"]
+print(made[-1]["executable"])')
 grep -m 1 "model name" /proc/cpuinfo 2>/dev/null || true
 venv/bin/python compare.py "${CARGO_TARGET_DIR:-$root/target}/release/hodograph" "$root/templates/crank-rocker.json" "$library"

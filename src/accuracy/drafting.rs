@@ -17,9 +17,6 @@ use crate::plan::{Plan, VertexId};
 use crate::position::Configuration;
 use crate::scene::{Asked, Scene};
 
-/// The drawings: diagram, velocity polygon, acceleration polygon.
-pub const LEVELS: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
-
 /// A finished construction with all that is needed to draw it again.
 #[derive(Clone, Debug)]
 pub struct Drawn<'a> {
@@ -116,7 +113,7 @@ impl CrossingTolerance {
 /// Every crossing of a construction with what a pencil error (mm) makes of it, in drawing order.
 pub fn crossings(paper: &Construction, pencil_mm: f64) -> Vec<CrossingTolerance> {
     let mut all = Vec::new();
-    for level in LEVELS {
+    for level in Level::ALL {
         let mu = paper.polygon(level).map_or(paper.diagram.mu_l, |p| p.mu);
         all.extend(paper.crossings(level).into_iter().map(|c| {
             let moves_mm = pencil_mm / c.sine.abs();
@@ -182,7 +179,7 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
     let mut first = Slip { marks: Vec::new(), count: 0, displaced: None };
     let base = drawn.read_with(layout, &mut first).ok()?;
     let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
-    let steps_mm = LEVELS.map(|level| {
+    let steps_mm = Level::ALL.map(|level| {
         let [w, h] = drawn.size_mm(level);
         w.max(h) * STEP
     });

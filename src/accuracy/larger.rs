@@ -1,8 +1,9 @@
 //! How large the drawings have to be for a wanted tolerance.
 
-use super::drafting::{Drawn, LEVELS};
+use super::drafting::Drawn;
 use crate::construct::Layout;
 use crate::construct::scale::finer;
+use crate::mechanism::Level;
 
 /// The relative tolerance that an engineering drawing is expected to give.
 const WANTED: f64 = 0.01;
@@ -49,7 +50,7 @@ pub(super) fn larger(drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64;
     let present = [Some(layout.mu_l), layout.mu_v, layout.mu_a];
     let mut mu = [None; 3];
     let mut size_mm = [0.0f64; 2];
-    for (i, level) in LEVELS.into_iter().enumerate() {
+    for (i, level) in Level::ALL.into_iter().enumerate() {
         let Some(now) = present[i].filter(|_| parts[i] > 0.0) else { continue };
         let then = if factor > 1.0 { finer(now, factor) } else { now };
         let on_paper = drawn.size_mm(level).map(|mm| mm * now / then);

@@ -14,7 +14,7 @@ mod written;
 
 pub use agreement::{Agreement, ROUNDING, compare};
 pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
-pub use drafting::{CrossingTolerance, Drafting, Drawn, LEVELS, Tolerance, crossings, drafting};
+pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, drafting};
 pub use ladder::{Certified, certify};
 pub use larger::Larger;
 pub use simulate::{Errors, simulate};

@@ -171,7 +171,7 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
         let told = crossing(c.sine, paper.diagram.mu_l, pencil_mm);
         out.extend(told.into_iter().map(|(what, n)| (Key::Step(Level::Position, i, what), n)));
     }
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         let Some(p) = paper.polygon(level) else { continue };
         let rates = paper.rates.iter().filter(|r| r.level == level);
         let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);

@@ -357,7 +357,7 @@ fn size(worked: &Worked, i: usize) -> f64 {
 
 /// The worst of each level; `None` where nothing of the level is asked.
 fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
-    [Level::Velocity, Level::Acceleration].map(|level| {
+    Level::RATES.map(|level| {
         let of_level = (0..worked.results.len()).filter(|&i| level_of(&scene.find[worked.results[i].find].what) == level);
         of_level.map(&error).map(|e| if e.is_nan() { f64::INFINITY } else { e }).reduce(f64::max)
     })

@@ -1,8 +1,7 @@
-//! The arguments.
+//! The arguments of every command.
 
-use crate::accuracy::ladder::MOST_DIGITS;
-use crate::scene::Lang;
-use clap::{Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use super::values::{Format, Language, Picture, Text, Vectors, digits, dpi, length, steps};
+use clap::{Args as ClapArgs, Parser, Subcommand};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
 #[derive(Parser, Debug)]
@@ -234,6 +233,10 @@ pub struct Range {
     /// Where it ends (default: a full turn, or as far as the driver goes)
     #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
     pub to: Option<String>,
+    /// Equal steps from one to the other; both ends are rows (default: 360; of `batch` none, each mechanism stands where the scene
+    /// puts it)
+    #[arg(long, value_name = "N", value_parser = steps)]
+    pub steps: Option<usize>,
     /// Other questions than the scene's, such as v_E,a_E,omega_3
     #[arg(long, value_name = "LIST")]
     pub find: Option<String>,
@@ -245,9 +248,6 @@ pub struct Sweep {
     pub common: Common,
     #[command(flatten)]
     pub range: Range,
-    /// Equal steps from one to the other; both ends are rows
-    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
-    pub steps: usize,
     /// Write to this file, ending in .csv, .json, .npy or .parquet, instead of standard output (CSV)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<String>,
@@ -259,9 +259,6 @@ pub struct Curves {
     pub common: Common,
     #[command(flatten)]
     pub range: Range,
-    /// Equal steps from one to the other; both ends are rows
-    #[arg(long, default_value_t = super::sweep::STEPS, value_parser = steps)]
-    pub steps: usize,
     #[command(flatten)]
     pub look: Look,
     /// The file, ending in .svg, .png or .pdf
@@ -293,96 +290,6 @@ pub struct Path {
     pub output: Option<String>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Format {
-    Svg,
-    Png,
-    Pdf,
-}
-
-impl Format {
-    /// The format that a file's ending names.
-    pub fn of(ending: &str) -> Option<Format> {
-        Format::value_variants().iter().copied().find(|f| f.ending() == ending)
-    }
-
-    /// The ending of its files.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Format::Svg => "svg",
-            Format::Png => "png",
-            Format::Pdf => "pdf",
-        }
-    }
-}
-
-/// How the letters of an SVG are written.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Text {
-    /// Outlines
-    Outlines,
-    /// Text, for drawing programs
-    Editable,
-}
-
-/// Vectors at the points of a mechanism.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Vectors {
-    /// Velocities
-    Velocity,
-    /// Accelerations
-    Acceleration,
-}
-
-/// A figure that `draw` makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Picture {
-    /// The whole sheet
-    Sheet,
-    /// The kinematic diagram
-    Mechanism,
-    /// The velocity polygon
-    Velocity,
-    /// The acceleration polygon
-    Acceleration,
-    /// The equations with their tables
-    Equations,
-    /// The results
-    Results,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Language {
-    En,
-    Zh,
-}
-
-impl From<Language> for Lang {
-    fn from(l: Language) -> Lang {
-        match l {
-            Language::En => Lang::En,
-            Language::Zh => Lang::Zh,
-        }
-    }
-}
-
-/// As many digits as the precision ladder vouches for.
-fn digits(s: &str) -> Result<usize, String> {
-    match s.parse::<usize>() {
-        Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
-    }
-}
-
-/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
-fn length(s: &str) -> Result<String, String> {
-    match s.trim_start().chars().next() {
-        None => Ok(String::new()),
-        Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
-        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
-    }
-}
-
 #[derive(ClapArgs, Debug)]
 pub struct Limits {
     #[command(flatten)]
@@ -410,27 +317,7 @@ pub struct Batch {
     pub seed: u64,
     #[command(flatten)]
     pub range: Range,
-    /// Steps between the driver's positions; without it each mechanism stands where the scene puts it
-    #[arg(long, value_parser = steps)]
-    pub steps: Option<usize>,
     /// Write to this file, ending in .csv, .npy or .parquet; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-}
-
-/// As many steps as a table in memory may have: a hundred columns of ten million rows are eight gigabytes.
-fn steps(s: &str) -> Result<usize, String> {
-    match s.parse::<usize>() {
-        Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err("not a whole number from 0 to 10000000".into()),
-    }
-}
-
-/// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
-fn dpi(s: &str) -> Result<f64, String> {
-    match s.parse::<f64>() {
-        Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => Err(format!("{v} is not between 20 and 1200")),
-        Err(_) => Err("not a number".into()),
-    }
 }

@@ -34,7 +34,7 @@ pub fn batch(a: Args) -> Run {
         a.vary,
         a.random,
         a.seed,
-        (&a.range.over, &a.range.from, &a.range.to, a.steps),
+        (&a.range.over, &a.range.from, &a.range.to, a.range.steps),
         a.range.find,
         input.source
     );
@@ -76,7 +76,7 @@ fn plan<'a>(scene: &'a Scene, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
         values.push(variation.range(scene, name, from, to, n.saturating_sub(1))?);
     }
     let driver = driver_of(scene, a.range.over.as_deref())?;
-    let stations = match a.steps {
+    let stations = match a.range.steps {
         None => None,
         Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, &a.range, steps)?),
     };

@@ -2,7 +2,7 @@
 
 use super::args::Curves;
 use super::draw::style_of;
-use super::sweep::{ask, driver_of, stations};
+use super::sweep::{STEPS, ask, driver_of, stations};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
@@ -25,7 +25,7 @@ pub fn run(a: Curves) -> Run {
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
     let driver = driver_of(&input.scene, a.range.over.as_deref()).map_err(failed)?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(failed)?;
-    let stations = stations(&placed, driver, &a.range, a.steps).map_err(failed)?;
+    let stations = stations(&placed, driver, &a.range, a.range.steps.unwrap_or(STEPS)).map_err(failed)?;
     let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(failed)?;
     if table.rows() < 2 {
         let d = Diagnostic::error("no-motion", "fewer than two positions of the driver can be assembled: there is no curve");

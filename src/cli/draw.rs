@@ -1,6 +1,7 @@
 //! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
 
-use super::args::{self, Format, Picture, Vectors};
+use super::args;
+use super::values::{Format, Picture, Vectors};
 use super::{Failure, Input, Run, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::font::own::Fonts;

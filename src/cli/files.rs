@@ -1,6 +1,6 @@
 //! Files: read with a bound, written whole or not at all.
 
-use super::args::{Format, Text};
+use super::values::{Format, Text};
 use super::{Failure, stop};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::font::own;
@@ -109,12 +109,17 @@ impl Write for Out {
 }
 
 impl Out {
+    /// A file without a name in the same place, for what is not yet in its order.
+    pub fn scratch(&self) -> std::io::Result<std::fs::File> {
+        tempfile::tempfile_in(&self.folder)
+    }
+
     /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
     pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> std::io::Result<()> {
         self.file.flush()?;
-        let file = self.file.get_mut();
         if new.len() as u64 != old {
-            let mut rest = tempfile::tempfile_in(&self.folder)?;
+            let mut rest = self.scratch()?;
+            let file = self.file.get_mut();
             file.seek(SeekFrom::Start(old))?;
             std::io::copy(file, &mut rest)?;
             rest.seek(SeekFrom::Start(0))?;
@@ -124,6 +129,7 @@ impl Out {
             std::io::copy(&mut rest, file)?;
             return Ok(());
         }
+        let file = self.file.get_mut();
         file.seek(SeekFrom::Start(0))?;
         file.write_all(new)
     }

@@ -11,9 +11,11 @@ mod files;
 mod long;
 mod part;
 mod path;
+mod spool;
 mod stop;
 mod sweep;
 mod tables;
+mod values;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};

@@ -8,22 +8,19 @@ use crate::report::limits as report;
 use crate::scene::{self, Angle, DriverKind, Scene, edit};
 use crate::sweep::extreme;
 use crate::sweep::long::Long;
+use crate::sweep::pieces::Pieces;
 use crate::sweep::station::{self, Way};
-use crate::sweep::vary::Variation;
-use crate::sweep::{self, Placed, Stations, Steps, Table, Width};
+use crate::sweep::vary::{Span, Variation, Varied};
+use crate::sweep::{self, Placed, Stations, Steps};
 use std::process::ExitCode;
 
 /// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
 pub const STEPS: usize = 360;
 
-/// From so many steps on a file is written piece by piece, while the next piece is computed: a shorter table is in memory anyway
-/// before a bar could be read.
-const LONG: usize = 1 << 18;
-
 pub fn sweep(a: Sweep) -> Run {
     let mut input = Input::read(&a.common.scene)?;
     if let Some(path) = a.output.as_deref() {
-        tables::ending(path, &tables::WHOLE)?;
+        tables::ending(path, &tables::ALL)?;
     }
     ask(&mut input, a.range.find.as_deref())?;
     let notes = sweep_into(&input, &a)?;
@@ -39,24 +36,23 @@ fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(failed)?.value;
     let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
-    let table = if let Some(name) = parameter {
-        over_parameter(scene, &mechanism, name, a).map_err(failed)?
-    } else {
-        let driver = driver_of(scene, a.range.over.as_deref()).map_err(failed)?;
-        let placed = Placed::new(scene, &mechanism).map_err(failed)?;
-        let steps = steps(&placed, driver, &a.range, a.steps).map_err(failed)?;
-        let long = a.output.as_deref().filter(|path| a.steps >= LONG && files::ending(path) != Some("json"));
-        if let (Some(path), Some(mut long)) = (long, long.and_then(|_| Long::new(&placed, driver, steps))) {
-            tables::write_long(&mut long, a.steps + 1, title, path)?;
-            return Ok(long.notes());
-        }
-        sweep::run(&placed, driver, &steps.all(), Width::Widest).map_err(failed)?
-    };
-    match a.output.as_deref() {
-        Some(path) => tables::write(&table, title, path)?,
-        None => files::print_with(|out| tables::csv(&table, out))?,
+    if let Some(name) = parameter {
+        let variation = Variation::new(scene, &[name]).map_err(failed)?;
+        let span = values(scene, &variation, name, a).map_err(failed)?;
+        return write(&mut Varied::new(scene, &mechanism, &variation, span), title, a.output.as_deref());
     }
-    Ok(table.notes)
+    let driver = driver_of(scene, a.range.over.as_deref()).map_err(failed)?;
+    let placed = Placed::new(scene, &mechanism).map_err(failed)?;
+    let steps = steps(&placed, driver, &a.range, a.range.steps.unwrap_or(STEPS)).map_err(failed)?;
+    write(&mut Long::new(&placed, driver, steps), title, a.output.as_deref())
+}
+
+fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<Diagnostic>, Failure> {
+    match path {
+        Some(path) => tables::write(sweep, title, path)?,
+        None => files::print_with(|out| tables::print(sweep, out))?,
+    }
+    Ok(sweep.notes())
 }
 
 /// The command `limits`: what the motion as a whole comes to.
@@ -101,11 +97,10 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     }
 }
 
-fn over_parameter(scene: &Scene, mechanism: &Mechanism, name: &str, a: &Sweep) -> Result<Table, Faults> {
+/// The values of a parameter between the bounds of the command line.
+fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Faults> {
     let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-    let variation = Variation::new(scene, &[name])?;
-    let values = variation.range(scene, name, &from, &to, a.steps)?;
-    sweep::vary::sweep(scene, mechanism, &variation, &values)
+    variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS))
 }
 
 fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {

@@ -1,18 +1,18 @@
-//! Tables into files: which format a name calls for, and a whole table written.
+//! Tables into files: which format a name calls for, and the rows written as they come, in the memory of a piece.
 
-use super::{Failure, files, long, stop};
+use super::{Failure, files, long, spool::Spool, stop};
 use crate::diag::Diagnostic;
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Standing};
-use crate::sweep::Table;
-use crate::sweep::long::Long;
+use crate::sweep::pieces::Pieces;
+use indicatif::ProgressBar;
 use std::io::{self, Write};
 use std::path::Path;
 
 /// The formats that are written row by row, by the ending of their files.
 pub const BY_ROWS: [&str; 3] = ["csv", "npy", "parquet"];
 
-/// All formats of a table that is in memory.
-pub const WHOLE: [&str; 4] = ["csv", "json", "npy", "parquet"];
+/// All formats of a sweep's table.
+pub const ALL: [&str; 4] = ["csv", "json", "npy", "parquet"];
 
 /// Rows of a piece: half a megabyte for each column.
 const ROWS: usize = 1 << 16;
@@ -36,71 +36,83 @@ pub fn by_rows(ending: &str, head: Head) -> io::Result<Box<dyn Format>> {
     })
 }
 
-/// Writes a table whole or not at all, in the format that the file's name calls for.
-pub fn write(table: &Table, title: &str, path: &str) -> Result<(), Failure> {
-    let ending = ending(path, &WHOLE)?;
-    let head = Head::of(title, table);
+/// Writes a sweep, whole or not at all, in the format that the file's name calls for; one piece is computed while the one before it is
+/// written.
+pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Failure> {
+    let ending = ending(path, &ALL)?;
+    let head = Head::new(title, sweep.columns());
     stop::watch();
     files::write_with(Path::new(path), |out| match ending {
-        "json" => table::json(&head, table, out),
-        _ => rows(table, &*by_rows(ending, head)?, out),
+        "json" => by_columns(sweep, &head, out),
+        _ => rows(sweep, &*by_rows(ending, head)?, out),
     })
 }
 
-/// Writes a long sweep, whole or not at all, in the memory of a piece; one is computed while the one before it is written.
-pub fn write_long(sweep: &mut Long, rows: usize, title: &str, path: &str) -> Result<(), Failure> {
-    let format = by_rows(ending(path, &BY_ROWS)?, Head::new(title, sweep.columns()))
-        .map_err(|e| Failure::Output(format!("{path} cannot be written: {e}")))?;
-    let bar = long::bar(rows as u64, 0, "positions");
-    stop::watch();
-    files::write_with(Path::new(path), |out| {
-        // What is known before: that all rows are there, unless it turns out otherwise.
-        let begin = format.begin(rows as u64, &sweep.notes());
-        out.write_all(&begin)?;
-        let (mut offset, mut written, mut from) = (begin.len() as u64, 0, 0);
-        let mut pieces = Vec::new();
-        let make = || {
-            let to = rows.min(from + ROWS);
-            let piece = (from < to && !stop::asked()).then(|| {
-                let columns = sweep.piece(from..to);
-                format.piece(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>())
-            });
-            from = to;
-            piece
-        };
-        long::overlapped(make, |piece| {
-            let piece = piece?;
-            out.write_all(&piece.bytes)?;
-            bar.inc(ROWS as u64);
-            written += piece.rows;
-            pieces.push(Standing { offset, rows: piece.rows, index: piece.index });
-            offset += piece.bytes.len() as u64;
-            Ok(())
-        })?;
-        bar.finish_and_clear();
-        let notes = sweep.notes();
-        out.write_all(&format.end(&pieces, &notes)?)?;
-        if written < rows as u64 { out.replace_beginning(begin.len() as u64, &format.begin(written, &notes)) } else { Ok(()) }
-    })
-}
-
-/// A table as CSV.
-pub fn csv(table: &Table, out: &mut dyn Write) -> io::Result<()> {
-    rows(table, &Csv::new(Head::of("", table)), out)
-}
-
-fn rows(table: &Table, format: &dyn Format, out: &mut dyn Write) -> io::Result<()> {
-    let begin = format.begin(table.rows() as u64, &table.notes);
-    out.write_all(&begin)?;
-    let mut offset = begin.len() as u64;
-    let mut pieces = Vec::new();
-    for from in (0..table.rows()).step_by(ROWS) {
-        let to = table.rows().min(from + ROWS);
-        let columns: Vec<&[f64]> = table.columns.iter().map(|c| &c.values[from..to]).collect();
-        let piece = format.piece(&columns)?;
-        out.write_all(&piece.bytes)?;
-        pieces.push(Standing { offset, rows: piece.rows, index: piece.index });
-        offset += piece.bytes.len() as u64;
+/// A sweep as CSV to a place where nothing can be written over: its rows are counted, and its notes known, before the first is
+/// written.
+pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
+    let format = Csv::new(Head::new("", sweep.columns()));
+    let bar = ProgressBar::hidden();
+    let columns: Vec<Vec<Vec<f64>>> = std::iter::from_fn(pieces(sweep, &bar, |columns| columns)).collect();
+    let count = columns.iter().filter_map(|c| c.first()).map(|c| c.len() as u64).sum();
+    out.write_all(&format.begin(count, &sweep.notes()))?;
+    for piece in columns {
+        out.write_all(&format.piece(&piece.iter().map(Vec::as_slice).collect::<Vec<_>>())?.bytes)?;
     }
-    out.write_all(&format.end(&pieces, &table.notes)?)
+    Ok(())
+}
+
+/// The pieces of a sweep, in the form that `shape` gives them, one after the other until all are made or the user asks to stop.
+fn pieces<'a, T>(
+    sweep: &'a mut dyn Pieces,
+    bar: &'a ProgressBar,
+    shape: impl Fn(Vec<Vec<f64>>) -> T + 'a,
+) -> impl FnMut() -> Option<T> + 'a {
+    let (count, mut from) = (sweep.count(), 0);
+    move || {
+        let to = count.min(from + ROWS);
+        let mut piece: Option<Vec<Vec<f64>>> = None;
+        while from < to {
+            let next = to.min(from + sweep.at_once());
+            let rows = sweep.piece(from..next, &stop::asked)?;
+            bar.inc((next - from) as u64);
+            from = next;
+            match &mut piece {
+                Some(piece) => piece.iter_mut().zip(rows).for_each(|(c, r)| c.extend(r)),
+                None => piece = Some(rows),
+            }
+        }
+        piece.filter(|_| !stop::asked()).map(&shape)
+    }
+}
+
+fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io::Result<()> {
+    let count = sweep.count() as u64;
+    let bar = long::bar(count, 0, "positions");
+    // What is known before: that all rows are there, unless it turns out otherwise.
+    let begin = format.begin(count, &sweep.notes());
+    out.write_all(&begin)?;
+    let (mut offset, mut written) = (begin.len() as u64, 0);
+    let mut standing = Vec::new();
+    let shape = |columns: Vec<Vec<f64>>| format.piece(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    long::overlapped(pieces(sweep, &bar, shape), |piece| {
+        let piece = piece?;
+        out.write_all(&piece.bytes)?;
+        written += piece.rows;
+        standing.push(Standing { offset, rows: piece.rows, index: piece.index });
+        offset += piece.bytes.len() as u64;
+        Ok(())
+    })?;
+    bar.finish_and_clear();
+    let notes = sweep.notes();
+    out.write_all(&format.end(&standing, &notes)?)?;
+    if written < count { out.replace_beginning(begin.len() as u64, &format.begin(written, &notes)) } else { Ok(()) }
+}
+
+fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut files::Out) -> io::Result<()> {
+    let bar = long::bar(sweep.count() as u64, 0, "positions");
+    let mut spool = Spool::new(out.scratch()?);
+    long::overlapped(pieces(sweep, &bar, |columns| columns), |columns| spool.add(&columns))?;
+    bar.finish_and_clear();
+    table::json(head, |k| spool.column(k), &sweep.notes(), out)
 }

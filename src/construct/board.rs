@@ -27,7 +27,7 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
         }
     }
     board.set_out();
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         if plan.level < level {
             continue;
         }

@@ -7,6 +7,7 @@
 use crate::construct::scale::{self, Boxes};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::Vec2;
+use crate::mechanism::Level;
 use crate::quantity::direction_degrees;
 use crate::report::phrase::{Phrase, tr};
 use crate::scene::{PointId, Scene};
@@ -21,7 +22,6 @@ use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
 use super::results::{number, symbol};
-use super::series::LEVELS;
 use super::sheet::{MARGIN_MM, Maker, Options, Single, driver_symbol, of_level};
 use crate::sweep::follow::Follower;
 
@@ -174,7 +174,7 @@ impl Page<'_> {
         let paper = &self.scene().paper;
         let fixed = [paper.mu_v, paper.mu_a];
         let mut parts = Vec::new();
-        for (l, level) in LEVELS.into_iter().enumerate() {
+        for (l, level) in Level::RATES.into_iter().enumerate() {
             let of = |moments: &[Moment], k: usize| -> Vec<Option<Vec2>> { moments.iter().map(|m| m.vectors[k][l]).collect() };
             let curves: Vec<Vec<Option<Vec2>>> = (0..self.moved.points.len()).map(|k| of(&self.moved.moments, k)).collect();
             let sizes = curves.iter().flatten().flatten().map(|v| v.norm()).collect();

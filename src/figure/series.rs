@@ -8,9 +8,6 @@ use crate::scene::Paper;
 use crate::sweep::points::bounded;
 use crate::worked::Worked;
 
-/// The levels that have a polygon.
-pub const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
 /// One scale for each drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scales {
@@ -30,7 +27,7 @@ impl Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
         let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
         let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
-        for (i, (level, fixed)) in LEVELS.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
+        for (i, (level, fixed)) in Level::RATES.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
             let size = |w: &Worked| size(w, level, &boxes);
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };

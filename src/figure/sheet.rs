@@ -133,7 +133,7 @@ impl Maker<'_> {
         let (writer, worked) = (self.writer(), self.worked);
         let tables =
             Tables { style: &self.options.style, writer: &writer, mechanism: &worked.mechanism, construction: &worked.construction, steps };
-        [Level::Velocity, Level::Acceleration].map(|l| (self.heading(l), tables.parts(l))).into()
+        Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
     }
 
     pub fn mechanism(&self) -> Part {
@@ -147,7 +147,7 @@ impl Maker<'_> {
     /// The drawings with their captions.
     fn drawings(&self, lettered: bool) -> Vec<Part> {
         let mut all = vec![(Single::Mechanism, self.mechanism())];
-        for level in [Level::Velocity, Level::Acceleration] {
+        for level in Level::RATES {
             if let Some(p) = self.worked.construction.polygon(level) {
                 all.push((Single::Polygon(level), self.polygon(p)));
             }

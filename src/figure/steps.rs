@@ -29,7 +29,7 @@ pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure>
     // Nothing of the results is shown: they need no digits.
     let maker = Maker { scene, worked, options, certified: Vec::new() };
     let told = accuracy::steps(scene, worked, None);
-    let levels: Vec<Steps> = [Level::Velocity, Level::Acceleration]
+    let levels: Vec<Steps> = Level::RATES
         .into_iter()
         .zip(maker.equations(&told))
         .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told, &written)))

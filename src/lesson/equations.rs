@@ -6,7 +6,6 @@
 use serde_json::{Value, json};
 
 use crate::construct::{Action, Polygon};
-use crate::figure::series::LEVELS;
 use crate::figure::tables::{found_by, target};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
@@ -35,7 +34,7 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
         }
         let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
             known.push(frame);
-            variants.push(json!(LEVELS.map(|level| table.level(frame, level, notation, formulas))));
+            variants.push(json!(Level::RATES.map(|level| table.level(frame, level, notation, formulas))));
             known.len() - 1
         });
         which.push(index as i64);
@@ -49,7 +48,7 @@ fn alike(a: &Frame, b: &Frame) -> bool {
     let (one, other) = (&a.worked.construction, &b.worked.construction);
     one.chosen == other.chosen
         && a.worked.plan == b.worked.plan
-        && LEVELS.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
+        && Level::RATES.iter().all(|l| match (one.polygon(*l), other.polygon(*l)) {
             (Some(p), Some(q)) => {
                 p.actions.len() == q.actions.len() && (0..p.actions.len()).all(|k| drawn(p, k) == drawn(q, k)) && same_kinds(p, q)
             }

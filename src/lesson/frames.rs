@@ -7,9 +7,9 @@ use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults};
-use crate::figure::series::{LEVELS, Scales};
+use crate::figure::series::Scales;
 use crate::geom::Point;
-use crate::mechanism::{Demand, Mechanism};
+use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
 use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
@@ -205,8 +205,8 @@ impl Maker<'_> {
         let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
-            let shown = LEVELS.map(|level| scales.holds(&trial.worked, level));
-            frames.cut |= LEVELS.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
+            let shown = Level::RATES.map(|level| scales.holds(&trial.worked, level));
+            frames.cut |= Level::RATES.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
             frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), end });
@@ -226,7 +226,7 @@ impl Maker<'_> {
 fn marks(scales: &Scales, worked: &Worked) -> Vec<Option<Point>> {
     let mut marks: Vec<Option<Point>> =
         worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / scales.mu_l)).to_point())).collect();
-    for (level, mu) in LEVELS.into_iter().zip(scales.mu) {
+    for (level, mu) in Level::RATES.into_iter().zip(scales.mu) {
         if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
             // What is not shown need not be true.
             let on_paper = scales.holds(worked, level);

@@ -4,12 +4,12 @@ use crate::diag::{Faults, Warned};
 use crate::figure::extent::Rect;
 use crate::figure::sheet::{self, Single};
 use crate::geom::Point;
+use crate::mechanism::Level;
 use crate::render::number::mm;
 use crate::render::svg::{Elements, hex};
 use crate::scene::Scene;
 use crate::worked::Worked;
 
-use crate::figure::series::LEVELS;
 use crate::render::escaped;
 
 /// Between two drawings.
@@ -21,7 +21,7 @@ const GAP_MM: f64 = 6.0;
 /// # Errors
 /// Those of the SVG writer.
 pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
-    let wanted = std::iter::once(Single::Mechanism).chain(LEVELS.map(Single::Polygon));
+    let wanted = std::iter::once(Single::Mechanism).chain(Level::RATES.map(Single::Polygon));
     let mut figures: Vec<_> = wanted.filter_map(|w| Some((w, sheet::single(scene, worked, options, w)?))).collect();
     let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
     let mut x = 0.0;

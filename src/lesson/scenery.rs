@@ -20,7 +20,6 @@ use crate::scene::Lang;
 
 use super::frames::{Frame, Frames};
 use super::track::Track;
-use crate::figure::series::LEVELS;
 
 /// Around all ink of all poses.
 const MARGIN_MM: f64 = 3.0;
@@ -65,7 +64,7 @@ pub struct Scenery {
 pub fn scenery(frames: &Frames, notation: &Notation, style: &Style) -> Result<Vec<Scenery>, Faults> {
     let mut wanted = vec![Shows::Mechanism];
     let drawn = |level: Level| frames.list.iter().any(|f| f.worked.construction.polygon(level).is_some());
-    wanted.extend(LEVELS.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
+    wanted.extend(Level::RATES.into_iter().filter(|l| drawn(*l)).map(Shows::Polygon));
     // The drawings know nothing of one another.
     wanted.into_par_iter().map(|shows| one(frames, notation, style, shows)).collect()
 }
@@ -124,7 +123,7 @@ fn part(frames: &Frames, k: usize, looks: &Looks, shows: Shows, habits: &mut Hab
             Some(part)
         }
         Shows::Polygon(level) => {
-            let on_paper = frame.shown[LEVELS.iter().position(|l| *l == level)?];
+            let on_paper = frame.shown[Level::RATES.iter().position(|l| *l == level)?];
             let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
             // Letters only: the language does not matter.
             let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };

@@ -17,7 +17,6 @@ use crate::scene::Lang;
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
-use crate::figure::series::LEVELS;
 
 /// Both languages of the page.
 pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
@@ -26,7 +25,7 @@ pub const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
 pub fn steps(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let mut steps = Vec::new();
     let told: Vec<Steps> = frames.list.par_iter().map(|f| certified_steps(&f.scene, &f.worked, None)).collect();
-    for level in LEVELS {
+    for level in Level::RATES {
         let of = |lang| frames.list.iter().zip(&told).map(|(f, t)| of_level(f, t, level, notation, lang)).collect::<Vec<_>>();
         let said = LANGS.map(of);
         let count = said[0].iter().map(Vec::len).max().unwrap_or(0);

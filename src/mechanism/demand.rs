@@ -15,6 +15,14 @@ pub enum Level {
     Acceleration,
 }
 
+impl Level {
+    /// All of them, each after those that it needs.
+    pub const ALL: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
+
+    /// Those that have equations and a polygon.
+    pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
+}
+
 /// A thing asked for: the motion of a point (of a certain link) or the turning of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Need {

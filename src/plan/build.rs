@@ -28,7 +28,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         due: vec![Vec::new(); m.groups.len()],
     };
     b.assign_needs();
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         if demand.level >= level {
             b.walk(level);
         }

@@ -2,7 +2,7 @@
 //!
 //! Group after group in solving order ([`assemble`]: a pin on its loci, [`pins`]; a link on its legs, [`links`]). Each dyad is closed in closed form ([`kernel`]), the closure chosen by what the
 //! scene says (side, sketch) or by a stated default; a triad takes the assembly nearest its sketch ([`triad`]); a higher
-//! group is solved by Newton's method on its own equations ([`higher`], [`newton`]). [`finish`] adds what only follows and
+//! group is solved by Newton's method on its own equations ([`higher`], [`newton`]); where these let it go no farther is its [`fold`]. [`finish`] adds what only follows and
 //! checks what was given twice.
 //!
 //! The result is a [`Configuration`]: all that the drawing board and the loop equations share.
@@ -11,6 +11,7 @@ mod assemble;
 mod branch;
 mod coupled;
 mod finish;
+pub mod fold;
 mod higher;
 pub mod kernel;
 mod links;

@@ -7,7 +7,7 @@
 
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Constraint, Mechanism, Node};
+use crate::mechanism::{Constraint, Group, Mechanism, Node};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector};
 
@@ -96,7 +96,7 @@ impl<'a> System<'a> {
         }
     }
 
-    fn unpack(&self, x: &DVector<f64>) -> Solved {
+    pub(super) fn unpack(&self, x: &DVector<f64>) -> Solved {
         let mut poses = self.poses.clone();
         let mut points = self.points.clone();
         for (i, l) in self.links.iter().enumerate() {
@@ -110,7 +110,7 @@ impl<'a> System<'a> {
         (poses, points)
     }
 
-    fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
+    pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
         let mut x = Vec::new();
         for l in &self.links {
             let p = start.poses[l.0]?;
@@ -124,7 +124,7 @@ impl<'a> System<'a> {
     }
 
     /// Residuals, each a length or an angle divided by the mechanism's size or one radian.
-    fn residuals(&self, x: &DVector<f64>, drivers: &DriverValues) -> DVector<f64> {
+    pub(super) fn residuals(&self, x: &DVector<f64>, drivers: &DriverValues) -> DVector<f64> {
         let (poses, points) = self.unpack(x);
         let pose = |l: LinkId| if l == self.scene.ground { Pose::GROUND } else { poses[l.0].expect("a link of the system has a pose") };
         let point = |p: PointId| points[p.0].expect("a pin of the system has a place");
@@ -221,20 +221,30 @@ impl<'a> System<'a> {
     /// Central differences with a step of 2^-17: the residuals are quadratic at worst near the solution, so that the
     /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end.
     fn jacobian(&self, x: &DVector<f64>, drivers: &DriverValues) -> DMatrix<f64> {
-        const STEP: f64 = 1.0 / 131_072.0;
-        let n = x.len();
-        let mut j = DMatrix::zeros(n, n);
-        let mut y = x.clone();
-        for k in 0..n {
-            y[k] = x[k] + STEP;
-            let hi = self.residuals(&y, drivers);
-            y[k] = x[k] - STEP;
-            let lo = self.residuals(&y, drivers);
-            y[k] = x[k];
-            j.set_column(k, &((hi - lo) * (0.5 / STEP)));
-        }
-        j
+        slopes(x, &|y| self.residuals(y, drivers))
     }
+
+    /// What lengths are counted in (m): the mechanism's size.
+    pub(super) fn scale(&self) -> f64 {
+        self.scale
+    }
+}
+
+/// The derivatives of residuals, a column for each unknown. Central differences with a step of 2^-17: see [`System::solve`].
+pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVector<f64>) -> DMatrix<f64> {
+    const STEP: f64 = 1.0 / 131_072.0;
+    let mut y = x.clone();
+    let columns: Vec<DVector<f64>> = (0..x.len())
+        .map(|k| {
+            y[k] = x[k] + STEP;
+            let hi = residuals(&y);
+            y[k] = x[k] - STEP;
+            let lo = residuals(&y);
+            y[k] = x[k];
+            (hi - lo) * (0.5 / STEP)
+        })
+        .collect();
+    DMatrix::from_columns(&columns)
 }
 
 /// The values that the drivers have in a configuration.
@@ -272,13 +282,13 @@ pub fn moved_to(
     drivers: &DriverValues,
     tolerance: f64,
 ) -> Option<Configuration> {
-    let groups: Vec<usize> = (0..mechanism.groups.len())
-        .filter(|&g| {
-            let group = &mechanism.groups[g];
-            group.links.iter().all(|l| start.poses[l.0].is_some()) && group.pins.iter().all(|p| start.points[p.0].is_some())
-        })
-        .collect();
-    let system = System::new(scene, mechanism, &start.shapes, start, &groups);
+    let system = System::new(scene, mechanism, &start.shapes, start, &placed(mechanism, start));
     let (poses, points) = system.solve_to(start, drivers, tolerance)?;
     Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points, start.closures.clone()))
+}
+
+/// The groups that a configuration places.
+pub(super) fn placed(mechanism: &Mechanism, at: &Configuration) -> Vec<usize> {
+    let there = |g: &Group| g.links.iter().all(|l| at.poses[l.0].is_some()) && g.pins.iter().all(|p| at.points[p.0].is_some());
+    (0..mechanism.groups.len()).filter(|&g| there(&mechanism.groups[g])).collect()
 }

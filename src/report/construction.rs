@@ -36,7 +36,7 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
         tr(w.lang, "mechanism diagram", "机构运动简图"),
         formula(&format!("\\mu_l = {} m/mm", inked(&shortest(paper.diagram.mu_l))))
     ));
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         let Some(p) = paper.polygon(level) else { continue };
         out.push('\n');
         out.push_str(match level {

@@ -3,7 +3,7 @@
 use super::answers::unit;
 use super::phrase::{formula, tr};
 use crate::accuracy::steps::What;
-use crate::accuracy::{CrossingTolerance, Drafting, LEVELS, Steps, Tolerance};
+use crate::accuracy::{CrossingTolerance, Drafting, Steps, Tolerance};
 use crate::mechanism::Level;
 use crate::plan::text::{Writer, vertex_name};
 use crate::quantity::{shortest, significant};
@@ -59,7 +59,7 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let head = ["crossing", "angle", "moves by", ""];
         let zh = ["交点", "交角", "偏移", ""];
         let mut rows = vec![[0, 1, 2, 3].map(|i| tr(lang, head[i], zh[i]).to_string())];
-        let certain = LEVELS.into_iter().flat_map(|level| steps.crossings(&worked.construction, level));
+        let certain = Level::ALL.into_iter().flat_map(|level| steps.crossings(&worked.construction, level));
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
             let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {

@@ -55,7 +55,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
         ));
     }
     let mut equation = 0;
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         let steps = w.plan.steps(level);
         if steps.is_empty() {
             continue;

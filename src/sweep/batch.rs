@@ -11,7 +11,7 @@ use super::program::Program;
 use super::run::Buffer;
 use super::station::{Stations, angle_per_value, position_now};
 use super::vary::Variation;
-use super::{Placed, Width, beside, branches, compile};
+use super::{Placed, Width, beside, branches, compile, moved};
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
@@ -174,7 +174,7 @@ impl Batch<'_> {
                 rows.complete(&general, &stations, &|row| beside(&program, &placed, self.driver, stations.values[row]));
                 rows
             }
-            Err(_) => copied(general.follow(&stations), answers),
+            Err(_) => copied(moved::follow(&placed, self.driver, &stations).0, answers),
         };
         Ok(rows.missing.into_keys().collect())
     }

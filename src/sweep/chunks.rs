@@ -7,7 +7,7 @@ use super::lane::Width;
 use super::program::{COS, Program, SIN, VALUE};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
-use super::track::State;
+use super::tracked::{self, States};
 use super::{Placed, Stations, compile};
 use crate::diag::{Diagnostic, Faults};
 use rayon::prelude::*;
@@ -16,6 +16,7 @@ use std::collections::BTreeMap;
 use std::ops::DerefMut;
 
 /// The rows of a sweep under way: numbers of all columns, and which rows are there.
+#[derive(Default)]
 pub(super) struct Rows<C = Vec<f64>> {
     /// The numbers, a column after the other.
     pub columns: Vec<C>,
@@ -114,11 +115,16 @@ pub(super) fn run_program(
     width: Width,
     used: Vec<Vec<f64>>,
 ) -> Rows {
+    let states = (!program.tracks.is_empty()).then(|| tracked::follow(program, placed, driver, stations));
+    run_with(program, states.as_ref(), stations, width, used)
+}
+
+/// The same, where its followed links, if it has any, are as `states` says.
+pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width, used: Vec<Vec<f64>>) -> Rows {
     let mut columns = used;
     columns.resize_with(program.columns.len(), Vec::new);
     columns.iter_mut().for_each(|c| c.resize(stations.len(), 0.0));
-    let states = (!program.tracks.is_empty()).then(|| general::follow_tracks(program, placed, driver, stations));
-    fill(program, program.fused(), states.as_deref(), stations, width, columns, |_, _| {})
+    fill(program, program.fused(), states, stations, width, columns, |_, _| {})
 }
 
 /// Below this many rows a sweep is not worth other threads.
@@ -134,7 +140,7 @@ thread_local! {
 pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     program: &Program,
     fused: &Fused,
-    states: Option<&[Result<State, Faults>]>,
+    states: Option<&States>,
     stations: &Stations,
     width: Width,
     mut columns: Vec<C>,

@@ -1,17 +1,13 @@
-//! Positions one by one, by the general solvers: where a program has no value, and for mechanisms that have no program.
+//! Positions one by one, by the general solvers, where a program has no value; and what is said of rows and limits.
 
 use super::Placed;
-use super::chunks::Rows;
-use super::compile::ask;
 use super::limit::Event;
-use super::program::Program;
-use super::station::{Stations, angle_per_value, position_now};
-use super::track::State;
+use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
 use crate::answer::{Value, evaluate};
 use crate::diag::{Diagnostic, Faults};
-use crate::position::{self, Configuration, newton};
+use crate::position::{self, Configuration};
 use crate::quantity::{metres, significant};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
@@ -28,6 +24,11 @@ impl<'a> General<'a> {
         General { placed, driver }
     }
 
+    /// The scene.
+    pub fn scene(&self) -> &'a Scene {
+        self.placed.scene
+    }
+
     /// One row by the position solver, with the closures of the instant, and the loop equations; at a change point one for
     /// each way on.
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
@@ -37,7 +38,8 @@ impl<'a> General<'a> {
         self.answers(&scene, &at)
     }
 
-    fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<Vec<f64>>, Faults> {
+    /// The row of a pose, one for each way on.
+    pub fn answers(&self, scene: &Scene, at: &Configuration) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let solution = analytic::solve(scene, p.mechanism, at, &p.demand)?;
         let others = solution.singular.iter().filter_map(|s| s.other.as_deref());
@@ -59,145 +61,6 @@ impl<'a> General<'a> {
             false => Err(Diagnostic::error("overflow", "a number is out of range").into()),
         }
     }
-
-    /// All rows by Newton's method on the whole mechanism, each from the one before it.
-    pub fn follow(&self, stations: &Stations) -> Rows {
-        let p = self.placed;
-        let n = stations.len();
-        let mut columns: Vec<Vec<f64>> = p.scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
-        let mut missing = BTreeMap::new();
-        let start = position_now(p.scene, &p.at, self.driver);
-        for order in outward(start, &stations.values) {
-            let mut last = p.at.clone();
-            let mut value = start;
-            let mut stopped: Option<Faults> = None;
-            for i in order {
-                if stopped.is_none() {
-                    match self.move_to(&last, value, stations.values[i]) {
-                        Some(at) => (last, value) = (at, stations.values[i]),
-                        None => stopped = Some(self.end_of_the_way()),
-                    }
-                }
-                let scene = with_driver_at(p.scene, self.driver, stations.values[i]);
-                match stopped.clone().map_or_else(|| self.answers(&scene, &last), Err) {
-                    Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
-                    Err(why) => drop(missing.insert(i, why)),
-                }
-            }
-        }
-        Rows { columns, missing, open: Vec::new() }
-    }
-
-    /// Moves the mechanism to another driver value in steps that each converge near by.
-    fn move_to(&self, from: &Configuration, value: f64, to: f64) -> Option<Configuration> {
-        let p = self.placed;
-        let mut at = from.clone();
-        let (mut value, mut step) = (value, to - value);
-        let extent = p.at.extent();
-        let offset = newton::driver_values(p.scene, from).0[self.driver] - value;
-        for _ in 0..MOST_STEPS {
-            let next = if (to - value).abs() <= step.abs() { to } else { value + step };
-            let mut drivers = newton::driver_values(p.scene, &at);
-            drivers.0[self.driver] = next + offset;
-            let near = |c: &Configuration| {
-                let moved = c.points.iter().zip(&at.points).filter_map(|(a, b)| Some(a.as_ref()?.distance((*b)?)));
-                moved.fold(0.0, f64::max) < NEAR * extent
-            };
-            match newton::moved(p.scene, p.mechanism, &at, &drivers).filter(near) {
-                Some(moved) => {
-                    (at, value, step) = (moved, next, step * 1.5);
-                    if value == to {
-                        return Some(at);
-                    }
-                }
-                None => step = 0.5 * (next - value),
-            }
-        }
-        None
-    }
-
-    fn end_of_the_way(&self) -> Faults {
-        let (name, _) = driver_name(self.placed.scene, self.driver);
-        Diagnostic::error("limit", format!("the mechanism cannot be followed so far with {name}")).into()
-    }
-}
-
-/// In one step of the whole mechanism no joint moves farther than this part of its size: a longer step may end on another
-/// assembly.
-const NEAR: f64 = 0.05;
-
-/// Steps between two stations before the way counts as blocked.
-const MOST_STEPS: usize = 200;
-
-/// The rows from a start value outward: upward in order of their values, then downward.
-pub(super) fn outward(start: f64, values: &[f64]) -> [Vec<usize>; 2] {
-    let mut up: Vec<usize> = (0..values.len()).filter(|&i| values[i] >= start).collect();
-    let mut down: Vec<usize> = (0..values.len()).filter(|&i| values[i] < start).collect();
-    up.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
-    down.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
-    [up, down]
-}
-
-/// The followed links of a program at each station, from the instant outward; why not, where the way is blocked.
-pub(super) fn follow_tracks(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Vec<Result<State, Faults>> {
-    let start = position_now(placed.scene, &placed.at, driver);
-    let per_value = angle_per_value(placed.scene, &placed.at, driver);
-    let turn = |x: f64| (libm::cos(x * per_value), libm::sin(x * per_value), per_value);
-    let blocked = |value: Option<f64>| -> Faults {
-        let names: Vec<_> = program.tracks.iter().map(|t| placed.scene.link_name(t.link)).collect();
-        let until = value.map_or(String::new(), |v| format!(" beyond {}", driver_words(placed.scene, driver, v)));
-        Diagnostic::error("limit", format!("the group of link {} cannot be assembled{until}", names.join(", "))).into()
-    };
-    let mut out: Vec<Result<State, Faults>> = vec![Err(blocked(None)); stations.len()];
-    let Some(first) = program.start(start, &turn) else { return out };
-    let mut open: Vec<usize> = Vec::new();
-    for order in outward(start, &stations.values) {
-        open.extend(pursue(program, &first, order.into_iter().map(|i| (i, stations.values[i])), &turn, &blocked, &mut out));
-    }
-    // A crank that is stopped on one way round may come there on the other.
-    if program.angular && !open.is_empty() {
-        let around: Vec<(usize, f64)> = open
-            .iter()
-            .map(|&i| (i, stations.values[i]))
-            .map(|(i, v)| (i, if v > start { v - std::f64::consts::TAU } else { v + std::f64::consts::TAU }))
-            .collect();
-        let values: Vec<f64> = around.iter().map(|a| a.1).collect();
-        for order in outward(start, &values) {
-            pursue(program, &first, order.into_iter().map(|k| around[k]), &turn, &blocked, &mut out);
-        }
-    }
-    out
-}
-
-/// Follows the links through stations in order; returns those that were not reached.
-fn pursue(
-    program: &Program,
-    first: &State,
-    order: impl Iterator<Item = (usize, f64)>,
-    turn: &dyn Fn(f64) -> (f64, f64, f64),
-    blocked: &dyn Fn(Option<f64>) -> Faults,
-    out: &mut [Result<State, Faults>],
-) -> Vec<usize> {
-    let mut state = first.clone();
-    let mut end: Option<Faults> = None;
-    let mut open = Vec::new();
-    for (i, value) in order {
-        if end.is_none() {
-            match program.advance(&state, value, turn) {
-                Ok(reached) => {
-                    out[i] = Ok(reached.clone());
-                    state = reached;
-                    continue;
-                }
-                Err(last) => end = Some(blocked(Some(last.value))),
-            }
-        }
-        if let Some(end) = &end {
-            out[i] = Err(end.clone());
-            open.push(i);
-        }
-    }
-    open
 }
 
 /// Name and unit of a driver's column.

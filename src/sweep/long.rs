@@ -1,72 +1,135 @@
 //! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
-use super::chunks::run_parts;
-use super::general::{self, Gap, General};
+use super::chunks::{Rows, run_parts, run_with};
+use super::course::{Course, STRIDE};
+use super::general::{self, General};
 use super::limit::Event;
+use super::moved::{self, Moved};
+use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
+use super::tracked::{self, Tracked};
 use super::{Placed, Stations, Steps, Width, beside, change_points, compile, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
 
-/// A sweep under way.
+/// A sweep of a driver under way.
 pub struct Long<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
     steps: Steps,
-    program: Program,
+    /// Whether the driver's values descend.
+    descending: bool,
+    way: Way<'a>,
     general: General<'a>,
-    /// The ends of the whole way.
-    reach: Stations,
-    now: f64,
-    changes: [Vec<Event>; 2],
-    gaps: Vec<Gap>,
+    gaps: Gaps,
+}
+
+/// How the rows are made.
+enum Way<'a> {
+    /// Each by itself.
+    Free {
+        program: Box<Program>,
+        /// The ends of the whole way.
+        reach: Stations,
+        now: f64,
+        changes: [Vec<Event>; 2],
+    },
+    /// With links that are followed.
+    Tracked { course: Box<Course<Tracked<'a>>>, reach: Stations },
+    /// The whole mechanism is followed; why there is no program.
+    Moved { course: Course<Moved<'a>>, why: Diagnostic },
 }
 
 impl<'a> Long<'a> {
-    /// Begins a sweep; `None` where the rows hang on one another, because links are followed from one position to the next, and where
-    /// the mechanism has no program.
-    pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Option<Long<'a>> {
+    /// Begins a sweep of a driver that the scene has.
+    pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Long<'a> {
         let scene = placed.scene;
-        let program = compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find).ok().filter(|p| p.tracks.is_empty())?;
-        let [first, last] = [0, steps.steps].map(|i| steps.part(i..i + 1).values[0]);
-        let reach = Stations::of_values(vec![first, last], 0.0);
-        let (now, bounds) = span(placed, driver, &reach);
-        let changes = change_points(&program, placed, driver, now, bounds);
-        let general = General::new(placed, driver);
-        Some(Long { placed, driver, steps, program, general, reach, now, changes, gaps: Vec::new() })
-    }
-
-    /// Name and unit of each column, the driver's first.
-    pub fn columns(&self) -> Vec<(String, &'static str)> {
-        let own = self.program.columns.iter().map(|c| (c.name.clone(), c.unit));
-        std::iter::once(general::driver_name(self.placed.scene, self.driver)).chain(own).collect()
-    }
-
-    /// The numbers of the rows of these stations, as far as they are there, a column after the other. Pieces are asked for in order.
-    pub fn piece(&mut self, rows: Range<usize>) -> Vec<Vec<f64>> {
-        let stations = self.steps.part(rows.clone());
-        let parts = stretches(self.program.clone(), self.now, &self.changes, &stations);
-        let mut numbers = run_parts(&parts, self.placed, self.driver, &stations, Width::Widest);
-        numbers.complete(&self.general, &stations, &|row| beside(&self.program, self.placed, self.driver, stations.values[row]));
-        numbers.explain(&self.general, &stations);
-        for gap in general::runs(&numbers.missing, rows.start) {
-            match self.gaps.last_mut().filter(|g| g.rows.end == gap.rows.start) {
-                Some(last) => last.rows.end = gap.rows.end,
-                None => self.gaps.push(gap),
+        let [first, last] = [0, steps.steps].map(|i| steps.value(i));
+        let (descending, count) = (last < first, steps.steps + 1);
+        let values = |position| steps.value(flipped(position, descending, count));
+        let way = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
+            Ok(program) => {
+                let reach = Stations::of_values(vec![first, last], 0.0);
+                if program.tracks.is_empty() {
+                    let (now, bounds) = span(placed, driver, &reach);
+                    let changes = change_points(&program, placed, driver, now, bounds);
+                    Way::Free { program: Box::new(program), reach, now, changes }
+                } else {
+                    Way::Tracked { course: Box::new(Tracked::course(program, placed, driver, count, &values)), reach }
+                }
             }
-        }
-        numbers.there(stations.values)
+            Err(why) => Way::Moved { course: Moved::course(placed, driver, count, &values), why },
+        };
+        Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
     }
 
-    /// What the rows cannot say, of all pieces so far.
-    pub fn notes(&self) -> Vec<Diagnostic> {
+    fn rows(&mut self, rows: Range<usize>, stations: &Stations, stop: Stop) -> Option<Rows> {
+        let (placed, driver, steps, general) = (self.placed, self.driver, &self.steps, &self.general);
+        let (descending, count) = (self.descending, steps.steps + 1);
+        let values = |position| steps.value(flipped(position, descending, count));
+        let part = if descending { count - rows.end..count - rows.start } else { rows.clone() };
+        let row = |position| flipped(position, descending, count) - rows.start;
+        let (program, mut numbers) = match &mut self.way {
+            Way::Free { program, now, changes, .. } => {
+                let parts = stretches((**program).clone(), *now, changes, stations);
+                (&**program, run_parts(&parts, placed, driver, stations, Width::Widest))
+            }
+            Way::Tracked { course, .. } => {
+                let states = tracked::states(course, part, &values, &row, stop)?;
+                let program = course.follow().program();
+                (program, run_with(program, Some(&states), stations, Width::Widest, Vec::new()))
+            }
+            Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
+        };
+        numbers.complete(general, stations, &|row| beside(program, placed, driver, stations.values[row]));
+        numbers.explain(general, stations);
+        Some(numbers)
+    }
+}
+
+/// Positions of a course ascend, rows may not.
+fn flipped(i: usize, descending: bool, count: usize) -> usize {
+    if descending { count - 1 - i } else { i }
+}
+
+impl Pieces for Long<'_> {
+    fn columns(&self) -> Vec<(String, &'static str)> {
         let scene = self.placed.scene;
-        let mut notes: Vec<_> = self.changes.iter().flatten().map(|c| general::change_note(scene, self.driver, c)).collect();
-        if !self.gaps.is_empty() {
-            notes.extend(ends(&self.program, self.placed, self.driver, &self.reach));
+        std::iter::once(general::driver_name(scene, self.driver)).chain(scene.find.iter().flat_map(compile::ask::names)).collect()
+    }
+
+    fn count(&self) -> usize {
+        self.steps.steps + 1
+    }
+
+    fn at_once(&self) -> usize {
+        match self.way {
+            Way::Free { .. } => 1 << 16,
+            // As many as are gone over again from one state.
+            Way::Tracked { .. } | Way::Moved { .. } => STRIDE,
         }
-        let words = |k: usize| general::driver_words(scene, self.driver, self.steps.part(k..k + 1).values[0]);
-        notes.extend(general::gap_notes(&words, &self.gaps));
+    }
+
+    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+        let stations = self.steps.part(rows.clone());
+        let numbers = self.rows(rows.clone(), &stations, stop)?;
+        self.gaps.add(&numbers.missing, rows.start);
+        Some(numbers.there(stations.values))
+    }
+
+    fn notes(&self) -> Vec<Diagnostic> {
+        let scene = self.placed.scene;
+        let lost = !self.gaps.is_empty();
+        let limits = |program: &Program, reach| if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() };
+        let mut notes = match &self.way {
+            Way::Free { program, reach, changes, .. } => {
+                let changes = changes.iter().flatten().map(|c| general::change_note(scene, self.driver, c));
+                changes.chain(limits(program, reach)).collect()
+            }
+            Way::Tracked { course, reach } => limits(course.follow().program(), reach),
+            Way::Moved { course, why } => std::iter::once(why.clone()).chain(moved::ends(course)).collect(),
+        };
+        notes.extend(self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))));
         notes
     }
 }

@@ -3,10 +3,10 @@
 //! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); class III groups are followed ([`track`]). Positions at
+//! ([`lane`]); class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
-//! [`long`] sweeps go piece by piece. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
+//! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
 //!
 //! Not decided here: what a question means ([`crate::answer`]) and how a single position is solved for drawing
 //! ([`crate::position`], [`crate::analytic`]); both are the check of this room.
@@ -16,6 +16,7 @@ pub mod carry;
 mod chunks;
 pub mod closure;
 pub mod compile;
+mod course;
 pub mod extreme;
 pub mod follow;
 pub mod fuse;
@@ -24,6 +25,8 @@ pub mod kernel;
 pub mod lane;
 pub mod limit;
 pub mod long;
+mod moved;
+pub mod pieces;
 pub mod points;
 pub mod program;
 pub mod reading;
@@ -32,6 +35,7 @@ pub mod run;
 pub mod station;
 pub mod table;
 pub mod track;
+mod tracked;
 pub mod vary;
 mod walked;
 pub mod zoom;
@@ -116,7 +120,9 @@ pub fn run_in(placed: &Placed, driver: usize, stations: &Stations, width: Width,
         }
         Err(note) => {
             notes.push(note);
-            general.follow(stations)
+            let (rows, limits) = moved::follow(placed, driver, stations);
+            notes.extend(limits);
+            rows
         }
     };
     first.clear();

@@ -40,6 +40,13 @@ impl Stations {
         Stations { values: of(&self.values), cosines: of(&self.cosines), sines: of(&self.sines) }
     }
 
+    /// Their indices in the order of their values.
+    pub(super) fn ascending(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.len()).collect();
+        order.sort_by(|&a, &b| self.values[a].total_cmp(&self.values[b]));
+        order
+    }
+
     /// How many.
     pub fn len(&self) -> usize {
         self.values.len()
@@ -82,6 +89,14 @@ impl Steps {
         self.part(0..self.steps + 1)
     }
 
+    /// The value of one station.
+    pub fn value(&self, i: usize) -> f64 {
+        match self.way {
+            Way::Slide { from, to, .. } => between(from, to, i, self.steps),
+            Way::Turn(from, to) => turned(from, to, i, self.steps).radians(),
+        }
+    }
+
     /// Some of the stations, the same whatever part they are asked in.
     pub fn part(&self, rows: Range<usize>) -> Stations {
         let steps = self.steps;
@@ -90,10 +105,7 @@ impl Steps {
             Way::Turn(from, to) => {
                 let mut s = Stations::default();
                 for i in rows {
-                    let angle = match (from, to) {
-                        (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
-                        _ => Angle::Rad(between(from.radians(), to.radians(), i, steps)),
-                    };
+                    let angle = turned(from, to, i, steps);
                     let (sin, cos) = trig::sin_cos(angle);
                     s.values.push(angle.radians());
                     s.cosines.push(cos);
@@ -102,6 +114,14 @@ impl Steps {
                 s
             }
         }
+    }
+}
+
+/// The `i`-th of `steps` equal steps between two angles; degrees stay degrees where both are.
+fn turned(from: Angle, to: Angle, i: usize, steps: usize) -> Angle {
+    match (from, to) {
+        (Angle::Deg(a), Angle::Deg(b)) => Angle::Deg(between(a, b, i, steps)),
+        _ => Angle::Rad(between(from.radians(), to.radians(), i, steps)),
     }
 }
 

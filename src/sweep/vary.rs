@@ -5,9 +5,9 @@
 
 use super::chunks::{Rows, run_program};
 use super::general::General;
+use super::pieces::{Gaps, Pieces, Stop};
 use super::station::{Stations, position_now};
-use super::table::{Column, Table};
-use super::{Placed, Width};
+use super::{Placed, Width, moved};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
 use crate::quantity::shortest;
@@ -16,6 +16,7 @@ use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Place, Scene, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A quantity of a scene.
 enum Slot<'a> {
@@ -165,13 +166,21 @@ impl Variation {
     ///
     /// # Errors
     /// As [`Variation::value`].
-    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<Value>, Faults> {
+    pub fn span(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Span, Faults> {
         let (a, b) = (self.value(scene, name, from)?, self.value(scene, name, to)?);
         // Degrees stay degrees only where both ends are.
         let degrees = a.degrees && b.degrees;
         let number = |v: Value| if degrees { v.number } else { v.si() };
-        let at = |i: usize| number(a) + (number(b) - number(a)) * if steps == 0 { 0.0 } else { i as f64 / steps as f64 };
-        Ok((0..=steps).map(|i| Value { number: if i == steps && i > 0 { number(b) } else { at(i) }, dim: a.dim, degrees }).collect())
+        Ok(Span { first: Value { number: number(a), dim: a.dim, degrees }, last: number(b), steps })
+    }
+
+    /// The values of [`Variation::span`], all of them.
+    ///
+    /// # Errors
+    /// As [`Variation::value`].
+    pub fn range(&self, scene: &Scene, name: &str, from: &str, to: &str, steps: usize) -> Result<Vec<Value>, Faults> {
+        let span = self.span(scene, name, from, to, steps)?;
+        Ok((0..=steps).map(|i| span.value(i)).collect())
     }
 
     fn evaluate(&self, expr: &Expr, values: &[Value]) -> Result<Value, Faults> {
@@ -234,56 +243,113 @@ fn mentions(expr: &Expr, names: &[&str]) -> bool {
     }
 }
 
-/// The answers to the scene's questions for each value of one varied parameter, the drivers standing where the scene puts them.
-///
-/// # Errors
-/// None of its own: values for which there is no mechanism are rows that are missing, with their reason in the notes.
-pub fn sweep(scene: &Scene, mechanism: &Mechanism, variation: &Variation, values: &[Value]) -> Result<Table, Faults> {
-    let name = variation.names().next().unwrap_or_default().to_owned();
-    let rows: Vec<Result<Rows, Faults>> = values
-        .par_iter()
-        .map_init(
-            || scene.clone(),
-            |scene, value| {
-                variation.set(scene, &[*value])?;
-                let placed = Placed::new(scene, mechanism)?;
-                let now = position_now(scene, &placed.at, 0);
-                one_row(&placed, &Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0)))
-            },
-        )
-        .collect();
-    let unit = values.first().map_or("", |v| variation.unit(v));
-    let mut table = Table { columns: vec![Column { name: name.clone(), unit, values: Vec::new() }], notes: Vec::new() };
-    let mut missing = BTreeMap::new();
-    for (i, (value, row)) in values.iter().zip(rows).enumerate() {
-        match row {
-            Ok(row) => {
-                if table.columns.len() == 1 {
-                    let names = scene.find.iter().flat_map(super::compile::ask::names);
-                    table.columns.extend(names.map(|(name, unit)| Column { name, unit, values: Vec::new() }));
-                }
-                let numbers = std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0]));
-                table.columns.iter_mut().zip(numbers).for_each(|(c, v)| c.values.push(v));
-            }
-            Err(why) => drop(missing.insert(i, why)),
-        }
+/// Equal steps of a parameter, both ends included.
+#[derive(Clone, Copy, Debug)]
+pub struct Span {
+    first: Value,
+    /// In the unit of the first.
+    last: f64,
+    /// How many steps; there is a value more.
+    pub steps: usize,
+}
+
+impl Span {
+    /// One of the values.
+    pub fn value(&self, i: usize) -> Value {
+        let number = match i {
+            0 => self.first.number,
+            i if i == self.steps => self.last,
+            i => self.first.number + (self.last - self.first.number) * (i as f64 / self.steps as f64),
+        };
+        Value { number, ..self.first }
     }
-    let words =
-        |k: usize| format!("{name} = {}{}", shortest(values[k].si()), if unit.is_empty() { String::new() } else { format!(" {unit}") });
-    table.notes = super::general::gaps(&words, &missing);
-    Ok(table)
+}
+
+/// The answers to the scene's questions for each value of one varied parameter, the drivers standing where the scene puts them:
+/// [`Pieces`]. Values for which there is no mechanism are rows that are missing, with their reason in the notes.
+pub struct Varied<'a> {
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    variation: &'a Variation,
+    span: Span,
+    gaps: Gaps,
+}
+
+impl<'a> Varied<'a> {
+    /// The sweep of a variation of one parameter.
+    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, variation: &'a Variation, span: Span) -> Varied<'a> {
+        Varied { scene, mechanism, variation, span, gaps: Gaps::default() }
+    }
+
+    fn name(&self) -> (String, &'static str) {
+        (self.variation.names().next().unwrap_or_default().to_owned(), self.variation.unit(&self.span.first))
+    }
+}
+
+/// Rows of a moment: each is a mechanism placed and compiled, some tens of microseconds.
+const AT_ONCE: usize = 4096;
+
+impl Pieces for Varied<'_> {
+    fn columns(&self) -> Vec<(String, &'static str)> {
+        std::iter::once(self.name()).chain(self.scene.find.iter().flat_map(super::compile::ask::names)).collect()
+    }
+
+    fn count(&self) -> usize {
+        self.span.steps + 1
+    }
+
+    fn at_once(&self) -> usize {
+        AT_ONCE
+    }
+
+    fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
+        if stop() {
+            return None;
+        }
+        let (first, width) = (rows.start, self.columns().len());
+        let made: Vec<Result<Vec<f64>, Faults>> = rows
+            .into_par_iter()
+            .map_init(
+                || self.scene.clone(),
+                |scene, i| {
+                    let value = self.span.value(i);
+                    self.variation.set(scene, &[value])?;
+                    let placed = Placed::new(scene, self.mechanism)?;
+                    let now = position_now(scene, &placed.at, 0);
+                    let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
+                    let row = one_row(&placed, &stations)?;
+                    Ok(std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0])).collect())
+                },
+            )
+            .collect();
+        let mut columns = vec![Vec::with_capacity(made.len()); width];
+        let mut missing = BTreeMap::new();
+        for (i, row) in made.into_iter().enumerate() {
+            match row {
+                Ok(row) => columns.iter_mut().zip(row).for_each(|(c, v): (&mut Vec<f64>, _)| c.push(v)),
+                Err(why) => drop(missing.insert(i, why)),
+            }
+        }
+        self.gaps.add(&missing, first);
+        Some(columns)
+    }
+
+    fn notes(&self) -> Vec<Diagnostic> {
+        let (name, unit) = self.name();
+        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        self.gaps.notes(&|k| format!("{name} = {}{unit}", shortest(self.span.value(k).si())))
+    }
 }
 
 /// The answers at one station, by the program where there is one.
 fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
-    let general = General::new(placed, 0);
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest, Vec::new());
-            rows.complete(&general, stations, &|_| None);
+            rows.complete(&General::new(placed, 0), stations, &|_| None);
             rows
         }
-        Err(_) => general.follow(stations),
+        Err(_) => moved::follow(placed, 0, stations).0,
     };
     match rows.missing.remove(&0) {
         Some(why) => Err(why),

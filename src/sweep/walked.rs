@@ -7,11 +7,11 @@
 use super::Placed;
 use super::extreme::Output;
 use super::follow::{Follower, Sweep};
-use super::limit::{Event, Kind, Range};
+use super::limit::Range;
+use super::moved::{Moved, event};
 use crate::analytic;
 use crate::answer::Source;
-use crate::mechanism::{Core, Demand, Level};
-use crate::position::toggle::Toggle;
+use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, PointId, Scene};
 use std::f64::consts::TAU;
@@ -45,7 +45,10 @@ impl<'a> Walk<'a> {
         for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };
             if !self.sweep.far(pose) {
-                *end = Some(self.event(self.now + travel, &pose.configuration));
+                let (moved, value) = (Moved::new(self.placed, self.driver), self.now + travel);
+                // Halving has come as near to the fold as the root of the rounding.
+                let located = moved.limit(value, &pose.configuration);
+                *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
             }
         }
         Range { now: self.now, ends, changes: Vec::new(), reach }
@@ -56,15 +59,6 @@ impl<'a> Walk<'a> {
         let poses = &self.sweep.poses;
         let travel = |pose: Option<&super::follow::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
         if self.sweep.full { [self.now, self.now + TAU] } else { [travel(poses.first()), travel(poses.last())] }
-    }
-
-    fn event(&self, value: f64, at: &Configuration) -> Event {
-        let m = self.placed.mechanism;
-        // The group without a closed form holds the driver, unless a dyad or a link on three legs is at its limit.
-        let higher = || m.groups.iter().find(|g| g.core == Core::Higher).and_then(|g| Toggle::of(g, || false));
-        let toggle = Toggle::at(m, at).or_else(higher);
-        let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
-        Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
     }
 
     /// Position, rate and acceleration of an output at a place of the driver; `None` where it has none.
@@ -134,8 +128,7 @@ mod tests {
                 match (a, b) {
                     (None, None) => {}
                     (Some(a), Some(b)) => {
-                        // By halving with Newton's method, which next to a fold meets the root of the rounding.
-                        close(name, a.value, b.value, 1e-9);
+                        close(name, a.value, b.value, 1e-13);
                         assert_eq!(a.toggle.is_some(), b.toggle.is_some(), "{name}");
                     }
                     _ => panic!("{name}: {a:?} against {b:?}"),

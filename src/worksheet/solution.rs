@@ -38,7 +38,7 @@ impl Maker<'_> {
             blocks.extend(self.figure("construction", Single::Mechanism));
         }
         self.scales(blocks);
-        for level in [Level::Velocity, Level::Acceleration] {
+        for level in Level::RATES {
             self.level(blocks, level);
         }
         self.results(blocks);

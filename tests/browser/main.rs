@@ -99,7 +99,7 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         items.extend(
             worked.construction.polygon(level).map(|p| polygon::drawing(&Style::default(), &w, p).finish().items).unwrap_or_default(),
         );

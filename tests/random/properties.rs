@@ -13,8 +13,6 @@ use hodograph::scene::{self, DriverKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-const LEVELS: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
 /// A mechanism read from text and worked through.
 pub struct Case {
     pub seed: u64,
@@ -246,7 +244,7 @@ fn vectors_are_differences_of_positions() {
         };
         for (i, p) in c.scene.points.iter().enumerate() {
             let place = |at: &Configuration| at.points[i].map_or(Vec2::ZERO, Point::to_vec2);
-            for (k, level) in LEVELS.into_iter().enumerate() {
+            for (k, level) in Level::RATES.into_iter().enumerate() {
                 let Some(solved) = c.worked.solution.vector(level, PointId(i), None) else { continue };
                 let d = if k == 0 { moved.first(h, place) } else { moved.second(h, place) };
                 compare(p.name.clone(), level, d, solved, scale[k]);
@@ -256,7 +254,7 @@ fn vectors_are_differences_of_positions() {
             let Some(now) = c.worked.configuration.poses[l] else { continue };
             // Small angles from the pose, so that no turn is lost.
             let angle = |at: &Configuration| Vec2::new(at.poses[l].map_or(0.0, |p| p.axis.divide_by(now.axis).angle()), 0.0);
-            for (k, level) in LEVELS.into_iter().enumerate() {
+            for (k, level) in Level::RATES.into_iter().enumerate() {
                 let Some(solved) = c.worked.solution.turning(level, scene::LinkId(l)) else { continue };
                 let d = if k == 0 { moved.first(h, angle) } else { moved.second(h, angle) };
                 let scale = if k == 0 { omega } else { omega * omega + a / extent };
@@ -382,7 +380,7 @@ fn every_edge_keeps_its_word() {
             }
             let oracle = Oracle { c };
             let plan = &c.worked.plan;
-            for level in LEVELS {
+            for level in Level::RATES {
                 let Some(polygon) = c.worked.construction.polygon(level) else { continue };
                 let largest = polygon.edges.iter().map(|e| (e.to.1 - e.from.1).norm() * polygon.mu).fold(c.scale(level), f64::max);
                 let near = 1e-8 * largest + f64::MIN_POSITIVE;

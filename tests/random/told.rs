@@ -43,7 +43,7 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
         let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu_l)), pencil_mm);
         out.extend(crossing.map(|(what, value, nothing)| Told { level: Level::Position, action, what, value, nothing }));
     }
-    for level in [Level::Velocity, Level::Acceleration] {
+    for level in Level::RATES {
         if let Some(p) = w.construction.polygon(level) {
             for action in 0..p.actions.len() {
                 out.extend(o.numbers(level, p, action, pencil_mm).into_iter().map(|(what, value, nothing)| Told {

@@ -58,7 +58,7 @@ fn marks_are_told_apart() {
         for lang in [scene::Lang::En, scene::Lang::Zh] {
             let notation = Notation::of_language(lang);
             let w = Writer { scene: &scene, plan: &worked.plan, notation: &notation, lang };
-            for level in [Level::Velocity, Level::Acceleration] {
+            for level in Level::RATES {
                 let Some(p) = worked.construction.polygon(level) else { continue };
                 let mut parts: Vec<(String, Term)> = Vec::new();
                 for edge in &p.edges {

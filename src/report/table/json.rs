@@ -2,23 +2,41 @@
 
 use super::{GENERATOR, Head};
 use crate::diag::Diagnostic;
-use crate::sweep::Table;
-use serde::Serialize;
+use serde::ser::{Error, SerializeSeq};
+use serde::{Serialize, Serializer};
+use std::cell::RefCell;
 use std::io;
 
 #[derive(Serialize)]
-struct Document<'a> {
+#[serde(bound = "")]
+struct Document<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
     title: &'a str,
     generator: &'a str,
-    columns: Vec<Column<'a>>,
+    columns: Vec<Column<'a, I>>,
     notes: Vec<Note<'a>>,
 }
 
 #[derive(Serialize)]
-struct Column<'a> {
+#[serde(bound = "")]
+struct Column<'a, I: Iterator<Item = io::Result<Vec<f64>>>> {
     name: &'a str,
     unit: &'a str,
-    values: &'a [f64],
+    values: Values<I>,
+}
+
+/// The numbers of a column, which come in pieces and once.
+struct Values<I>(RefCell<I>);
+
+impl<I: Iterator<Item = io::Result<Vec<f64>>>> Serialize for Values<I> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut all = serializer.serialize_seq(None)?;
+        for piece in &mut *self.0.borrow_mut() {
+            for number in piece.map_err(S::Error::custom)? {
+                all.serialize_element(&number)?;
+            }
+        }
+        all.end()
+    }
 }
 
 #[derive(Serialize)]
@@ -32,17 +50,19 @@ pub(super) fn notes(notes: &[Diagnostic]) -> Vec<Note<'_>> {
     notes.iter().map(|n| Note { code: n.code, message: &n.message }).collect()
 }
 
-/// Writes a table as JSON, number by number: no text of it is kept.
+/// Writes a table as JSON, number by number: no text of it is kept. `values` gives the numbers of each column, in pieces of any size.
 ///
 /// # Errors
-/// Those of `out`.
-pub fn json(head: &Head, table: &Table, out: &mut dyn io::Write) -> io::Result<()> {
-    let column = |(h, c)| -> Column {
-        let (h, c): (&super::Heading, &crate::sweep::Column) = (h, c);
-        Column { name: &h.name, unit: h.unit, values: &c.values }
-    };
-    let columns = head.columns.iter().zip(&table.columns).map(column).collect();
-    let document = Document { title: &head.title, generator: GENERATOR, columns, notes: notes(&table.notes) };
+/// Those of `out` and of `values`.
+pub fn json<I: Iterator<Item = io::Result<Vec<f64>>>>(
+    head: &Head,
+    values: impl Fn(usize) -> I,
+    told: &[Diagnostic],
+    out: &mut dyn io::Write,
+) -> io::Result<()> {
+    let columns = head.columns.iter().enumerate();
+    let columns = columns.map(|(k, h)| Column { name: &h.name, unit: h.unit, values: Values(RefCell::new(values(k))) }).collect();
+    let document = Document { title: &head.title, generator: GENERATOR, columns, notes: notes(told) };
     serde_json::to_writer_pretty(&mut *out, &document)?;
     out.write_all(b"\n")
 }

@@ -1,0 +1,45 @@
+//! A table set aside as it comes, row by row, to be read again column by column: for a format that writes one column after the other.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, SeekFrom, Write};
+
+/// Pieces of columns in a file without a name.
+pub struct Spool {
+    file: File,
+    /// Where each piece begins, and its rows.
+    pieces: Vec<(u64, usize)>,
+    end: u64,
+}
+
+/// Bytes of a number.
+const WIDTH: u64 = size_of::<f64>() as u64;
+
+impl Spool {
+    /// An empty table in an empty file.
+    pub fn new(file: File) -> Spool {
+        Spool { file, pieces: Vec::new(), end: 0 }
+    }
+
+    /// Adds some rows, from columns of one length.
+    pub fn add(&mut self, columns: &[Vec<f64>]) -> io::Result<()> {
+        let rows = columns.first().map_or(0, Vec::len);
+        let mut bytes = Vec::with_capacity(columns.len() * rows * size_of::<f64>());
+        columns.iter().flatten().for_each(|v| bytes.extend_from_slice(&v.to_le_bytes()));
+        self.file.write_all(&bytes)?;
+        self.pieces.push((self.end, rows));
+        self.end += bytes.len() as u64;
+        Ok(())
+    }
+
+    /// One column, piece by piece.
+    pub fn column(&self, column: usize) -> impl Iterator<Item = io::Result<Vec<f64>>> + '_ {
+        self.pieces.iter().map(move |&(begin, rows)| {
+            let mut bytes = vec![0; rows * size_of::<f64>()];
+            let mut file = &self.file;
+            file.seek(SeekFrom::Start(begin + column as u64 * rows as u64 * WIDTH))?;
+            file.read_exact(&mut bytes)?;
+            let number = |b: &[u8]| b.try_into().map(f64::from_le_bytes).map_err(io::Error::other);
+            bytes.chunks_exact(size_of::<f64>()).map(number).collect()
+        })
+    }
+}

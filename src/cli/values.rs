@@ -1,0 +1,112 @@
+//! What an argument may be: the choices that have names, and how numbers are read.
+
+use crate::accuracy::ladder::MOST_DIGITS;
+use crate::scene::Lang;
+use clap::ValueEnum;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    Svg,
+    Png,
+    Pdf,
+}
+
+impl Format {
+    /// The format that a file's ending names.
+    pub fn of(ending: &str) -> Option<Format> {
+        Format::value_variants().iter().copied().find(|f| f.ending() == ending)
+    }
+
+    /// The ending of its files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Png => "png",
+            Format::Pdf => "pdf",
+        }
+    }
+}
+
+/// How the letters of an SVG are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Text {
+    /// Outlines
+    Outlines,
+    /// Text, for drawing programs
+    Editable,
+}
+
+/// Vectors at the points of a mechanism.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Vectors {
+    /// Velocities
+    Velocity,
+    /// Accelerations
+    Acceleration,
+}
+
+/// A figure that `draw` makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Picture {
+    /// The whole sheet
+    Sheet,
+    /// The kinematic diagram
+    Mechanism,
+    /// The velocity polygon
+    Velocity,
+    /// The acceleration polygon
+    Acceleration,
+    /// The equations with their tables
+    Equations,
+    /// The results
+    Results,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Language {
+    En,
+    Zh,
+}
+
+impl From<Language> for Lang {
+    fn from(l: Language) -> Lang {
+        match l {
+            Language::En => Lang::En,
+            Language::Zh => Lang::Zh,
+        }
+    }
+}
+
+/// As many digits as the precision ladder vouches for.
+pub fn digits(s: &str) -> Result<usize, String> {
+    match s.parse::<usize>() {
+        Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
+        _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
+    }
+}
+
+/// What may be a length: a bare `--drafting` before the scene's name would take that for its length.
+pub fn length(s: &str) -> Result<String, String> {
+    match s.trim_start().chars().next() {
+        None => Ok(String::new()),
+        Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
+        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
+    }
+}
+
+/// As many steps as a file is likely to be wanted with: a hundred columns of ten million rows are eight gigabytes.
+pub fn steps(s: &str) -> Result<usize, String> {
+    match s.parse::<usize>() {
+        Ok(n) if n <= 10_000_000 => Ok(n),
+        _ => Err("not a whole number from 0 to 10000000".into()),
+    }
+}
+
+/// A resolution that neither vanishes nor fills the memory: an A4 sheet at 2400 dpi has 550 million pixels.
+pub fn dpi(s: &str) -> Result<f64, String> {
+    match s.parse::<f64>() {
+        Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
+        Ok(v) => Err(format!("{v} is not between 20 and 1200")),
+        Err(_) => Err("not a number".into()),
+    }
+}

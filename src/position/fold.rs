@@ -1,0 +1,125 @@
+//! Where a mechanism that is followed by Newton's method can go no farther: the fold of its equations.
+//!
+//! Poses and driver together run along a curve that is smooth through the limit: there the driver stands still and turns back, while
+//! the links move on. The curve is therefore followed by its own length, and the zero of the driver's rate along it is sought. The
+//! equations are those of [`newton`]; what holds the mechanism there is told by [`super::toggle`].
+
+use super::newton::{self, DriverValues, System};
+use super::{Configuration, finish};
+use crate::mechanism::Mechanism;
+use crate::scene::{DriverKind, Scene};
+use nalgebra::DVector;
+
+/// Most corrections of a place on the curve, and of the zero on it: from next to the fold both converge in less than ten.
+const PATIENCE: usize = 30;
+
+/// The first step along the curve (radians, parts of the mechanism's size): large against the rounding of a rate (1e-10), small against
+/// the curve's bends.
+const FIRST: f64 = 1.0 / 1024.0;
+
+/// A fold farther away than this along the curve is not the one that stopped the mechanism.
+const NEAR: f64 = 0.25;
+
+/// Steps along the curve below this are rounding: the rate's derivatives are differences.
+const SLIGHT: f64 = 1e-10;
+
+/// The curve of all poses about one of them, cut by planes square to its direction there.
+struct Curve<'a> {
+    system: System<'a>,
+    drivers: DriverValues,
+    driver: usize,
+    /// What the driver's value is counted in: a radian, or the mechanism's size (m).
+    unit: f64,
+    base: DVector<f64>,
+    along: DVector<f64>,
+}
+
+impl Curve<'_> {
+    /// The unknowns of the system, and the driver's value behind them.
+    fn residuals(&self, z: &DVector<f64>) -> DVector<f64> {
+        let n = z.len() - 1;
+        let mut drivers = self.drivers.clone();
+        drivers.0[self.driver] = z[n] * self.unit;
+        self.system.residuals(&z.rows(0, n).into_owned(), &drivers)
+    }
+
+    /// The place on the curve in the plane at a distance from the base, and the driver's rate with that distance.
+    fn at(&self, guess: &DVector<f64>, distance: f64) -> Option<(DVector<f64>, f64)> {
+        let n = guess.len() - 1;
+        let mut z = guess.clone();
+        let mut last = f64::INFINITY;
+        for _ in 0..PATIENCE {
+            let slopes = newton::slopes(&z, &|z| self.residuals(z));
+            if slopes.nrows() != n {
+                return None;
+            }
+            let mut square = slopes.insert_row(n, 0.0);
+            square.set_row(n, &self.along.transpose());
+            let mut miss = self.residuals(&z).insert_row(n, 0.0);
+            miss[n] = self.along.dot(&(&z - &self.base)) - distance;
+            let solve = square.lu();
+            let step = solve.solve(&-miss)?;
+            let size = step.amax();
+            if !size.is_finite() || size > NEAR {
+                return None;
+            }
+            z += step;
+            // As small as rounding makes it.
+            if size < 4.0 * f64::EPSILON || (size < 1e-9 && size >= last) {
+                let mut one = DVector::zeros(n + 1);
+                one[n] = 1.0;
+                let rate = solve.solve(&one)?[n];
+                return Some((z, rate));
+            }
+            last = size;
+        }
+        None
+    }
+}
+
+/// The fold next to a pose: the value of a driver there, counted as [`newton::driver_values`] counts, and the pose.
+///
+/// The value is exact to second order in the pose: it is as good as the rounding of the equations. `None` where the driver's rate
+/// has no simple zero near by on the curve.
+pub fn fold(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    near: &Configuration,
+    drivers: &DriverValues,
+    driver: usize,
+) -> Option<(f64, Configuration)> {
+    let system = System::new(scene, mechanism, &near.shapes, near, &newton::placed(mechanism, near));
+    let unit = match scene.drivers[driver].kind {
+        DriverKind::Turn { .. } => 1.0,
+        DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => system.scale(),
+    };
+    let x = system.pack(near)?;
+    let n = x.len();
+    let base = x.insert_row(n, drivers.0[driver] / unit);
+    let mut curve = Curve { system, drivers: drivers.clone(), driver, unit, along: DVector::zeros(n + 1), base };
+    let slopes = newton::slopes(&curve.base, &|z| curve.residuals(z));
+    if slopes.nrows() != n || slopes.iter().any(|v| !v.is_finite()) {
+        return None;
+    }
+    // The direction in which nothing is missed: with a row of zeros it belongs to the smallest singular value.
+    let svd = slopes.insert_row(n, 0.0).svd(false, true);
+    let smallest = svd.singular_values.imin();
+    curve.along = svd.v_t?.row(smallest).transpose();
+    let (mut old, mut s) = ((0.0, curve.along[n]), FIRST);
+    let mut z = curve.base.clone();
+    for _ in 0..PATIENCE {
+        let (there, rate) = curve.at(&z, s)?;
+        let next = s - rate * (s - old.0) / (rate - old.1);
+        let step = (next - s).abs();
+        if step < SLIGHT || rate == 0.0 {
+            let (poses, points) = curve.system.unpack(&there.rows(0, n).into_owned());
+            let at = finish::complete(scene, mechanism, near.shapes.clone(), poses, points, near.closures.clone());
+            return Some((there[n] * unit, at));
+        }
+        if !next.is_finite() || next.abs() > NEAR {
+            return None;
+        }
+        (old, s, z) = ((s, rate), next, there);
+    }
+    None
+}

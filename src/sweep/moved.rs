@@ -1,0 +1,177 @@
+//! Mechanisms that have no program: the whole of them is followed by Newton's method, each position from the one before it, and answered
+//! there by the loop equations.
+
+use super::Placed;
+use super::chunks::Rows;
+use super::compile::ask;
+use super::course::{Course, Follow, Values};
+use super::general::{self, General};
+use super::limit::{Event, Kind};
+use super::station::{Stations, position_now};
+use crate::accuracy::toggle::with_driver_at;
+use crate::diag::{Diagnostic, Faults};
+use crate::mechanism::{Core, Mechanism};
+use crate::position::Configuration;
+use crate::position::fold::fold;
+use crate::position::newton::{self, DriverValues};
+use crate::position::toggle::Toggle;
+use crate::scene::DriverKind;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// In one step of the whole mechanism no joint moves farther than this part of its size: a longer step may end on another
+/// assembly.
+const NEAR: f64 = 0.05;
+
+/// Steps between two positions before the way counts as blocked.
+const MOST_STEPS: usize = 200;
+
+/// A mechanism that is moved by one of its drivers.
+pub(super) struct Moved<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    /// Where the driver stands at the instant.
+    now: f64,
+    /// What the drivers hold at the instant, as Newton's method counts.
+    drivers: DriverValues,
+}
+
+/// Where everything is at a value of the driver.
+#[derive(Clone)]
+pub(super) struct Standing {
+    value: f64,
+    at: Configuration,
+}
+
+impl<'a> Moved<'a> {
+    /// A mechanism where it stands.
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Moved<'a> {
+        let now = position_now(placed.scene, &placed.at, driver);
+        Moved { placed, driver, now, drivers: newton::driver_values(placed.scene, &placed.at) }
+    }
+
+    /// Its course through `count` values.
+    pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Course<Moved<'a>> {
+        let moved = Moved::new(placed, driver);
+        let now = moved.now;
+        Course::new(moved, now, count, values)
+    }
+
+    /// What the drivers hold when this one has a value.
+    fn holding(&self, value: f64) -> DriverValues {
+        let mut drivers = self.drivers.clone();
+        drivers.0[self.driver] += value - self.now;
+        drivers
+    }
+
+    /// The limit next to a pose, as exactly as the equations can tell it, and what holds the mechanism there. `None` where no limit is
+    /// near by.
+    pub fn limit(&self, value: f64, near: &Configuration) -> Option<Event> {
+        let p = self.placed;
+        let (there, at) = fold(p.scene, p.mechanism, near, &self.holding(value), self.driver)?;
+        Some(event(p.mechanism, self.now + (there - self.drivers.0[self.driver]), &at))
+    }
+
+    /// The limit by which a state was the last on its way.
+    pub fn end(&self, last: &Standing) -> Option<Event> {
+        self.limit(last.value, &last.at)
+    }
+}
+
+/// What stops a mechanism in the pose of a limit.
+pub(super) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
+    // The group without a closed form holds the driver, unless a dyad or a link on three legs is at its limit.
+    let higher = || m.groups.iter().find(|g| g.core == Core::Higher).and_then(|g| Toggle::of(g, || false));
+    let toggle = Toggle::at(m, at).or_else(higher);
+    let links = toggle.as_ref().map_or_else(Vec::new, Toggle::links);
+    Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
+}
+
+impl Follow for Moved<'_> {
+    type State = Standing;
+
+    fn start(&self) -> Option<Standing> {
+        Some(Standing { value: self.now, at: self.placed.at.clone() })
+    }
+
+    /// In steps that each converge near by.
+    fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
+        let p = self.placed;
+        let mut state = from.clone();
+        let mut step = to - state.value;
+        let extent = p.at.extent();
+        for _ in 0..MOST_STEPS {
+            if state.value == to {
+                return Ok(state);
+            }
+            let next = if (to - state.value).abs() <= step.abs() { to } else { state.value + step };
+            let near = |c: &Configuration| {
+                let moved = c.points.iter().zip(&state.at.points).filter_map(|(a, b)| Some(a.as_ref()?.distance((*b)?)));
+                moved.fold(0.0, f64::max) < NEAR * extent
+            };
+            match newton::moved(p.scene, p.mechanism, &state.at, &self.holding(next)).filter(near) {
+                Some(at) => (state, step) = (Standing { value: next, at }, step * 1.5),
+                None => step = 0.5 * (next - state.value),
+            }
+        }
+        if state.value == to { Ok(state) } else { Err(state) }
+    }
+
+    fn stopped(&self, last: Option<&Standing>, toward: f64) -> Faults {
+        let words = |value| general::driver_words(self.placed.scene, self.driver, value);
+        let message = match last.map(|last| (last, self.end(last))) {
+            Some((_, Some(limit))) => format!("the mechanism cannot be assembled beyond {}", words(limit.value)),
+            Some((last, None)) => format!("the mechanism cannot be followed beyond {}", words(last.value)),
+            None => format!("the mechanism cannot be followed to {}", words(toward)),
+        };
+        Diagnostic::error("limit", message).into()
+    }
+
+    fn turns(&self) -> bool {
+        matches!(self.placed.scene.drivers[self.driver].kind, DriverKind::Turn { .. })
+    }
+}
+
+/// Some rows of a course. Position in the course and row of the stations are told by `row`; `None` when asked to stop.
+pub(super) fn rows(
+    course: &mut Course<Moved>,
+    general: &General,
+    part: Range<usize>,
+    stations: &Stations,
+    values: Values,
+    row: &dyn Fn(usize) -> usize,
+    stop: &dyn Fn() -> bool,
+) -> Option<Rows> {
+    let scene = general.scene();
+    let n = stations.len();
+    let mut columns: Vec<Vec<f64>> = scene.find.iter().flat_map(ask::names).map(|_| vec![f64::NAN; n]).collect();
+    let mut missing = BTreeMap::new();
+    let driver = course.follow().driver;
+    let done = course.states(part, values, stop, &mut |position, state| {
+        let i = row(position);
+        let there = |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.values[i]), &state.at);
+        match state.map_err(Clone::clone).and_then(there) {
+            Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
+            Err(why) => drop(missing.insert(i, why)),
+        }
+    });
+    done.then_some(Rows { columns, missing, open: Vec::new() })
+}
+
+/// A note for each limit that a course has met.
+pub(super) fn ends(course: &Course<Moved>) -> Vec<Diagnostic> {
+    let moved = course.follow();
+    let limits = course.ended().filter_map(|last| moved.end(last));
+    limits.map(|e| general::limit_note(moved.placed.scene, moved.driver, &e)).collect()
+}
+
+/// All rows of stations in any order, and a note for each limit on the way to them.
+pub(super) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
+    let order = stations.ascending();
+    let values = |position: usize| stations.values[order[position]];
+    let mut course = Moved::course(placed, driver, order.len(), &values);
+    let general = General::new(placed, driver);
+    let all = 0..order.len();
+    let rows = rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);
+    (rows.unwrap_or_default(), ends(&course))
+}
