@@ -101,8 +101,9 @@ impl<'a> Follower<'a> {
         if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
             let fine = range / STEPS_LEAST as f64;
             // The ends have been found: to halve for them anew would be most of the work.
-            up = self.walk(fine, reach, up.pop().filter(|_| high.is_some())).0;
-            down = self.walk(-fine, reach, down.pop().filter(|_| low.is_some())).0;
+            let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
+            let [top, bottom] = ends;
+            (up, down) = rayon::join(|| self.walk(fine, reach, top).0, || self.walk(-fine, reach, bottom).0);
         }
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(Pose { travel: 0.0, configuration: self.base.clone() });

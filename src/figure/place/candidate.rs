@@ -1,6 +1,7 @@
 //! The places that a label may take.
 
 use std::f64::consts::{FRAC_PI_4, TAU};
+use std::sync::LazyLock;
 
 use crate::figure::extent::{Rect, on_circle};
 use crate::geom::{Point, Vec2};
@@ -111,7 +112,9 @@ pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
 }
 
 fn directions() -> impl Iterator<Item = Vec2> {
-    (0..DIRECTIONS).map(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64))
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
+        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64)));
+    ALL.iter().copied()
 }
 
 /// How far along `u` a box's middle must go for the box to stand `clear_mm` off the origin.

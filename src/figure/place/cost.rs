@@ -80,18 +80,18 @@ impl<'a> Around<'a> {
     /// The part of a place's cost that does not depend on other labels.
     pub(super) fn fixed(&self, c: &Candidate) -> f64 {
         let mut cost = c.base;
-        let own_distance = own_distance(c.rect, self.wanted.target);
+        let look = own_distance(c.rect, self.wanted.target) + NEARER_MARGIN_MM;
         let mut nearer: f64 = 0.0;
         for Line { bar, bounds, own, meets } in &self.bars {
             let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
-            let look = own_distance + NEARER_MARGIN_MM;
-            if !touch(grown.grown(look), *bounds) {
+            // A line that is farther off than the nearest so far changes nothing.
+            if !touch(grown.grown(look - nearer), *bounds) {
                 continue;
             }
-            let covered = clipped_mm(bar.from, bar.to, grown);
+            let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
                 cost += (TOUCH + PER_MM * covered) * if *own { OWN_FACTOR } else { 1.0 };
-            } else if !own && !meets {
+            } else if !own && !meets && NEARER_PER_MM * nearer < NEARER_MAX {
                 let foreign = distance(c.rect, bar) - bar.half_width_mm;
                 nearer = nearer.max(look - foreign);
             }
@@ -151,15 +151,19 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 }
 
 /// What two places cost beside one another.
+#[inline]
 pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
-    let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
-    if a.leader.is_none() && b.leader.is_none() {
-        return cost;
-    }
+    let cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
+}
+
+/// What it costs that leader lines run across the labels and one another.
+fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
+    let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
-        if leader.is_some_and(|(p, q)| clipped_mm(p, q, rect) > 0.0) {
+        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && clipped_mm(p, q, rect) > 0.0) {
             cost += OVERLAP;
         }
     }

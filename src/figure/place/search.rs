@@ -1,5 +1,7 @@
 //! Picks one place for each label: coordinate descent, then joint moves of labels in conflict.
 
+use std::ops::Range;
+
 use crate::figure::extent::Rect;
 
 use super::candidate::{self, Candidate};
@@ -18,6 +20,46 @@ const POOR: f64 = 5.5;
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
 const LEAVE: f64 = 6.0;
 
+/// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
+/// for again without some of its neighbours, which changes nothing of this.
+pub(super) struct Offer<'a> {
+    wanted: &'a Wanted,
+    obstacles: &'a Obstacles,
+    paper: Rect,
+    /// Those near its thing, from the first search that needs them on also those with a leader line.
+    places: Vec<Candidate>,
+    /// How many are near.
+    near: usize,
+    costs: Vec<Option<f64>>,
+}
+
+impl<'a> Offer<'a> {
+    /// Of a label among all that is drawn.
+    pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
+        let places = candidate::near(wanted);
+        Offer { wanted, obstacles, paper, near: places.len(), costs: vec![None; places.len()], places }
+    }
+
+    /// All places, those far off included.
+    fn all(&mut self) -> usize {
+        if self.places.len() == self.near {
+            self.places.extend(candidate::far(self.wanted));
+            self.costs.resize(self.places.len(), None);
+        }
+        self.places.len()
+    }
+
+    /// The costs of some of the places.
+    fn costs(&mut self, of: Range<usize>) -> impl Iterator<Item = f64> {
+        let unknown: Vec<usize> = of.clone().filter(|k| self.costs[*k].is_none()).collect();
+        if let (Some(first), Some(last)) = (unknown.first(), unknown.last()) {
+            let around = Around::new(&self.places[*first..=*last], self.wanted, self.obstacles, self.paper);
+            unknown.iter().for_each(|&k| self.costs[k] = Some(around.fixed(&self.places[k])));
+        }
+        self.costs[of].iter().flatten().copied()
+    }
+}
+
 struct Choice {
     places: Vec<Candidate>,
     fixed: Vec<f64>,
@@ -32,20 +74,36 @@ struct Choice {
 }
 
 impl Choice {
-    fn offer(&mut self, places: Vec<Candidate>, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
-        let around = self.priced.then(|| Around::new(&places, wanted, obstacles, paper));
-        for place in places {
-            let leave = self.leave(self.places.len());
-            self.fixed.push(around.as_ref().map_or(f64::INFINITY, |a| a.fixed(&place) + leave));
-            self.places.push(place);
+    fn new(offer: &mut Offer, before: Option<usize>) -> Choice {
+        let count = if before.is_some_and(|b| b >= offer.near) { offer.all() } else { offer.near };
+        let before = before.filter(|b| *b < count);
+        let (places, fixed) = (offer.places[..count].to_vec(), vec![f64::INFINITY; count]);
+        let mut choice = Choice { places, fixed, picked: 0, before, priced: false, neighbours: Vec::new() };
+        if let Some(b) = before {
+            choice.picked = b;
+            choice.fixed[b] = offer.costs(b..b + 1).next().unwrap_or(f64::INFINITY);
         }
+        if before.is_none_or(|b| choice.fixed[b] >= LEAVE) {
+            choice.price(offer);
+        }
+        if before.is_none() {
+            choice.picked = argmin(&choice.fixed);
+        }
+        choice
     }
 
     /// Gives every place its cost.
-    fn price(&mut self, wanted: &Wanted, obstacles: &Obstacles, paper: Rect) {
+    fn price(&mut self, offer: &mut Offer) {
         self.priced = true;
-        let around = Around::new(&self.places, wanted, obstacles, paper);
-        self.fixed = (0..self.places.len()).map(|k| around.fixed(&self.places[k]) + self.leave(k)).collect();
+        self.fixed = offer.costs(0..self.places.len()).enumerate().map(|(k, cost)| cost + self.leave(k)).collect();
+    }
+
+    /// Takes the places far off as well.
+    fn look_far(&mut self, offer: &mut Offer) {
+        let (from, to) = (self.places.len(), offer.all());
+        self.places.extend_from_slice(&offer.places[from..to]);
+        let costs: Vec<f64> = offer.costs(from..to).enumerate().map(|(k, cost)| cost + self.leave(from + k)).collect();
+        self.fixed.extend(costs);
     }
 
     /// The box around all its places and leader lines.
@@ -63,38 +121,11 @@ impl Choice {
     }
 }
 
-/// For each label its place, what that costs, and which of the places it is; `before` says which it was in the figure before.
-pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before: &[Option<usize>]) -> Vec<Found> {
-    let mut choices: Vec<Choice> = wanted
-        .iter()
-        .enumerate()
-        .map(|(i, w)| {
-            let before = before.get(i).copied().flatten();
-            let mut choice =
-                Choice { places: Vec::new(), fixed: Vec::new(), picked: 0, before, priced: before.is_none(), neighbours: Vec::new() };
-            choice.offer(candidate::near(w), w, obstacles, paper);
-            if before.is_some_and(|b| b >= choice.places.len()) {
-                choice.offer(candidate::far(w), w, obstacles, paper);
-            }
-            match before {
-                Some(b) if b < choice.places.len() => {
-                    choice.picked = b;
-                    let here = std::slice::from_ref(&choice.places[b]);
-                    choice.fixed[b] = Around::new(here, w, obstacles, paper).fixed(&here[0]);
-                    if choice.fixed[b] >= LEAVE {
-                        choice.price(w, obstacles, paper);
-                    }
-                }
-                Some(_) => {
-                    choice.before = None;
-                    choice.price(w, obstacles, paper);
-                    choice.picked = argmin(&choice.fixed);
-                }
-                None => choice.picked = argmin(&choice.fixed),
-            }
-            choice
-        })
-        .collect();
+/// For each of these labels its place, what that costs, and which of the places it is; `before` says which it was in the figure
+/// before.
+pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>]) -> Vec<Found> {
+    let stood = |i: usize| before.get(i).copied().flatten();
+    let mut choices: Vec<Choice> = of.iter().enumerate().map(|(i, &k)| Choice::new(&mut offers[k], stood(i))).collect();
     // In a series the figure before has settled what stands where: one descent mends what has come in the way.
     let rounds = if before.is_empty() { ROUNDS_MAX } else { 0 };
     settle(&mut choices, rounds);
@@ -104,7 +135,7 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
         if unpriced.is_empty() {
             break;
         }
-        unpriced.into_iter().for_each(|i| choices[i].price(&wanted[i], obstacles, paper));
+        unpriced.into_iter().for_each(|i| choices[i].price(&mut offers[of[i]]));
         settle(&mut choices, rounds);
     }
     let is_poor = |i: &usize| choices[*i].priced && total(&choices, *i, choices[*i].picked) > POOR;
@@ -114,7 +145,7 @@ pub(super) fn run(wanted: &[Wanted], obstacles: &Obstacles, paper: Rect, before:
             if choices[i].places.iter().any(|c| c.leader.is_some()) {
                 continue;
             }
-            choices[i].offer(candidate::far(&wanted[i]), &wanted[i], obstacles, paper);
+            choices[i].look_far(&mut offers[of[i]]);
         }
         settle(&mut choices, rounds);
     }
@@ -140,13 +171,13 @@ fn argmin(costs: &[f64]) -> usize {
 
 /// Cost of place `k` of label `i` beside the picked places of all others.
 fn total(choices: &[Choice], i: usize, k: usize) -> f64 {
-    choices[i].fixed[k] + beside(choices, i, k, i)
+    choices[i].fixed[k] + beside(choices, i, k)
 }
 
-/// What place `k` of label `i` costs beside the picked places of its neighbours, `without` left out.
-fn beside(choices: &[Choice], i: usize, k: usize, without: usize) -> f64 {
+/// What place `k` of label `i` costs beside the picked places of its neighbours.
+fn beside(choices: &[Choice], i: usize, k: usize) -> f64 {
     let me = &choices[i];
-    me.neighbours.iter().filter(|&&j| j != without).map(|&j| cost::pair(&me.places[k], choices[j].place())).sum()
+    me.neighbours.iter().map(|&j| cost::pair(&me.places[k], choices[j].place())).sum()
 }
 
 fn meet(choices: &mut [Choice]) {
@@ -235,28 +266,56 @@ fn move_pairs(choices: &mut [Choice]) -> bool {
 }
 
 fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
-    let costs = |me: usize, other: usize| -> Vec<f64> {
-        choices[me].fixed.iter().enumerate().map(|(k, fixed)| fixed + beside(choices, me, k, other)).collect()
-    };
-    let (ci, cj) = (costs(i, j), costs(j, i));
-    let (mut best, mut at) = (f64::INFINITY, (choices[i].picked, choices[j].picked));
-    let now = ci[at.0] + cj[at.1] + cost::pair(choices[i].place(), choices[j].place());
-    for (a, place_a) in choices[i].places.iter().enumerate() {
-        for (b, place_b) in choices[j].places.iter().enumerate() {
-            let alone = ci[a] + cj[b];
-            if alone < best {
-                let both = alone + cost::pair(place_a, place_b);
-                if both < best {
-                    best = both;
-                    at = (a, b);
-                }
+    let (me, other) = (&choices[i], &choices[j]);
+    let now = total_without(choices, i, j, me.picked, f64::INFINITY)
+        + total_without(choices, j, i, other.picked, f64::INFINITY)
+        + cost::pair(me.place(), other.place());
+    // Rounding must not keep two equal places changing for ever.
+    let mut best = now - 1e-9;
+    let mut at = None;
+    // What one of the two costs at the least leaves so much for the other: dearer places need not be looked at.
+    let least = other.fixed.iter().copied().fold(f64::INFINITY, f64::min);
+    let mine = cheap_first(choices, i, j, best - least);
+    let Some(least) = mine.first().map(|m| m.1) else { return false };
+    let theirs = cheap_first(choices, j, i, best - least);
+    for &(a, cost_a) in &mine {
+        for &(b, cost_b) in &theirs {
+            let alone = cost_a + cost_b;
+            if alone > best {
+                break;
+            }
+            let both = alone + cost::pair(&me.places[a], &other.places[b]);
+            // Of equals the first, as everywhere.
+            if both < best || both == best && at.is_some_and(|at| (a, b) < at) {
+                best = both;
+                at = Some((a, b));
             }
         }
     }
-    // Rounding must not keep two equal places changing for ever.
-    if best < now - 1e-9 {
-        (choices[i].picked, choices[j].picked) = at;
-        return true;
+    let Some(at) = at else { return false };
+    (choices[i].picked, choices[j].picked) = at;
+    true
+}
+
+/// The places of label `i` that cost no more than `enough` beside the picked places of all but label `j`, the cheapest first.
+fn cheap_first(choices: &[Choice], i: usize, j: usize, enough: f64) -> Vec<(usize, f64)> {
+    let me = &choices[i];
+    let affordable = (0..me.places.len()).filter(|&k| me.fixed[k] <= enough);
+    let mut list: Vec<(usize, f64)> =
+        affordable.map(|k| (k, total_without(choices, i, j, k, enough))).filter(|(_, cost)| *cost <= enough).collect();
+    list.sort_by(|a, b| a.1.total_cmp(&b.1));
+    list
+}
+
+/// Cost of place `k` of label `i` beside the picked places of all but label `j`; from `enough` on some cost that is larger.
+fn total_without(choices: &[Choice], i: usize, j: usize, k: usize, enough: f64) -> f64 {
+    let me = &choices[i];
+    let mut beside = 0.0;
+    for &n in me.neighbours.iter().filter(|n| **n != j) {
+        beside += cost::pair(&me.places[k], choices[n].place());
+        if me.fixed[k] + beside > enough {
+            break;
+        }
     }
-    false
+    me.fixed[k] + beside
 }
