@@ -43,6 +43,13 @@
     return runs.flatMap((n, i) => new Array(n).fill(i % 2 === 0));
   }
 
+  /** Runs of (value, length) as one value a frame. */
+  function stretched(runs) {
+    const list = [];
+    for (let i = 0; i < runs.length; i += 2) list.push(...new Array(runs[i + 1]).fill(runs[i]));
+    return list;
+  }
+
   /** A column of the frames in which something is seen, spread over all frames. */
   function spread(values, seen) {
     let i = 0;
@@ -67,14 +74,25 @@
     return { k: lo, s: Math.min(Math.max(s, 0), 1) };
   }
 
+  /** Beyond the last frame in which something is seen: on by the parabola through the last three. */
+  function onward(column, known, from, sense, t) {
+    const last = [];
+    for (let i = from; last.length < 3 && known(i); i += sense) last.push(i);
+    const weight = (i) => last.reduce((w, j) => (i === j ? w : (w * (t - time(j))) / (time(i) - time(j))), 1);
+    return last.reduce((sum, i) => sum + column[frame(i)] * weight(i), 0);
+  }
+
   /** The value of a column at a place: the curve of curve.rs, or a straight line for labels. */
   function value(column, { k, s }, straight) {
     const p0 = column[k];
     const p1 = inside(k + 1) ? column[frame(k + 1)] : NaN;
-    if (s === 0 || Number.isNaN(p1)) return p0;
-    if (Number.isNaN(p0) || s === 1) return p1;
-    if (straight) return p0 + (p1 - p0) * s;
+    if (s === 0 || s === 1) return s ? p1 : p0;
     const known = (i) => inside(i) && !Number.isNaN(column[frame(i)]);
+    if (Number.isNaN(p0) || Number.isNaN(p1)) {
+      const [from, sense] = Number.isNaN(p1) ? [k, -1] : [k + 1, 1];
+      return straight ? column[frame(from)] : onward(column, known, from, sense, time(k) + s * (time(k + 1) - time(k)));
+    }
+    if (straight) return p0 + (p1 - p0) * s;
     const step = (i) => time(i + 1) - time(i);
     const rise = (i) => (column[frame(i + 1)] - column[frame(i)]) / step(i);
     const weigh = (a, b) => (step(b) * rise(a) + step(a) * rise(b)) / (step(a) + step(b));
@@ -125,7 +143,7 @@
     };
   }
 
-  const drawings = data.drawings.map(({ key, moving, shown }) => {
+  const drawings = data.drawings.map(({ key, moving, shown, scales: told }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
@@ -157,8 +175,19 @@
       const steps = words.filter((w) => w.startsWith("step-")).map((w) => Number(w.slice(5)));
       return { element, step: steps.length ? Math.min(...steps) : -1 };
     });
-    return { key, figure, ink, movers, stepped, shown: flags(shown), off: figure.querySelector(".off") };
+    const scales = told && { list: told[0], which: stretched(told[1]), now: -1 };
+    return { key, figure, ink, movers, stepped, scales, shown: flags(shown), off: figure.querySelector(".off") };
   });
+
+  /** Says to which of its scales a drawing is drawn. */
+  function rescale({ figure, scales }, k) {
+    if (!scales || scales.which[k] === scales.now) return;
+    scales.now = scales.which[k];
+    const [mu, formula] = scales.list[scales.now];
+    figure.querySelector("svg").dataset.mu = mu;
+    figure.querySelector(".scale").innerHTML = formulaList[formula];
+    figure.classList.toggle("rescaled", scales.now > 0);
+  }
 
   function move(where) {
     const nearest = near(where);
@@ -166,6 +195,7 @@
       const on = d.shown[nearest];
       d.ink.style.display = on ? "" : "none";
       d.off.hidden = on;
+      rescale(d, nearest);
       if (!on) continue;
       for (const { element, seen, attributes } of d.movers) {
         const visible = seen[nearest];
@@ -194,13 +224,6 @@
 
   /** Formulas in the place of their indices. */
   const formulas = (text) => tagged(text).replace(/\uE001(\d+)\uE002/g, (_, n) => formulaList[n]);
-
-  /** Runs of (value, length) as one value a frame. */
-  function stretched(runs) {
-    const list = [];
-    for (let i = 0; i < runs.length; i += 2) list.push(...new Array(runs[i + 1]).fill(runs[i]));
-    return list;
-  }
 
   /** A sentence of a frame; see bank.rs. */
   function sayer([en, zh]) {
@@ -531,7 +554,7 @@
     $("language").textContent = word("language");
     $("language").lang = other[lang];
     $("hint").textContent = word(data.driver.turns ? "drag" : "drag_slide");
-    $("notes").textContent = `${word(data.cut ? "scales_cut" : "scales")} ${word("rates")}`;
+    $("notes").textContent = `${word(`scales${drawings.some((d) => d.scales) ? "_steps" : ""}${data.cut ? "_cut" : ""}`)} ${word("rates")}`;
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     grip.setAttribute("aria-label", word("handle"));
     const values = data.full ? [start, start + 360] : ends().map((t) => start + t * data.driver.factor);

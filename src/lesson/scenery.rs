@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
 use crate::figure::drawing::{Habits, Part};
@@ -75,7 +76,8 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     let style = Style::default();
     let poses: Vec<_> = frames.list.iter().map(|f| (&f.scene, &f.worked)).collect();
     let courses = if shows == Shows::Mechanism { courses(&poses, &style, notation) } else { Vec::new() };
-    let looks = Looks { notation, style, courses };
+    let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(|(w, p)| polygon::is_full(&w, p)));
+    let looks = Looks { notation, style, courses, full };
     let mut at_base = Habits::new();
     let first = part(frames, frames.base, &looks, shows, &mut at_base);
     // On from the scene's pose and back from it; where the turn is closed the two meet half a turn off.
@@ -101,9 +103,19 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     for (k, part) in parts.into_iter().enumerate() {
         let Some(mut part) = part else { continue };
         part.translate(shift);
-        track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
+        // To another scale everything is elsewhere: nothing lies between the two.
+        let drawn_as: Vec<usize> = frames.list[k].worked.construction.chosen.iter().copied().chain(scale(frames, k, shows)).collect();
+        track.add(k, &part.items, &drawn_as)?;
     }
     Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
+}
+
+/// Which of its scales a drawing has in a frame.
+pub fn scale(frames: &Frames, k: usize, shows: Shows) -> Option<usize> {
+    match shows {
+        Shows::Mechanism => None,
+        Shows::Polygon(level) => Some(frames.list[k].scale[LEVELS.iter().position(|l| *l == level)?]),
+    }
 }
 
 /// What the drawings of all frames have in common.
@@ -111,23 +123,30 @@ struct Looks<'a> {
     notation: &'a Notation,
     style: Style,
     courses: Vec<Course>,
+    /// Whether the polygon has many vectors in some frame: then its type is small in all.
+    full: bool,
+}
+
+/// A frame's polygon, where it is on the paper, and who writes its letters (the language does not matter).
+fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
+    let Shows::Polygon(level) = shows else { return None };
+    let on_paper = frame.shown[LEVELS.iter().position(|l| *l == level)?];
+    let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
+    Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
 }
 
 fn part(frames: &Frames, k: usize, looks: &Looks, shows: Shows, habits: &mut Habits) -> Option<Part> {
     let frame = &frames.list[k];
-    let Looks { notation, style, courses } = looks;
+    let Looks { notation, style, courses, full } = looks;
     match shows {
         Shows::Mechanism => {
             let mut part = mechanism::drawing(style, &frame.scene, &frame.worked, notation, &courses[k]).finish_after(habits);
             part.translate(stray(frames, frame));
             Some(part)
         }
-        Shows::Polygon(level) => {
-            let on_paper = frame.shown[LEVELS.iter().position(|l| *l == level)?];
-            let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
-            // Letters only: the language does not matter.
-            let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };
-            Some(polygon::drawing(style, &w, p).finish_after(habits))
+        Shows::Polygon(_) => {
+            let (w, p) = polygon_of(frame, shows, notation)?;
+            Some(polygon::drawing(style, &w, p, *full).finish_after(habits))
         }
     }
 }

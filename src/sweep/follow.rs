@@ -142,10 +142,14 @@ impl<'a> Follower<'a> {
         (poses, None)
     }
 
-    /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
+    /// The next pose on the way to a travel: there, or a part of the way where the motion bends (at least a 2^[`HALVINGS`]-th).
     fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
-        let mut travel = target;
-        for _ in 0..HALVINGS {
+        // Where the last part of the way was short, the next will hardly be much longer.
+        let twice = before.map_or(f64::INFINITY, |b| 2.0 * (now.travel - b.travel).abs());
+        let rest = target - now.travel;
+        let mut travel = if rest.abs() <= twice { target } else { now.travel + twice.copysign(rest) };
+        let least = rest.abs() / f64::from(1 << HALVINGS);
+        while (travel - now.travel).abs() > least {
             let guess = foretold(before, now, travel);
             if let Some(configuration) = self.at(&guess, travel)
                 && self.stray(&configuration, &guess) < STRAY

@@ -101,7 +101,11 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
     for level in [Level::Velocity, Level::Acceleration] {
         items.extend(
-            worked.construction.polygon(level).map(|p| polygon::drawing(&Style::default(), &w, p).finish().items).unwrap_or_default(),
+            worked
+                .construction
+                .polygon(level)
+                .map(|p| polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items)
+                .unwrap_or_default(),
         );
     }
     let ends = items.into_iter().filter_map(|i| match i.shape {
@@ -225,7 +229,7 @@ fn every_step_reveals_what_it_names() {
         for (level, key) in levels {
             let Some(p) = worked.construction.polygon(level) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
-            let items = polygon::drawing(&Style::default(), &w, p).finish().items;
+            let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
             let said = sentences(&w, &worked.construction, p, &hodograph::accuracy::steps(&scene, &worked, None));
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);

@@ -34,7 +34,7 @@ const LEADER_CROSSES: f64 = 2.5;
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
 /// Air between two labels, for each of them.
-pub(super) const PAIR_AIR_MM: f64 = 0.3;
+const PAIR_AIR_MM: f64 = 0.3;
 
 /// What is drawn around a label's places: found once, so that each place is asked about little more than it may touch.
 pub(super) struct Around<'a> {
@@ -57,7 +57,7 @@ struct Line<'a> {
 impl<'a> Around<'a> {
     /// All that can make one of these places dearer.
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
-        let looks = places.iter().map(|c| with_leader(c).union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
+        let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
             return Around { wanted, paper, bars: Vec::new(), heads: Vec::new(), discs: Vec::new(), rects: Vec::new() };
         };
@@ -123,16 +123,13 @@ impl<'a> Around<'a> {
             cost += OUTSIDE;
         }
         if let Some((a, b)) = c.leader {
-            let crossed = self.bars.iter().filter(|l| !l.own && !l.meets && crosses(a, b, l.bar.from, l.bar.to));
+            let reach = Rect::new(a, b);
+            let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
+            let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
             cost += LEADER_CROSSES * crossed.count() as f64;
         }
         cost
     }
-}
-
-/// The box around a place and its leader line.
-pub(super) fn with_leader(c: &Candidate) -> Rect {
-    c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -153,6 +150,9 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 /// What two places cost beside one another.
 #[inline]
 pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
+    if !close(a.reach, b.reach) {
+        return 0.0;
+    }
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
     let cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
@@ -173,6 +173,11 @@ fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
         cost += LEADER_CROSSES;
     }
     cost
+}
+
+/// Whether places within two boxes can meet.
+pub(super) fn close(a: Rect, b: Rect) -> bool {
+    touch(a.grown(2.0 * PAIR_AIR_MM), b)
 }
 
 /// Whether a line ends or passes at the target: then to stand near it is to stand near the own point.

@@ -69,8 +69,15 @@ struct Choice {
     /// Whether all places have their cost. While the place of the figure before costs less than leaving it, no other can be
     /// better, and none needs a cost.
     priced: bool,
+    /// The box around all its places and leader lines.
+    reach: Rect,
     /// The labels with a place that could meet one of this label's places.
     neighbours: Vec<usize>,
+}
+
+/// The box around some places and their leader lines.
+fn around(places: &[Candidate]) -> Rect {
+    places.iter().map(|c| c.reach).reduce(Rect::union).expect("every label has places")
 }
 
 impl Choice {
@@ -78,7 +85,8 @@ impl Choice {
         let count = if before.is_some_and(|b| b >= offer.near) { offer.all() } else { offer.near };
         let before = before.filter(|b| *b < count);
         let (places, fixed) = (offer.places[..count].to_vec(), vec![f64::INFINITY; count]);
-        let mut choice = Choice { places, fixed, picked: 0, before, priced: false, neighbours: Vec::new() };
+        let reach = around(&places);
+        let mut choice = Choice { places, fixed, picked: 0, before, priced: false, reach, neighbours: Vec::new() };
         if let Some(b) = before {
             choice.picked = b;
             choice.fixed[b] = offer.costs(b..b + 1).next().unwrap_or(f64::INFINITY);
@@ -104,11 +112,7 @@ impl Choice {
         self.places.extend_from_slice(&offer.places[from..to]);
         let costs: Vec<f64> = offer.costs(from..to).enumerate().map(|(k, cost)| cost + self.leave(from + k)).collect();
         self.fixed.extend(costs);
-    }
-
-    /// The box around all its places and leader lines.
-    fn reach(&self) -> Rect {
-        self.places.iter().map(cost::with_leader).reduce(Rect::union).expect("every label has places")
+        self.reach = around(&self.places);
     }
 
     /// What a place costs because it is another one than before.
@@ -157,7 +161,7 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>]) 
 pub(super) fn beside_placed(wanted: &Wanted, obstacles: &Obstacles, paper: Rect, placed: &[Placement]) -> Option<Found> {
     let places = candidate::near(wanted);
     let around = Around::new(&places, wanted, obstacles, paper);
-    let others: Vec<Candidate> = placed.iter().map(|p| Candidate { rect: p.bounds, leader: p.leader, base: 0.0 }).collect();
+    let others: Vec<Candidate> = placed.iter().map(|p| Candidate::new(p.bounds, p.leader, 0.0)).collect();
     let cost = |c: &Candidate| around.fixed(c) + others.iter().map(|o| cost::pair(c, o)).sum::<f64>();
     let costs: Vec<f64> = places.iter().map(cost).collect();
     let best = argmin(&costs);
@@ -181,9 +185,9 @@ fn beside(choices: &[Choice], i: usize, k: usize) -> f64 {
 }
 
 fn meet(choices: &mut [Choice]) {
-    let reach: Vec<Rect> = choices.iter().map(|c| c.reach().grown(cost::PAIR_AIR_MM)).collect();
+    let reach: Vec<Rect> = choices.iter().map(|c| c.reach).collect();
     for (i, choice) in choices.iter_mut().enumerate() {
-        choice.neighbours = (0..reach.len()).filter(|&j| j != i && reach[i].overlap_mm2(reach[j]) > 0.0).collect();
+        choice.neighbours = (0..reach.len()).filter(|&j| j != i && cost::close(reach[i], reach[j])).collect();
     }
 }
 
@@ -205,7 +209,7 @@ fn descend(choices: &mut [Choice]) {
         for i in 0..choices.len() {
             let me = &choices[i];
             others.clear();
-            others.extend(me.neighbours.iter().map(|&j| *choices[j].place()));
+            others.extend(me.neighbours.iter().map(|&j| *choices[j].place()).filter(|p| cost::close(me.reach, p.reach)));
             let (mut best, mut least) = (me.picked, total_beside(me, me.picked, &others, f64::INFINITY));
             let now = least;
             for k in 0..me.places.len() {
@@ -235,7 +239,7 @@ fn total_beside(me: &Choice, k: usize, others: &[Candidate], enough: f64) -> f64
     let mut beside = 0.0;
     for other in others {
         beside += cost::pair(&me.places[k], other);
-        if beside > enough {
+        if me.fixed[k] + beside > enough {
             break;
         }
     }
@@ -267,17 +271,18 @@ fn move_pairs(choices: &mut [Choice]) -> bool {
 
 fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
     let (me, other) = (&choices[i], &choices[j]);
-    let now = total_without(choices, i, j, me.picked, f64::INFINITY)
-        + total_without(choices, j, i, other.picked, f64::INFINITY)
+    let (beside_me, beside_other) = (others(choices, i, j), others(choices, j, i));
+    let now = total_beside(me, me.picked, &beside_me, f64::INFINITY)
+        + total_beside(other, other.picked, &beside_other, f64::INFINITY)
         + cost::pair(me.place(), other.place());
     // Rounding must not keep two equal places changing for ever.
     let mut best = now - 1e-9;
     let mut at = None;
     // What one of the two costs at the least leaves so much for the other: dearer places need not be looked at.
     let least = other.fixed.iter().copied().fold(f64::INFINITY, f64::min);
-    let mine = cheap_first(choices, i, j, best - least);
+    let mine = cheap_first(me, &beside_me, best - least);
     let Some(least) = mine.first().map(|m| m.1) else { return false };
-    let theirs = cheap_first(choices, j, i, best - least);
+    let theirs = cheap_first(other, &beside_other, best - least);
     for &(a, cost_a) in &mine {
         for &(b, cost_b) in &theirs {
             let alone = cost_a + cost_b;
@@ -297,25 +302,18 @@ fn move_pair(choices: &mut [Choice], i: usize, j: usize) -> bool {
     true
 }
 
-/// The places of label `i` that cost no more than `enough` beside the picked places of all but label `j`, the cheapest first.
-fn cheap_first(choices: &[Choice], i: usize, j: usize, enough: f64) -> Vec<(usize, f64)> {
+/// The picked places that can meet one of label `i`'s, without that of label `j`.
+fn others(choices: &[Choice], i: usize, j: usize) -> Vec<Candidate> {
     let me = &choices[i];
-    let affordable = (0..me.places.len()).filter(|&k| me.fixed[k] <= enough);
-    let mut list: Vec<(usize, f64)> =
-        affordable.map(|k| (k, total_without(choices, i, j, k, enough))).filter(|(_, cost)| *cost <= enough).collect();
-    list.sort_by(|a, b| a.1.total_cmp(&b.1));
-    list
+    let all = me.neighbours.iter().filter(|n| **n != j).map(|&n| *choices[n].place());
+    all.filter(|p| cost::close(me.reach, p.reach)).collect()
 }
 
-/// Cost of place `k` of label `i` beside the picked places of all but label `j`; from `enough` on some cost that is larger.
-fn total_without(choices: &[Choice], i: usize, j: usize, k: usize, enough: f64) -> f64 {
-    let me = &choices[i];
-    let mut beside = 0.0;
-    for &n in me.neighbours.iter().filter(|n| **n != j) {
-        beside += cost::pair(&me.places[k], choices[n].place());
-        if me.fixed[k] + beside > enough {
-            break;
-        }
-    }
-    me.fixed[k] + beside
+/// A label's places that cost no more than `enough` beside these, the cheapest first.
+fn cheap_first(me: &Choice, others: &[Candidate], enough: f64) -> Vec<(usize, f64)> {
+    let affordable = (0..me.places.len()).filter(|&k| me.fixed[k] <= enough);
+    let priced = affordable.map(|k| (k, total_beside(me, k, others, enough)));
+    let mut list: Vec<(usize, f64)> = priced.filter(|(_, cost)| *cost <= enough).collect();
+    list.sort_by(|a, b| a.1.total_cmp(&b.1));
+    list
 }

@@ -1,0 +1,71 @@
+//! The scales of a polygon over all positions: one for the usual ones, smaller drawings where the vectors are much longer.
+//!
+//! One scale shows by the eye where a mechanism is fast. Where it is many times as fast in a few positions as in most, that scale
+//! would leave the usual polygons too small to be read: then those few are drawn to a coarser scale, and the page says so.
+
+use crate::construct::scale::{self, Boxes, coarser};
+use crate::figure::series::{Scales, ends, size};
+use crate::geom::Point;
+use crate::mechanism::Level;
+use crate::scene::Paper;
+use crate::worked::Worked;
+
+/// While the longest polygon is no more than so many times the usual one, one scale serves all.
+const EVEN: f64 = 2.0;
+/// How much larger the usual polygons must become by a second scale to be worth it.
+const GAIN: f64 = 1.6;
+/// From one scale to the next a drawing becomes at least so many times smaller: not every position is to have its own.
+const STEP: f64 = 2.0;
+
+/// The scales of one polygon.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ladder {
+    level: Level,
+    boxes: Boxes,
+    /// From the usual one to the coarsest (SI/mm).
+    pub mu: Vec<f64>,
+    /// The largest polygon on the paper (in boxes of a millimetre), where there is more than one scale.
+    largest: f64,
+}
+
+impl Ladder {
+    /// The scales of a polygon that `common` has one scale for; `None` where there is no such polygon. Poses come with the
+    /// driver's travel; that with travel 0 has the first scale.
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], common: &Scales, level: Level, boxes: Boxes) -> Option<Ladder> {
+        let later = level == Level::Acceleration;
+        let one = common.mu[usize::from(later)]?;
+        let alone = Ladder { level, boxes, mu: vec![one], largest: f64::INFINITY };
+        let on_paper = |w: &&Worked| common.holds(w, level);
+        let sized = |w: &Worked| size(w, level, &boxes).unwrap_or(0.0);
+        let mut sizes: Vec<f64> = poses.iter().map(|p| p.1).filter(on_paper).map(sized).collect();
+        sizes.sort_by(f64::total_cmp);
+        let own = poses.iter().find(|p| p.0 == 0.0).map_or(0.0, |p| sized(p.1));
+        let usual = own.max(sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
+        let most = sizes.last().copied().unwrap_or(0.0);
+        let fixed = if later { paper.mu_a } else { paper.mu_v };
+        if fixed.is_some() || usual == 0.0 || most <= EVEN * usual {
+            return Some(alone);
+        }
+        // The pole stands still, and polygons reach from it to all sides: the paper holds them all, the longer ones shortened.
+        let shortened = |w: &Worked| {
+            let part = (usual / sized(w)).min(1.0);
+            ends(w, level).map(move |p| (p.to_vec2() * part).to_point()).collect::<Vec<_>>()
+        };
+        let all = poses.iter().map(|p| p.1).filter(on_paper).flat_map(shortened);
+        let mut mu = vec![scale::choose(scale::extent(all.chain([Point::ORIGIN])), boxes.polygon)];
+        if one < GAIN * mu[0] {
+            return Some(alone);
+        }
+        let largest = usual / mu[0];
+        while largest * mu[mu.len() - 1] < most {
+            mu.push(coarser(mu[mu.len() - 1], STEP));
+        }
+        Some(Ladder { level, boxes, mu, largest })
+    }
+
+    /// Which of the scales a pose's polygon has: the finest that holds it.
+    pub fn place(&self, worked: &Worked) -> usize {
+        let size = size(worked, self.level, &self.boxes).unwrap_or(0.0);
+        self.mu.iter().position(|mu| size <= self.largest * mu).unwrap_or(self.mu.len() - 1)
+    }
+}
