@@ -11,7 +11,10 @@ use crate::scene::Paper;
 use crate::worked::Worked;
 
 /// While the longest polygon is no more than so many times the usual one, one scale serves all.
-const EVEN: f64 = 2.0;
+const EVEN: f64 = 1.6;
+/// The usual polygon is that of the scene's own pose, with which a lesson begins and which is printed; it is not taken for smaller
+/// than this part of what half of all poses have.
+const OF_HALF: f64 = 0.5;
 /// How much larger the usual polygons must become by a second scale to be worth it.
 const GAIN: f64 = 1.6;
 /// From one scale to the next a drawing becomes at least so many times smaller: not every position is to have its own.
@@ -40,7 +43,7 @@ impl Ladder {
         let mut sizes: Vec<f64> = poses.iter().map(|p| p.1).filter(on_paper).map(sized).collect();
         sizes.sort_by(f64::total_cmp);
         let own = poses.iter().find(|p| p.0 == 0.0).map_or(0.0, |p| sized(p.1));
-        let usual = own.max(sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
+        let usual = own.max(OF_HALF * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
         let most = sizes.last().copied().unwrap_or(0.0);
         let fixed = if later { paper.mu_a } else { paper.mu_v };
         if fixed.is_some() || usual == 0.0 || most <= EVEN * usual {

@@ -20,7 +20,7 @@ use crate::scene::{DriverKind, Lang, Scene};
 use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
-use super::scenery::{Scenery, Shows, scale, scenery, stray};
+use super::scenery::{Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
@@ -113,7 +113,8 @@ fn drawing(d: &Scenery, told: &Told, frames: &Frames, formulas: &mut Formulas) -
     let list = scales(d.shows, frames);
     let scales = if list.len() > 1 {
         let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(d.shows, *mu))])).collect();
-        let which: Vec<i64> = (0..frames.list.len()).map(|k| scale(frames, k, d.shows).unwrap_or(0) as i64).collect();
+        let level = usize::from(d.shows == Shows::Polygon(Level::Acceleration));
+        let which: Vec<i64> = frames.list.iter().map(|f| f.scale[level] as i64).collect();
         json!([said, bank::runs(&which)])
     } else {
         json!(0)

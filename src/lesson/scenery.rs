@@ -103,19 +103,9 @@ fn one(frames: &Frames, notation: &Notation, shows: Shows) -> Result<Scenery, Fa
     for (k, part) in parts.into_iter().enumerate() {
         let Some(mut part) = part else { continue };
         part.translate(shift);
-        // To another scale everything is elsewhere: nothing lies between the two.
-        let drawn_as: Vec<usize> = frames.list[k].worked.construction.chosen.iter().copied().chain(scale(frames, k, shows)).collect();
-        track.add(k, &part.items, &drawn_as)?;
+        track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
     }
     Ok(Scenery { shows, size_mm: [paper.width_mm(), paper.height_mm()], origin: Point::ORIGIN + shift, track, shown })
-}
-
-/// Which of its scales a drawing has in a frame.
-pub fn scale(frames: &Frames, k: usize, shows: Shows) -> Option<usize> {
-    match shows {
-        Shows::Mechanism => None,
-        Shows::Polygon(level) => Some(frames.list[k].scale[LEVELS.iter().position(|l| *l == level)?]),
-    }
 }
 
 /// What the drawings of all frames have in common.

@@ -64,7 +64,7 @@ impl Track {
     }
 
     /// Adds the items of a frame; frames may come in any order. `chosen` are the alternatives drawn there: with another special
-    /// point or to another scale a polygon is another drawing, and nothing lies between the two.
+    /// point a polygon is another drawing, and nothing lies between the two.
     ///
     /// # Errors
     /// Those of the SVG writer.

@@ -142,21 +142,24 @@ impl<'a> Follower<'a> {
         (poses, None)
     }
 
-    /// The next pose on the way to a travel: there, or a part of the way where the motion bends (at least a 2^[`HALVINGS`]-th).
+    /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
     fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
+        let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
+        let mut travel = target;
+        let mut halvings = 0;
         // Where the last part of the way was short, the next will hardly be much longer.
-        let twice = before.map_or(f64::INFINITY, |b| 2.0 * (now.travel - b.travel).abs());
-        let rest = target - now.travel;
-        let mut travel = if rest.abs() <= twice { target } else { now.travel + twice.copysign(rest) };
-        let least = rest.abs() / f64::from(1 << HALVINGS);
-        while (travel - now.travel).abs() > least {
+        let last = before.map_or(f64::INFINITY, |b| (now.travel - b.travel).abs());
+        while halvings < HALVINGS / 2 && (travel - now.travel).abs() > 2.0 * last {
+            (travel, halvings) = (half(travel), halvings + 1);
+        }
+        while halvings < HALVINGS {
             let guess = foretold(before, now, travel);
             if let Some(configuration) = self.at(&guess, travel)
                 && self.stray(&configuration, &guess) < STRAY
             {
                 return Some(Pose { travel, configuration });
             }
-            travel = now.travel + (travel - now.travel) / 2.0;
+            (travel, halvings) = (half(travel), halvings + 1);
         }
         None
     }
