@@ -72,3 +72,49 @@ impl Ladder {
         self.mu.iter().position(|mu| size <= self.largest * mu).unwrap_or(self.mu.len() - 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::accuracy::toggle::{driver_position, with_driver_at};
+    use crate::scene::{self, Scene, templates};
+    use crate::worked::{Scope, work};
+
+    fn poses(scene: &Scene) -> Vec<(f64, Worked)> {
+        let start = driver_position(scene, 0).unwrap();
+        let at = |travel: f64| (travel, work(&with_driver_at(scene, 0, start + travel), Scope::Figure).unwrap().value);
+        (0..24).map(|k| at(f64::from(k) * std::f64::consts::TAU / 24.0)).collect()
+    }
+
+    fn ladder(scene: &Scene, poses: &[(f64, Worked)]) -> Ladder {
+        let poses: Vec<(f64, &Worked)> = poses.iter().map(|(t, w)| (*t, w)).collect();
+        let common = Scales::of(&scene.paper, &poses, true, Boxes::default());
+        Ladder::of(&scene.paper, &poses, &common, Level::Acceleration, Boxes::default()).unwrap()
+    }
+
+    #[test]
+    fn every_polygon_has_the_finest_scale_that_holds_it() {
+        let mut scene = scene::read(templates::get("whitworth").unwrap()).unwrap().value;
+        let poses = poses(&scene);
+        let all = ladder(&scene, &poses);
+        assert!(all.mu.len() > 1 && all.mu.windows(2).all(|m| m[1] >= STEP * m[0]), "{:?}", all.mu);
+        assert_eq!(all.place(&poses[0].1), 0, "the given position has the first");
+        let part = |k: usize| {
+            let place = all.place(&poses[k].1);
+            (place, size(&poses[k].1, Level::Acceleration, &Boxes::default()).unwrap() / all.mu[place] / all.largest)
+        };
+        for (k, _) in poses.iter().enumerate() {
+            let (place, part) = part(k);
+            // From one scale of the series to the next it is 2 or 2.5.
+            assert!(part <= 1.0 && (place == 0 || part > 0.4 * (1.0 - 1e-12)), "{k}: {place}, {part}");
+        }
+        scene.paper.mu_a = Some(3.0);
+        assert_eq!(ladder(&scene, &poses).mu, [3.0], "what the scene fixes stays");
+    }
+
+    #[test]
+    fn where_all_are_of_a_size_one_scale_serves() {
+        let scene = scene::read(templates::get("scotch-yoke").unwrap()).unwrap().value;
+        assert_eq!(ladder(&scene, &poses(&scene)).mu.len(), 1);
+    }
+}
