@@ -15,8 +15,8 @@ const EVEN: f64 = 1.6;
 /// The usual polygon is that of the scene's own pose, with which a lesson begins and which is printed; it is not taken for smaller
 /// than this part of what half of all poses have.
 const OF_HALF: f64 = 0.5;
-/// How much larger the usual polygons must become by a second scale to be worth it.
-const GAIN: f64 = 1.6;
+/// How much larger a part of their paper the usual polygons must become by a second scale to be worth it.
+const GAIN: f64 = 1.3;
 /// From one scale to the next a drawing becomes at least so many times smaller: not every position is to have its own.
 const STEP: f64 = 2.0;
 
@@ -50,15 +50,19 @@ impl Ladder {
             return Some(alone);
         }
         // The pole stands still, and polygons reach from it to all sides: the paper holds them all, the longer ones shortened.
-        let shortened = |w: &Worked| {
-            let part = (usual / sized(w)).min(1.0);
-            ends(w, level).map(move |p| (p.to_vec2() * part).to_point()).collect::<Vec<_>>()
+        let room = |longest: f64| {
+            let held = poses.iter().map(|p| p.1).filter(on_paper).flat_map(|w| {
+                let part = (longest / sized(w)).min(1.0);
+                ends(w, level).map(move |p| (p.to_vec2() * part).to_point())
+            });
+            scale::extent(held.chain([Point::ORIGIN]))
         };
-        let all = poses.iter().map(|p| p.1).filter(on_paper).flat_map(shortened);
-        let mut mu = vec![scale::choose(scale::extent(all.chain([Point::ORIGIN])), boxes.polygon)];
-        if one < GAIN * mu[0] {
+        let [all, shortened] = [room(most), room(usual)];
+        let needed = |[w, h]: [f64; 2]| (w / boxes.polygon[0]).max(h / boxes.polygon[1]);
+        if needed(all) < GAIN * needed(shortened) {
             return Some(alone);
         }
+        let mut mu = vec![scale::choose(shortened, boxes.polygon)];
         let largest = usual / mu[0];
         while largest * mu[mu.len() - 1] < most {
             mu.push(coarser(mu[mu.len() - 1], STEP));

@@ -36,12 +36,12 @@ const WORDS: [(&str, &str, &str); 37] = [
     ),
     (
         "scales_steps",
-        "One set of scales, but for positions in which a polygon is many times as large: its caption then tells the coarser scale.",
+        "One set of scales, but for positions in which a polygon is much larger: its caption then tells the coarser scale.",
         "各位置一般采用同一组比例尺；个别位置的多边形过大时改用较粗的比例尺，见图下所注。",
     ),
     (
         "scales_steps_cut",
-        "One set of scales, but for positions in which a polygon is many times as large: its caption then tells the coarser scale. Next to a limit the vectors leave the paper.",
+        "One set of scales, but for positions in which a polygon is much larger: its caption then tells the coarser scale. Next to a limit the vectors leave the paper.",
         "各位置一般采用同一组比例尺；个别位置的多边形过大时改用较粗的比例尺，见图下所注；极限位置附近矢量超出图纸。",
     ),
     ("smaller", "drawn smaller here", "此处缩小绘制"),
