@@ -177,27 +177,39 @@ impl Maker<'_> {
 
     /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
     fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
-        let from = k.saturating_sub(1);
+        let from = k.saturating_sub(2);
         let keys: Vec<(f64, Vec<Option<Mark>>)> =
-            (from..(k + 3).min(trials.len())).map(|i| (trials[i].travel, papers.marks(&trials[i].worked))).collect();
+            (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, papers.marks(&trials[i].worked))).collect();
+        let at = k - from;
         let mut worst: f64 = 0.0;
         for (i, truth) in papers.marks(&middle.worked).iter().enumerate() {
             let Some((scale, truth)) = *truth else { continue };
+            let mark = |n: usize| keys.get(n).and_then(|key| key.1.get(i).copied().flatten());
             // A pose next to a singular one may have fewer marks.
-            let known: Option<Vec<(f64, Mark)>> = keys.iter().map(|(t, marks)| Some((*t, (*marks.get(i)?)?))).collect();
-            let Some(known) = known else { continue };
-            // What is drawn to another scale tells the page nothing of this one.
-            let alike = |n: usize| known[n].1.0 == scale;
-            let (first, last) = (k - from, k - from + 1);
-            if !alike(first) || !alike(last) {
+            if (at.saturating_sub(1)..(at + 3).min(keys.len())).any(|n| mark(n).is_none()) {
                 continue;
             }
-            let begin = if alike(0) { 0 } else { first };
-            let known: Vec<(f64, Point)> = (begin..known.len()).filter(|n| alike(*n)).map(|n| (known[n].0, known[n].1.1)).collect();
+            // What is drawn to another scale tells the page nothing of this one.
+            let alike = |n: &usize| mark(*n).is_some_and(|m| m.0 == scale);
+            let side = |places: [Option<usize>; 3]| places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>();
+            let (before, after) =
+                (side([Some(at), at.checked_sub(1), at.checked_sub(2)]), side([Some(at + 1), Some(at + 2), Some(at + 3)]));
             let axis = |of: fn(&Point) -> f64| {
-                curve::between(&known.iter().map(|(t, p)| (*t, of(p))).collect::<Vec<_>>(), first - begin, middle.travel)
+                let known = |n: &usize| (keys[*n].0, mark(*n).map_or(0.0, |m| of(&m.1)));
+                match (before.is_empty(), after.is_empty()) {
+                    (false, false) => {
+                        let around: Vec<usize> = before.iter().take(2).rev().chain(after.iter().take(2)).copied().collect();
+                        curve::between(&around.iter().map(known).collect::<Vec<_>>(), before.len().min(2) - 1, middle.travel)
+                    }
+                    (no_before, _) => {
+                        let near = if no_before { &after } else { &before };
+                        curve::onward(&near.iter().map(known).collect::<Vec<_>>(), middle.travel)
+                    }
+                }
             };
-            worst = worst.max(truth.distance(Point::new(axis(|p| p.x), axis(|p| p.y))));
+            if !(before.is_empty() && after.is_empty()) {
+                worst = worst.max(truth.distance(Point::new(axis(|p| p.x), axis(|p| p.y))));
+            }
         }
         worst
     }

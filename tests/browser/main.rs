@@ -371,7 +371,7 @@ fn a_coarser_scale_is_said_and_true() {
     let mut scales = std::collections::BTreeSet::new();
     for _ in 0..12 {
         let [mu, caption, smaller] = told(&mut b);
-        assert!(caption.contains(&format!("= {mu}")), "{caption} of {mu}");
+        assert!(caption.contains(&format!("={mu}(")), "{caption} of {mu}");
         assert_eq!(smaller == "visible", mu != first, "{mu} {smaller}");
         let there = travel(&mut b);
         let (scene_there, worked) = worked_at(&mut b, &scene, there);
