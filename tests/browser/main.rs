@@ -359,7 +359,7 @@ fn pages_fit_phones_and_projectors_and_print() {
 #[test]
 fn a_coarser_scale_is_said_and_true() {
     let Some(mut b) = browser() else { return };
-    let scene = template("whitworth");
+    let scene = template("slotted-lever");
     b.open(&page("scales", &scene), PROJECTOR);
     let told = |b: &mut Browser| {
         let script = r#"(() => { const f = document.getElementById("acceleration"); return [f.querySelector("svg").dataset.mu,
