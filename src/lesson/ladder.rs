@@ -33,7 +33,7 @@ pub struct Ladder {
 
 impl Ladder {
     /// The scales of a polygon that `common` has one scale for; `None` where there is no such polygon. Poses come with the
-    /// driver's travel; that with travel 0 has the first scale.
+    /// driver's travel; the one nearest to the scene's own has the first scale.
     pub fn of(paper: &Paper, poses: &[(f64, &Worked)], common: &Scales, level: Level, boxes: Boxes) -> Option<Ladder> {
         let later = level == Level::Acceleration;
         let one = common.mu[usize::from(later)]?;
@@ -42,7 +42,7 @@ impl Ladder {
         let sized = |w: &Worked| size(w, level, &boxes).unwrap_or(0.0);
         let mut sizes: Vec<f64> = poses.iter().map(|p| p.1).filter(on_paper).map(sized).collect();
         sizes.sort_by(f64::total_cmp);
-        let own = poses.iter().find(|p| p.0 == 0.0).map_or(0.0, |p| sized(p.1));
+        let own = poses.iter().min_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).map_or(0.0, |p| sized(p.1));
         let usual = own.max(OF_HALF * sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
         let most = sizes.last().copied().unwrap_or(0.0);
         let fixed = if later { paper.mu_a } else { paper.mu_v };

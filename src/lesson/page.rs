@@ -164,7 +164,7 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span>{smaller}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
-        mathml(&Label::math(&scale_formula(d.shows, mu))),
+        mathml(&Label::math(scale_formula(d.shows, mu))),
     )
 }
 
