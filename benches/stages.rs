@@ -49,17 +49,21 @@ fn stages(c: &mut Criterion) {
 
 fn command(c: &mut Criterion) {
     let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("shaper.json");
-    std::fs::write(&file, templates::get("shaper").unwrap()).unwrap();
-    let mut g = c.benchmark_group("whole command, shaper");
-    for (name, extra) in [
-        ("svg", vec!["draw", "--format", "svg", "-o", "."]),
-        ("png 150 dpi", vec!["draw", "--format", "png", "--dpi", "150", "-o", "."]),
-        ("pdf", vec!["draw", "--format", "pdf", "-o", "."]),
-        ("lesson, 72 positions", vec!["lesson", "-o", "lesson.html"]),
-        ("worksheet pdf", vec!["worksheet", "-o", "worksheet.pdf"]),
+    let mut g = c.benchmark_group("whole command");
+    // The lessons of the mechanisms whose groups have no closed form, and of the one with the most links.
+    for (template, name, extra) in [
+        ("shaper", "svg", vec!["draw", "--format", "svg", "-o", "."]),
+        ("shaper", "png 150 dpi", vec!["draw", "--format", "png", "--dpi", "150", "-o", "."]),
+        ("shaper", "pdf", vec!["draw", "--format", "pdf", "-o", "."]),
+        ("shaper", "worksheet pdf", vec!["worksheet", "-o", "worksheet.pdf"]),
+        ("shaper", "lesson, 72 positions", vec!["lesson", "-o", "shaper.html"]),
+        ("class-iii-six-bar", "lesson, 72 positions", vec!["lesson", "-o", "class-iii-six-bar.html"]),
+        ("stephenson-six-bar", "lesson, 72 positions", vec!["lesson", "-o", "stephenson-six-bar.html"]),
+        ("excavator", "lesson, 72 positions", vec!["lesson", "-o", "excavator.html"]),
     ] {
-        g.bench_function(name, |b| {
+        let file = folder.path().join(format!("{template}.json"));
+        std::fs::write(&file, templates::get(template).unwrap()).unwrap();
+        g.bench_function(format!("{template}: {name}"), |b| {
             b.iter(|| {
                 let status = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
                     .current_dir(folder.path())
@@ -75,8 +79,10 @@ fn command(c: &mut Criterion) {
         });
     }
     g.finish();
-    for name in ["shaper.svg", "shaper.png", "shaper.pdf", "lesson.html", "worksheet.pdf"] {
-        println!("{name}: {:.0} kB", std::fs::metadata(folder.path().join(name)).map_or(0.0, |m| m.len() as f64 / 1000.0));
+    let mut written: Vec<_> = std::fs::read_dir(folder.path()).unwrap().map(|f| f.unwrap()).collect();
+    written.sort_by_key(std::fs::DirEntry::file_name);
+    for file in written {
+        println!("{}: {:.0} kB", file.file_name().display(), file.metadata().map_or(0.0, |m| m.len() as f64 / 1000.0));
     }
 }
 

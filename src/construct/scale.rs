@@ -102,6 +102,11 @@ pub fn finer(mu: f64, factor: f64) -> f64 {
     series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need)
 }
 
+/// The smallest preferred μ with which a drawing is at most a `factor`-th of the size that it has with `mu`.
+pub fn coarser(mu: f64, factor: f64) -> f64 {
+    choose([mu * factor, 0.0], [1.0, 1.0])
+}
+
 /// A scale in other numbers: the decimal that it is printed as, and no neighbour of it.
 pub fn number<N: Real>(mu: f64) -> N {
     let error = if N::knows_its_error() { mu.abs() * f64::EPSILON } else { 0.0 };

@@ -32,11 +32,7 @@ impl Scales {
             let own = poses.iter().find(|p| p.0 == 0.0).and_then(|p| size(p.1)).unwrap_or(0.0);
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
-            let ends = fitting.filter_map(|w| w.construction.polygon(level)).flat_map(|p| {
-                let mu = p.mu;
-                let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
-                marks.map(move |q| (q.to_vec2() * mu).to_point())
-            });
+            let ends = fitting.flat_map(|w| ends(w, level));
             scales.mu[i] = Some(fixed.unwrap_or_else(|| scale::choose(extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
             scales.most[i] = most;
         }
@@ -54,8 +50,17 @@ impl Scales {
     }
 }
 
+/// The ends of all vectors of a pose's polygon, seen from the pole (SI).
+pub fn ends(worked: &Worked, level: Level) -> impl Iterator<Item = Point> {
+    worked.construction.polygon(level).into_iter().flat_map(|p| {
+        let mu = p.mu;
+        let marks = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+        marks.map(move |q| (q.to_vec2() * mu).to_point())
+    })
+}
+
 /// How large a polygon is (SI per mm of its box).
-fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
+pub fn size(worked: &Worked, level: Level, boxes: &Boxes) -> Option<f64> {
     let [w, h] = worked.construction.polygon(level)?.extent();
     Some((w / boxes.polygon[0]).max(h / boxes.polygon[1]))
 }

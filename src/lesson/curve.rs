@@ -27,9 +27,15 @@ pub fn between(knots: &[(f64, f64)], k: usize, t: f64) -> f64 {
     p0 * (2.0 * s3 - 3.0 * s2 + 1.0) + m0 * h * (s3 - 2.0 * s2 + s) + p1 * (3.0 * s2 - 2.0 * s3) + m1 * h * (s3 - s2)
 }
 
+/// The value at `t` beyond known ones: on by the polynomial through them.
+pub fn onward(known: &[(f64, f64)], t: f64) -> f64 {
+    let weight = |i: usize| (0..known.len()).filter(|j| *j != i).map(|j| (t - known[j].0) / (known[i].0 - known[j].0)).product::<f64>();
+    known.iter().enumerate().map(|(i, k)| k.1 * weight(i)).sum()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::between;
+    use super::{between, onward};
 
     /// A parabola is met exactly, with uneven steps and at the ends.
     #[test]
@@ -39,5 +45,6 @@ mod tests {
         for (k, t) in [(0, 0.3), (1, 1.2), (2, 2.9)] {
             assert!((between(&knots, k, t) - f(t)).abs() < 1e-12, "{k} {t}");
         }
+        assert!((onward(&knots[1..], 3.5) - f(3.5)).abs() < 1e-12 && onward(&knots[..1], 9.0) == knots[0].1);
     }
 }

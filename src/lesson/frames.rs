@@ -1,7 +1,7 @@
-//! Every pose worked through to one common scale, with more poses where the motion bends.
+//! Every pose worked through to common scales, with more poses where the motion bends.
 //!
-//! Decided here: the scales (all poses fit, but those next to a limit, where vectors grow beyond all bounds), and how many
-//! poses the page needs to show those between them true to a hundredth of a millimetre.
+//! Decided here: that all poses fit the paper but those next to a limit, where vectors grow beyond all bounds, and how many
+//! poses the page needs to show those between them true to a hundredth of a millimetre. Which scales they have: [`super::ladder`].
 
 use rayon::prelude::*;
 
@@ -15,6 +15,7 @@ use crate::scene::Scene;
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
+use super::ladder::Ladder;
 use crate::sweep::follow::{Follower, Pose, Sweep, between, scene_at};
 
 /// A pose with all that is known of it.
@@ -27,6 +28,8 @@ pub struct Frame {
     pub worked: Worked,
     /// Whether the polygon of velocities, and that of accelerations, is on the paper.
     pub shown: [bool; 2],
+    /// Which of [`Frames::mu`] each has.
+    pub scale: [usize; 2],
     /// Whether the driver can go no farther here: nothing is said of the motion.
     pub end: bool,
 }
@@ -39,6 +42,8 @@ pub struct Frames {
     pub base: usize,
     /// Whether the mechanism turns fully.
     pub full: bool,
+    /// The scales of either polygon, the usual one first (SI/mm); empty where there is none.
+    pub mu: [Vec<f64>; 2],
     /// Whether some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
@@ -61,6 +66,15 @@ struct Trial {
     travel: f64,
     worked: Worked,
 }
+
+/// The scales of all poses.
+struct Papers {
+    common: Scales,
+    ladders: [Option<Ladder>; 2],
+}
+
+/// A mark on paper, and which scale it is drawn to.
+type Mark = (usize, Point);
 
 /// What a lesson is made from.
 pub struct Maker<'a> {
@@ -130,7 +144,7 @@ impl Maker<'_> {
         let most = trials.len() + (sweep.poses.len() as f64 * ADDED) as usize;
         let mut settled = vec![false; trials.len().saturating_sub(1)];
         for _ in 0..ROUNDS {
-            let scales = self.scales(trials, sweep.full);
+            let papers = self.papers(trials, sweep.full);
             let open: Vec<usize> = (0..trials.len().saturating_sub(1)).filter(|k| !settled[*k]).collect();
             let halved = |k: &usize| {
                 let travel = 0.5 * (trials[*k].travel + trials[k + 1].travel);
@@ -138,7 +152,7 @@ impl Maker<'_> {
                     [*k, k + 1].map(|i| Pose { travel: trials[i].travel, configuration: trials[i].worked.configuration.clone() });
                 let configuration = self.follower.at(&between(&one, &other, travel), travel)?;
                 let middle = self.trial(&Pose { travel, configuration })?;
-                let error = self.error(trials, *k, &middle, &scales);
+                let error = self.error(trials, *k, &middle, &papers);
                 (error > BETWEEN_MM).then_some((*k, error, middle))
             };
             let mut wanted: Vec<(usize, f64, Trial)> = open.par_iter().filter_map(halved).collect();
@@ -162,20 +176,40 @@ impl Maker<'_> {
     }
 
     /// How far a point of the page would be from where it belongs in the middle of an interval (mm).
-    fn error(&self, trials: &[Trial], k: usize, middle: &Trial, scales: &Scales) -> f64 {
-        let keys: Vec<(f64, Vec<Option<Point>>)> =
-            (k.saturating_sub(1)..(k + 3).min(trials.len())).map(|i| (trials[i].travel, marks(scales, &trials[i].worked))).collect();
-        let at = k - k.saturating_sub(1);
-        let found = marks(scales, &middle.worked);
+    fn error(&self, trials: &[Trial], k: usize, middle: &Trial, papers: &Papers) -> f64 {
+        let from = k.saturating_sub(2);
+        let keys: Vec<(f64, Vec<Option<Mark>>)> =
+            (from..(k + 4).min(trials.len())).map(|i| (trials[i].travel, papers.marks(&trials[i].worked))).collect();
+        let at = k - from;
         let mut worst: f64 = 0.0;
-        for (i, truth) in found.iter().enumerate() {
-            let Some(truth) = truth else { continue };
+        for (i, truth) in papers.marks(&middle.worked).iter().enumerate() {
+            let Some((scale, truth)) = *truth else { continue };
+            let mark = |n: usize| keys.get(n).and_then(|key| key.1.get(i).copied().flatten());
             // A pose next to a singular one may have fewer marks.
-            let known: Option<Vec<(f64, Point)>> = keys.iter().map(|(t, marks)| Some((*t, (*marks.get(i)?)?))).collect();
-            let Some(known) = known else { continue };
-            let axis =
-                |of: fn(&Point) -> f64| curve::between(&known.iter().map(|(t, p)| (*t, of(p))).collect::<Vec<_>>(), at, middle.travel);
-            worst = worst.max(truth.distance(Point::new(axis(|p| p.x), axis(|p| p.y))));
+            if (at.saturating_sub(1)..(at + 3).min(keys.len())).any(|n| mark(n).is_none()) {
+                continue;
+            }
+            // What is drawn to another scale tells the page nothing of this one.
+            let alike = |n: &usize| mark(*n).is_some_and(|m| m.0 == scale);
+            let side = |places: [Option<usize>; 3]| places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>();
+            let (before, after) =
+                (side([Some(at), at.checked_sub(1), at.checked_sub(2)]), side([Some(at + 1), Some(at + 2), Some(at + 3)]));
+            let axis = |of: fn(&Point) -> f64| {
+                let known = |n: &usize| (keys[*n].0, mark(*n).map_or(0.0, |m| of(&m.1)));
+                match (before.is_empty(), after.is_empty()) {
+                    (false, false) => {
+                        let around: Vec<usize> = before.iter().take(2).rev().chain(after.iter().take(2)).copied().collect();
+                        curve::between(&around.iter().map(known).collect::<Vec<_>>(), before.len().min(2) - 1, middle.travel)
+                    }
+                    (no_before, _) => {
+                        let near = if no_before { &after } else { &before };
+                        curve::onward(&near.iter().map(known).collect::<Vec<_>>(), middle.travel)
+                    }
+                }
+            };
+            if !(before.is_empty() && after.is_empty()) {
+                worst = worst.max(truth.distance(Point::new(axis(|p| p.x), axis(|p| p.y))));
+            }
         }
         worst
     }
@@ -187,29 +221,35 @@ impl Maker<'_> {
     }
 
     /// The scales of all poses.
-    fn scales(&self, trials: &[Trial], full: bool) -> Scales {
+    fn papers(&self, trials: &[Trial], full: bool) -> Papers {
         let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
-        Scales::of(&self.scene.paper, &poses, full, self.boxes(trials))
+        let boxes = self.boxes(trials);
+        let common = Scales::of(&self.scene.paper, &poses, full, boxes);
+        Papers { common, ladders: Level::RATES.map(|level| Ladder::of(&self.scene.paper, &poses, &common, level, boxes)) }
     }
 
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
-        let scales = self.scales(&trials, sweep.full);
-        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, cut: false };
+        let papers = self.papers(&trials, sweep.full);
+        let mu = papers.ladders.each_ref().map(|l| l.as_ref().map_or_else(Vec::new, |l| l.mu.clone()));
+        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, mu, cut: false };
         let to_scale = |trial: &Trial| {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
-            scales.fix(&mut scene.paper);
+            papers.common.fix(&mut scene.paper);
+            let [mu_v, mu_a] = [0, 1].map(|i| papers.ladders[i].as_ref().map(|l| l.mu[l.place(&trial.worked)]));
+            (scene.paper.mu_v, scene.paper.mu_a) = (mu_v, mu_a);
             let worked = self.work(&scene, &trial.worked.configuration).ok()?;
             Some((scene, worked))
         };
         let drawn: Vec<Option<(Scene, Worked)>> = trials.par_iter().map(to_scale).collect();
         for (trial, drawn) in trials.into_iter().zip(drawn) {
             let Some((scene, worked)) = drawn else { continue };
-            let shown = Level::RATES.map(|level| scales.holds(&trial.worked, level));
+            let shown = Level::RATES.map(|level| papers.common.holds(&trial.worked, level));
             frames.cut |= Level::RATES.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
-            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), end });
+            let scale = papers.ladders.each_ref().map(|l| l.as_ref().map_or(0, |l| l.place(&trial.worked)));
+            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), scale, end });
         }
         // A scene in a singular pose begins beside it.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
@@ -222,18 +262,21 @@ impl Maker<'_> {
     }
 }
 
-/// Joints and images on paper, in a fixed order.
-fn marks(scales: &Scales, worked: &Worked) -> Vec<Option<Point>> {
-    let mut marks: Vec<Option<Point>> =
-        worked.configuration.points.iter().map(|p| p.map(|p| (p.to_vec2() * (1.0 / scales.mu_l)).to_point())).collect();
-    for (level, mu) in Level::RATES.into_iter().zip(scales.mu) {
-        if let (Some(p), Some(mu)) = (worked.construction.polygon(level), mu) {
-            // What is not shown need not be true.
-            let on_paper = scales.holds(worked, level);
-            let mark = |q: Point| on_paper.then(|| (q.to_vec2() * (p.mu / mu)).to_point());
-            marks.extend(p.images.iter().map(|q| q.and_then(mark)));
-            marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
+impl Papers {
+    /// Joints and images on paper, in a fixed order.
+    fn marks(&self, worked: &Worked) -> Vec<Option<Mark>> {
+        let joint = |p: Point| (0, (p.to_vec2() * (1.0 / self.common.mu_l)).to_point());
+        let mut marks: Vec<Option<Mark>> = worked.configuration.points.iter().map(|p| p.map(joint)).collect();
+        for (level, ladder) in Level::RATES.into_iter().zip(&self.ladders) {
+            if let (Some(p), Some(ladder)) = (worked.construction.polygon(level), ladder) {
+                // What is not shown need not be true.
+                let on_paper = self.common.holds(worked, level);
+                let scale = ladder.place(worked);
+                let mark = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (p.mu / ladder.mu[scale])).to_point()));
+                marks.extend(p.images.iter().map(|q| q.and_then(mark)));
+                marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
+            }
         }
+        marks
     }
-    marks
 }

@@ -1,7 +1,7 @@
 //! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
 //!
 //! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
-//! one common scale, [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
+//! common scales ([`ladder`]), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
 //! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`equations`] gives each step its equation, [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 //! Not decided here: how anything is drawn or solved.
@@ -10,6 +10,7 @@ mod bank;
 mod curve;
 mod equations;
 mod frames;
+mod ladder;
 mod pack;
 mod page;
 mod reveal;

@@ -43,6 +43,13 @@
     return runs.flatMap((n, i) => new Array(n).fill(i % 2 === 0));
   }
 
+  /** Runs of (value, length) as one value a frame. */
+  function stretched(runs) {
+    const list = [];
+    for (let i = 0; i < runs.length; i += 2) list.push(...new Array(runs[i + 1]).fill(runs[i]));
+    return list;
+  }
+
   /** A column of the frames in which something is seen, spread over all frames. */
   function spread(values, seen) {
     let i = 0;
@@ -67,14 +74,30 @@
     return { k: lo, s: Math.min(Math.max(s, 0), 1) };
   }
 
-  /** The value of a column at a place: the curve of curve.rs, or a straight line for labels. */
-  function value(column, { k, s }, straight) {
-    const p0 = column[k];
-    const p1 = inside(k + 1) ? column[frame(k + 1)] : NaN;
-    if (s === 0 || Number.isNaN(p1)) return p0;
-    if (Number.isNaN(p0) || s === 1) return p1;
+  /** The frame nearest to a place. */
+  const near = ({ k, s }) => (s < 0.5 || !inside(k + 1) ? k : frame(k + 1));
+
+  /** Beyond the last frame in which something is seen: on by the parabola through the last three. */
+  function onward(column, known, from, sense, t) {
+    const last = [];
+    for (let i = from; last.length < 3 && known(i); i += sense) last.push(i);
+    const weight = (i) => last.reduce((w, j) => (i === j ? w : (w * (t - time(j))) / (time(i) - time(j))), 1);
+    return last.reduce((sum, i) => sum + column[frame(i)] * weight(i), 0);
+  }
+
+  /** The value of a column at a place: the curve of curve.rs, or a straight line for labels. With `scales` (one a frame) only frames
+      to the scale of the nearest one tell anything. */
+  function value(column, where, straight, scales) {
+    const { k, s } = where;
+    if (s === 0 || s === 1) return column[frame(k + s)];
+    const scale = scales && scales[near(where)];
+    const known = (i) => inside(i) && !Number.isNaN(column[frame(i)]) && (!scales || scales[frame(i)] === scale);
+    if (!known(k) || !known(k + 1)) {
+      const [from, sense] = known(k) ? [k, -1] : [k + 1, 1];
+      return straight ? column[frame(from)] : onward(column, known, from, sense, time(k) + s * (time(k + 1) - time(k)));
+    }
+    const [p0, p1] = [column[frame(k)], column[frame(k + 1)]];
     if (straight) return p0 + (p1 - p0) * s;
-    const known = (i) => inside(i) && !Number.isNaN(column[frame(i)]);
     const step = (i) => time(i + 1) - time(i);
     const rise = (i) => (column[frame(i + 1)] - column[frame(i)]) / step(i);
     const weigh = (a, b) => (step(b) * rise(a) + step(a) * rise(b)) / (step(a) + step(b));
@@ -109,10 +132,10 @@
   const rounded = (mm) => Math.round(mm * 1000) / 1000;
 
   /** Moves an arrow by its ends; shaft and head as in arrow.rs. */
-  function arrow(element, ends, [length, width, notch, most]) {
+  function arrow(element, ends, [length, width, notch, most], scales) {
     const [line, head] = element.children;
     return (where) => {
-      const [x1, y1, x2, y2] = ends.map((values) => value(values, where));
+      const [x1, y1, x2, y2] = ends.map((values) => value(values, where, false, scales));
       const far = Math.hypot(x2 - x1, y2 - y1) || 1;
       const [ux, uy] = [(x2 - x1) / far, (y2 - y1) / far];
       const k = Math.min((most * far) / length, 1);
@@ -125,11 +148,12 @@
     };
   }
 
-  const drawings = data.drawings.map(({ key, moving, shown }) => {
+  const drawings = data.drawings.map(({ key, moving, shown, scales: told }) => {
     const figure = $(key);
     const ink = figure.querySelector(".ink");
     const elements = [...ink.children];
     const earlier = [];
+    const scales = told && { list: told[0], which: stretched(told[1]), now: -1 };
     const movers = moving.map(([index, runs, places, packed]) => {
       const element = elements[index];
       const seen = flags(runs);
@@ -139,14 +163,14 @@
         const [part, name, ...numerals] = place.split(" ");
         if (name === "arrow") {
           const ends = [1, 2, 3, 4].map(() => spread(read(length), seen));
-          return arrow(element, ends, numerals.map(Number));
+          return arrow(element, ends, numerals.map(Number), scales && scales.which);
         }
         const target = part === "0" ? element : element.querySelectorAll("*")[part - 1];
         const parts = pieces(target.getAttribute(name));
         const columns = numerals.map((n) => ({ at: 2 * n + 1, values: spread(read(length), seen) }));
         const straight = name === "transform";
         return (where) => {
-          for (const { at, values } of columns) parts[at] = rounded(value(values, where, straight));
+          for (const { at, values } of columns) parts[at] = rounded(value(values, where, straight, scales && scales.which));
           target.setAttribute(name, parts.join(""));
         };
       });
@@ -157,8 +181,18 @@
       const steps = words.filter((w) => w.startsWith("step-")).map((w) => Number(w.slice(5)));
       return { element, step: steps.length ? Math.min(...steps) : -1 };
     });
-    return { key, figure, ink, movers, stepped, shown: flags(shown), off: figure.querySelector(".off") };
+    return { key, figure, ink, movers, stepped, scales, shown: flags(shown), off: figure.querySelector(".off") };
   });
+
+  /** Says to which of its scales a drawing is drawn. */
+  function rescale({ figure, scales }, k) {
+    if (!scales || scales.which[k] === scales.now) return;
+    scales.now = scales.which[k];
+    const [mu, formula] = scales.list[scales.now];
+    figure.querySelector("svg").dataset.mu = mu;
+    figure.querySelector(".scale").innerHTML = formulaList[formula];
+    figure.classList.toggle("rescaled", scales.now > 0);
+  }
 
   function move(where) {
     const nearest = near(where);
@@ -166,6 +200,7 @@
       const on = d.shown[nearest];
       d.ink.style.display = on ? "" : "none";
       d.off.hidden = on;
+      rescale(d, nearest);
       if (!on) continue;
       for (const { element, seen, attributes } of d.movers) {
         const visible = seen[nearest];
@@ -178,8 +213,6 @@
       }
     }
   }
-
-  const near = ({ k, s }) => (s < 0.5 || !inside(k + 1) ? k : frame(k + 1));
 
   // ---- words ------------------------------------------------------------------------------------------------------
 
@@ -194,13 +227,6 @@
 
   /** Formulas in the place of their indices. */
   const formulas = (text) => tagged(text).replace(/\uE001(\d+)\uE002/g, (_, n) => formulaList[n]);
-
-  /** Runs of (value, length) as one value a frame. */
-  function stretched(runs) {
-    const list = [];
-    for (let i = 0; i < runs.length; i += 2) list.push(...new Array(runs[i + 1]).fill(runs[i]));
-    return list;
-  }
 
   /** A sentence of a frame; see bank.rs. */
   function sayer([en, zh]) {
@@ -527,11 +553,11 @@
       e.setAttribute("aria-label", e.title);
     }
     for (const e of document.querySelectorAll("[data-label]")) e.setAttribute("aria-label", word(e.dataset.label));
-    for (const e of document.querySelectorAll("figcaption span")) e.textContent = e.dataset[lang];
+    for (const e of document.querySelectorAll("figcaption [data-en]")) e.textContent = e.dataset[lang];
     $("language").textContent = word("language");
     $("language").lang = other[lang];
     $("hint").textContent = word(data.driver.turns ? "drag" : "drag_slide");
-    $("notes").textContent = `${word(data.cut ? "scales_cut" : "scales")} ${word("rates")}`;
+    $("notes").textContent = `${word(`scales${drawings.some((d) => d.scales) ? "_steps" : ""}${data.cut ? "_cut" : ""}`)} ${word("rates")}`;
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     grip.setAttribute("aria-label", word("handle"));
     const values = data.full ? [start, start + 360] : ends().map((t) => start + t * data.driver.factor);

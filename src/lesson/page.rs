@@ -44,7 +44,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         let equations = equations(frames, notation, &mut formulas);
         (steps, answers, equations, formulas)
     };
-    let (drawings, (steps, answers, equations, formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
+    let (drawings, (steps, answers, equations, mut formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
     let drawings = drawings?;
     let told: Vec<Told> = drawings.iter().map(|d| d.track.told()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
@@ -54,6 +54,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
     };
+    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames, &mut formulas)).collect();
     let data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
@@ -68,7 +69,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "limits": limits(scene, sweep, frames),
         "cut": frames.cut,
         "handle": handle(frames, options.driver, &drawings[0]),
-        "drawings": drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect::<Vec<_>>(),
+        "drawings": told_drawings,
         "steps": steps,
         "answers": answers,
         "equations": equations,
@@ -106,34 +107,64 @@ fn tag(lang: Lang) -> &'static str {
     figure_words::words(lang).tag
 }
 
-/// What the page is told of a drawing.
-fn drawing(d: &Scenery, told: &Told) -> Value {
-    json!({"key": d.shows.key(), "moving": told.moving, "shown": runs(d.shown.iter().copied())})
+/// What the page is told of a drawing. `scales`, where there are several: for each its μ and the index of the formula that says
+/// it, and which one each frame has.
+fn drawing(d: &Scenery, told: &Told, frames: &Frames, formulas: &mut Formulas) -> Value {
+    let list = scales(d.shows, frames);
+    let scales = if list.len() > 1 {
+        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(d.shows, *mu))])).collect();
+        let level = usize::from(d.shows == Shows::Polygon(Level::Acceleration));
+        let which: Vec<i64> = frames.list.iter().map(|f| f.scale[level] as i64).collect();
+        json!([said, bank::runs(&which)])
+    } else {
+        json!(0)
+    };
+    json!({"key": d.shows.key(), "moving": told.moving, "shown": runs(d.shown.iter().copied()), "scales": scales})
+}
+
+/// The scales of a drawing, the usual one first.
+fn scales(shows: Shows, frames: &Frames) -> &[f64] {
+    match shows {
+        Shows::Mechanism => std::slice::from_ref(&frames.list[frames.base].worked.construction.diagram.mu_l),
+        Shows::Polygon(level) => &frames.mu[usize::from(level == Level::Acceleration)],
+    }
+}
+
+/// A scale as the label language says it.
+fn scale_formula(shows: Shows, mu: f64) -> String {
+    let (symbol, unit) = match shows {
+        Shows::Mechanism => ("l", "m/mm"),
+        Shows::Polygon(Level::Acceleration) => ("a", "(m/s^2)/mm"),
+        Shows::Polygon(_) => ("v", "(m/s)/mm"),
+    };
+    format!("\\mu_{symbol} = {} {unit}", sheet::scale(mu))
 }
 
 /// A drawing with its caption; its scale is said below.
 fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
-    let paper = &frames.list[frames.base].worked.construction;
-    let mu = match d.shows {
-        Shows::Mechanism => paper.diagram.mu_l,
-        Shows::Polygon(level) => paper.polygon(level).map_or(0.0, |p| p.mu),
+    let list = scales(d.shows, frames);
+    let mu = list.first().copied().unwrap_or(0.0);
+    let caption: fn(Lang) -> &'static str = match d.shows {
+        Shows::Mechanism => |l| figure_words::words(l).diagram,
+        Shows::Polygon(Level::Acceleration) => |l| figure_words::words(l).acceleration_polygon,
+        Shows::Polygon(_) => |l| figure_words::words(l).velocity_polygon,
     };
-    let (caption, symbol, unit): (fn(Lang) -> &'static str, _, _) = match d.shows {
-        Shows::Mechanism => (|l| figure_words::words(l).diagram, "l", "m/mm"),
-        Shows::Polygon(Level::Acceleration) => (|l| figure_words::words(l).acceleration_polygon, "a", "(m/s^2)/mm"),
-        Shows::Polygon(_) => (|l| figure_words::words(l).velocity_polygon, "v", "(m/s)/mm"),
+    // Kept free where it is not said, so that nothing moves when it is.
+    let smaller = if list.len() > 1 {
+        format!(" <span class=\"smaller\" data-text=\"smaller\">{}</span>", word("smaller", lang))
+    } else {
+        String::new()
     };
-    let scale = format!("\\mu_{symbol} = {} {unit}", sheet::scale(mu));
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" data-mu=\"{mu}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
-         <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> {}</figcaption>\n</figure>\n",
+         <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span>{smaller}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
-        mathml(&Label::math(&scale)),
+        mathml(&Label::math(scale_formula(d.shows, mu))),
     )
 }
 

@@ -5,6 +5,7 @@
 
 use rayon::prelude::*;
 
+use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
 use crate::figure::drawing::{Habits, Part};
@@ -75,7 +76,8 @@ fn one(frames: &Frames, notation: &Notation, style: &Style, shows: Shows) -> Res
     let style = Style { palette, plate, ..style.clone() };
     let poses: Vec<_> = frames.list.iter().map(|f| (&f.scene, &f.worked)).collect();
     let courses = if shows == Shows::Mechanism { courses(&poses, &style, notation) } else { Vec::new() };
-    let looks = Looks { notation, style, courses };
+    let full = frames.list.iter().any(|f| polygon_of(f, shows, notation).is_some_and(|(w, p)| polygon::is_full(&w, p)));
+    let looks = Looks { notation, style, courses, full };
     let mut at_base = Habits::new();
     let first = part(frames, frames.base, &looks, shows, &mut at_base);
     // On from the scene's pose and back from it; where the turn is closed the two meet half a turn off.
@@ -111,23 +113,30 @@ struct Looks<'a> {
     notation: &'a Notation,
     style: Style,
     courses: Vec<Course>,
+    /// Whether the polygon has many vectors in some frame: then its type is small in all.
+    full: bool,
+}
+
+/// A frame's polygon, where it is on the paper, and who writes its letters (the language does not matter).
+fn polygon_of<'a>(frame: &'a Frame, shows: Shows, notation: &'a Notation) -> Option<(Writer<'a>, &'a Polygon)> {
+    let Shows::Polygon(level) = shows else { return None };
+    let on_paper = frame.shown[Level::RATES.iter().position(|l| *l == level)?];
+    let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
+    Some((Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En }, p))
 }
 
 fn part(frames: &Frames, k: usize, looks: &Looks, shows: Shows, habits: &mut Habits) -> Option<Part> {
     let frame = &frames.list[k];
-    let Looks { notation, style, courses } = looks;
+    let Looks { notation, style, courses, full } = looks;
     match shows {
         Shows::Mechanism => {
             let mut part = mechanism::drawing(style, &frame.scene, &frame.worked, notation, &courses[k]).finish_after(habits);
             part.translate(stray(frames, frame));
             Some(part)
         }
-        Shows::Polygon(level) => {
-            let on_paper = frame.shown[Level::RATES.iter().position(|l| *l == level)?];
-            let p = frame.worked.construction.polygon(level).filter(|_| on_paper)?;
-            // Letters only: the language does not matter.
-            let w = Writer { scene: &frame.scene, plan: &frame.worked.plan, notation, lang: Lang::En };
-            Some(polygon::drawing(style, &w, p).finish_after(habits))
+        Shows::Polygon(_) => {
+            let (w, p) = polygon_of(frame, shows, notation)?;
+            Some(polygon::drawing(style, &w, p, *full).finish_after(habits))
         }
     }
 }

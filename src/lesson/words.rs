@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 34] = [
+const WORDS: [(&str, &str, &str); 37] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -34,6 +34,17 @@ const WORDS: [(&str, &str, &str); 34] = [
         "One set of scales for all positions but those next to a limit, where the vectors leave the paper.",
         "除极限位置附近（矢量超出图纸）外，各位置采用同一组比例尺。",
     ),
+    (
+        "scales_steps",
+        "One set of scales, but for positions in which a polygon is much larger: its caption then tells the coarser scale.",
+        "各位置一般采用同一组比例尺；个别位置的多边形过大时改用较粗的比例尺，见图下所注。",
+    ),
+    (
+        "scales_steps_cut",
+        "One set of scales, but for positions in which a polygon is much larger: its caption then tells the coarser scale. Next to a limit the vectors leave the paper.",
+        "各位置一般采用同一组比例尺；个别位置的多边形过大时改用较粗的比例尺，见图下所注；极限位置附近矢量超出图纸。",
+    ),
+    ("smaller", "drawn smaller here", "此处缩小绘制"),
     ("limit", "The driver can go no farther.", "原动件已到极限位置，不能再继续运动。"),
     ("limit_toggle", "The driver can go no farther: {}.", "原动件已到极限位置，不能再继续运动：{}。"),
     ("limit_far", "The lesson ends here: beyond, a joint leaves the paper.", "演示到此为止：再往前，运动副将超出图纸。"),

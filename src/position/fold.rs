@@ -40,7 +40,7 @@ impl Curve<'_> {
         let n = z.len() - 1;
         let mut drivers = self.drivers.clone();
         drivers.0[self.driver] = z[n] * self.unit;
-        self.system.residuals(&z.rows(0, n).into_owned(), &drivers)
+        self.system.residuals(&self.system.unpack(&z.rows(0, n).into_owned()), &drivers)
     }
 
     /// The place on the curve in the plane at a distance from the base, and the driver's rate with that distance.

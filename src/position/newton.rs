@@ -2,8 +2,8 @@
 //! solves, and to move a placed mechanism by a small step.
 //!
 //! Unknown are the poses of the chosen links (x, y, angle each) and the places of pins that sit on none of them. The residuals are written for all kinds of
-//! constraint; their derivatives are taken by differences, which costs a few evaluations more and shares nothing with the
-//! analytic check.
+//! constraint; their derivatives are taken by differences, which shares nothing with the analytic check, and for each unknown only in the
+//! equations of the constraints that touch its link or pin: the others are not changed by it.
 
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
@@ -97,17 +97,29 @@ impl<'a> System<'a> {
     }
 
     pub(super) fn unpack(&self, x: &DVector<f64>) -> Solved {
-        let mut poses = self.poses.clone();
-        let mut points = self.points.clone();
-        for (i, l) in self.links.iter().enumerate() {
-            poses[l.0] =
-                Some(Pose { origin: Point::new(x[3 * i] * self.scale, x[3 * i + 1] * self.scale), axis: Vec2::from_angle(x[3 * i + 2]) });
+        let mut solved = (self.poses.clone(), self.points.clone());
+        for i in 0..self.links.len() + self.pins.len() {
+            self.put(i, |k| x[k], &mut solved);
         }
-        for (i, p) in self.pins.iter().enumerate() {
-            let k = 3 * self.links.len() + 2 * i;
-            points[p.0] = Some(Point::new(x[k] * self.scale, x[k + 1] * self.scale));
+        solved
+    }
+
+    /// Where the unknowns of a body (a link, or after all links a pin) begin, and how many it has.
+    fn unknowns(&self, body: usize) -> (usize, usize) {
+        match body.checked_sub(self.links.len()) {
+            None => (3 * body, 3),
+            Some(pin) => (3 * self.links.len() + 2 * pin, 2),
         }
-        (poses, points)
+    }
+
+    /// Writes a body's pose or place.
+    fn put(&self, body: usize, x: impl Fn(usize) -> f64, to: &mut Solved) {
+        let (k, _) = self.unknowns(body);
+        let origin = Point::new(x(k) * self.scale, x(k + 1) * self.scale);
+        match body.checked_sub(self.links.len()) {
+            None => to.0[self.links[body].0] = Some(Pose { origin, axis: Vec2::from_angle(x(k + 2)) }),
+            Some(pin) => to.1[self.pins[pin].0] = Some(origin),
+        }
     }
 
     pub(super) fn pack(&self, start: &Configuration) -> Option<DVector<f64>> {
@@ -124,65 +136,87 @@ impl<'a> System<'a> {
     }
 
     /// Residuals, each a length or an angle divided by the mechanism's size or one radian.
-    pub(super) fn residuals(&self, x: &DVector<f64>, drivers: &DriverValues) -> DVector<f64> {
-        let (poses, points) = self.unpack(x);
+    pub(super) fn residuals(&self, at: &Solved, drivers: &DriverValues) -> DVector<f64> {
+        let mut r = Vec::with_capacity(2 * self.constraints.len());
+        self.constraints.iter().for_each(|c| self.residual(*c, at, drivers, |v| r.push(v)));
+        DVector::from_vec(r)
+    }
+
+    /// Those of one constraint.
+    fn residual(&self, c: Constraint, (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
         let pose = |l: LinkId| if l == self.scene.ground { Pose::GROUND } else { poses[l.0].expect("a link of the system has a pose") };
         let point = |p: PointId| points[p.0].expect("a pin of the system has a place");
-        let mut r = Vec::with_capacity(x.len());
         let s = 1.0 / self.scale;
-        for &c in &self.constraints {
-            match c {
-                Constraint::Pinned(p, l) => {
-                    let local = self.shapes.local(l, p).expect("a link's points have local places");
-                    let d = point(p) - pose(l).to_world(local);
-                    r.extend([d.x * s, d.y * s]);
+        match c {
+            Constraint::Pinned(p, l) => {
+                let local = self.shapes.local(l, p).expect("a link's points have local places");
+                let d = point(p) - pose(l).to_world(local);
+                told(d.x * s);
+                told(d.y * s);
+            }
+            Constraint::Slot(p, g) => {
+                let on = pose(self.scene.guides[g.0].on);
+                told(match self.shapes.guides[g.0].expect("a guide of the system is laid").to_world(&on) {
+                    Path::Line { through, direction } => direction.cross(point(p) - through) * s,
+                    Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
+                });
+            }
+            Constraint::Lock(g) => {
+                let guide = &self.scene.guides[g.0];
+                let slider = pose(guide.slider.expect("a lock has a slider"));
+                if self.at_instant {
+                    return told(slider.axis.angle());
                 }
-                Constraint::Slot(p, g) => {
-                    let on = pose(self.scene.guides[g.0].on);
-                    r.push(match self.shapes.guides[g.0].expect("a guide of the system is laid").to_world(&on) {
-                        Path::Line { through, direction } => direction.cross(point(p) - through) * s,
-                        Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
-                    });
-                }
-                Constraint::Lock(g) => {
-                    let guide = &self.scene.guides[g.0];
-                    if self.at_instant {
-                        r.push(pose(guide.slider.expect("a lock has a slider")).axis.angle());
-                        continue;
-                    }
-                    let rest = self.locks.iter().find(|(h, _)| *h == g).map_or(Vec2::new(1.0, 0.0), |l| l.1);
-                    let turn = pose(guide.slider.expect("a lock has a slider")).axis.divide_by(pose(guide.on).axis.rotate_by(rest));
-                    r.push(turn.angle());
-                }
-                Constraint::Glide(g) => {
-                    let guide = &self.scene.guides[g.0];
-                    let rest = self.glides.iter().find(|(h, _)| *h == g && !self.at_instant).map_or(0.0, |l| l.1);
-                    r.push((self.glide_offset(g, &pose(guide.slider.expect("a glide has a slider")), &pose(guide.on)) - rest) * s);
-                }
-                Constraint::Turn(d) => {
-                    let (Node::Link(a), Node::Link(b)) = self.mechanism.ends(self.scene, c) else {
-                        unreachable!("a turning driver joins two links")
-                    };
-                    r.push(pose(a).axis.divide_by(pose(b).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
-                }
-                Constraint::Slide(d, g) => {
-                    let guide = &self.scene.guides[g.0];
-                    let on = pose(guide.on);
-                    let runner = match guide.pin {
-                        Some(p) => point(p),
-                        None => pose(guide.slider.expect("a guide has a pin or a slider")).origin,
-                    };
-                    let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
-                    r.push((path.coordinate_of(on.to_local(runner)) - drivers.0[d]) * s);
-                }
-                Constraint::Cylinder(d) => {
-                    if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
-                        r.push((point(a).distance(point(b)) - drivers.0[d]) * s);
-                    }
+                let rest = self.locks.iter().find(|(h, _)| *h == g).map_or(Vec2::new(1.0, 0.0), |l| l.1);
+                told(slider.axis.divide_by(pose(guide.on).axis.rotate_by(rest)).angle());
+            }
+            Constraint::Glide(g) => {
+                let guide = &self.scene.guides[g.0];
+                let rest = self.glides.iter().find(|(h, _)| *h == g && !self.at_instant).map_or(0.0, |l| l.1);
+                told((self.glide_offset(g, &pose(guide.slider.expect("a glide has a slider")), &pose(guide.on)) - rest) * s);
+            }
+            Constraint::Turn(d) => {
+                let (Node::Link(a), Node::Link(b)) = self.mechanism.ends(self.scene, c) else {
+                    unreachable!("a turning driver joins two links")
+                };
+                told(pose(a).axis.divide_by(pose(b).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
+            }
+            Constraint::Slide(d, g) => {
+                let guide = &self.scene.guides[g.0];
+                let on = pose(guide.on);
+                let runner = match guide.pin {
+                    Some(p) => point(p),
+                    None => pose(guide.slider.expect("a guide has a pin or a slider")).origin,
+                };
+                let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
+                told((path.coordinate_of(on.to_local(runner)) - drivers.0[d]) * s);
+            }
+            Constraint::Cylinder(d) => {
+                if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
+                    told((point(a).distance(point(b)) - drivers.0[d]) * s);
                 }
             }
         }
-        DVector::from_vec(r)
+    }
+
+    /// For each body (see [`System::unknowns`]) the constraints that it is part of, with the first of their equations.
+    fn touching(&self, at: &Solved, drivers: &DriverValues) -> Vec<Vec<(Constraint, usize)>> {
+        let mut touching = vec![Vec::new(); self.links.len() + self.pins.len()];
+        let mut row = 0;
+        for &c in &self.constraints {
+            let (one, other) = self.mechanism.ends(self.scene, c);
+            for node in [one, other] {
+                let body = match node {
+                    Node::Link(l) => self.links.iter().position(|m| *m == l),
+                    Node::Pin(p) => self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i),
+                };
+                if let Some(body) = body {
+                    touching[body].push((c, row));
+                }
+            }
+            self.residual(c, at, drivers, |_| row += 1);
+        }
+        touching
     }
 
     /// Solves from the poses of `start` for the given driver values; `None` where Newton's method does not converge.
@@ -195,13 +229,15 @@ impl<'a> System<'a> {
     /// The same, content with a last correction below `tolerance` (relative to the mechanism's size, or in radians).
     pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<Solved> {
         let mut x = self.pack(start)?;
+        let mut at = self.unpack(&x);
+        let touching = self.touching(&at, drivers);
         let mut last = f64::INFINITY;
         for _ in 0..60 {
-            let r = self.residuals(&x, drivers);
+            let r = self.residuals(&at, drivers);
             if r.len() != x.len() || r.iter().any(|v| !v.is_finite()) {
                 return None;
             }
-            let jacobian = self.jacobian(&x, drivers);
+            let jacobian = self.jacobian(&x, &mut at, &touching, drivers);
             let step = jacobian.lu().solve(&(-r))?;
             let size = step.amax();
             if !size.is_finite() {
@@ -210,18 +246,39 @@ impl<'a> System<'a> {
             // A rough sketch may be far off: a step of more than half a radian (or half the mechanism) is shortened.
             let damp = if size > 0.5 { 0.5 / size } else { 1.0 };
             x += step * damp;
+            at = self.unpack(&x);
             if size < tolerance || (size < 1e-9 && size >= last) {
-                return Some(self.unpack(&x));
+                return Some(at);
             }
             last = size;
         }
-        (last < 1e-9).then(|| self.unpack(&x))
+        (last < 1e-9).then_some(at)
     }
 
     /// Central differences with a step of 2^-17: the residuals are quadratic at worst near the solution, so that the
-    /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end.
-    fn jacobian(&self, x: &DVector<f64>, drivers: &DriverValues) -> DMatrix<f64> {
-        slopes(x, &|y| self.residuals(y, drivers))
+    /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end. `at` is where `x` puts
+    /// everything.
+    fn jacobian(&self, x: &DVector<f64>, at: &mut Solved, touching: &[Vec<(Constraint, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
+        const STEP: f64 = 1.0 / 131_072.0;
+        let mut j = DMatrix::zeros(x.len(), x.len());
+        for (body, constraints) in touching.iter().enumerate() {
+            let (first, count) = self.unknowns(body);
+            for k in first..first + count {
+                for (step, sign) in [(STEP, 1.0), (-STEP, -1.0)] {
+                    self.put(body, |n| if n == k { x[n] + step } else { x[n] }, at);
+                    for &(c, row) in constraints {
+                        let mut row = row;
+                        self.residual(c, at, drivers, |v| {
+                            j[(row, k)] += sign * v;
+                            row += 1;
+                        });
+                    }
+                }
+            }
+            self.put(body, |n| x[n], at);
+        }
+        j *= 0.5 / STEP;
+        j
     }
 
     /// What lengths are counted in (m): the mechanism's size.

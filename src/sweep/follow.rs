@@ -101,8 +101,9 @@ impl<'a> Follower<'a> {
         if (low.is_some() || high.is_some()) && range > 0.0 && range < step * STEPS_LEAST as f64 {
             let fine = range / STEPS_LEAST as f64;
             // The ends have been found: to halve for them anew would be most of the work.
-            up = self.walk(fine, reach, up.pop().filter(|_| high.is_some())).0;
-            down = self.walk(-fine, reach, down.pop().filter(|_| low.is_some())).0;
+            let ends = [up.pop().filter(|_| high.is_some()), down.pop().filter(|_| low.is_some())];
+            let [top, bottom] = ends;
+            (up, down) = rayon::join(|| self.walk(fine, reach, top).0, || self.walk(-fine, reach, bottom).0);
         }
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
@@ -143,15 +144,22 @@ impl<'a> Follower<'a> {
 
     /// The next pose on the way to a travel: there, or a part of the way where the motion bends.
     fn next(&self, before: Option<&Pose>, now: &Pose, target: f64) -> Option<Pose> {
+        let half = |travel: f64| now.travel + (travel - now.travel) / 2.0;
         let mut travel = target;
-        for _ in 0..HALVINGS {
+        let mut halvings = 0;
+        // Where the last part of the way was short, the next will hardly be much longer.
+        let last = before.map_or(f64::INFINITY, |b| (now.travel - b.travel).abs());
+        while halvings < HALVINGS / 2 && (travel - now.travel).abs() > 2.0 * last {
+            (travel, halvings) = (half(travel), halvings + 1);
+        }
+        while halvings < HALVINGS {
             let guess = foretold(before, now, travel);
             if let Some(configuration) = self.at(&guess, travel)
                 && self.stray(&configuration, &guess) < STRAY
             {
                 return Some(Pose { travel, configuration });
             }
-            travel = now.travel + (travel - now.travel) / 2.0;
+            (travel, halvings) = (half(travel), halvings + 1);
         }
         None
     }

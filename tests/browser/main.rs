@@ -101,7 +101,11 @@ fn drawn(scene: &Scene, worked: &Worked) -> Ends {
     let mut items = mechanism::mechanism(&Style::default(), scene, worked, &notation).items;
     for level in Level::RATES {
         items.extend(
-            worked.construction.polygon(level).map(|p| polygon::drawing(&Style::default(), &w, p).finish().items).unwrap_or_default(),
+            worked
+                .construction
+                .polygon(level)
+                .map(|p| polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items)
+                .unwrap_or_default(),
         );
     }
     let ends = items.into_iter().filter_map(|i| match i.shape {
@@ -225,7 +229,7 @@ fn every_step_reveals_what_it_names() {
         for (level, key) in levels {
             let Some(p) = worked.construction.polygon(level) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
-            let items = polygon::drawing(&Style::default(), &w, p).finish().items;
+            let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
             let said = sentences(&w, &worked.construction, p, &hodograph::accuracy::steps(&scene, &worked, None));
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
@@ -350,6 +354,41 @@ fn pages_fit_phones_and_projectors_and_print() {
     }
 }
 
+/// Where a polygon would be too large it is drawn to a coarser scale, truly, and its caption tells which; the given position has the
+/// first.
+#[test]
+fn a_coarser_scale_is_said_and_true() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("slotted-lever");
+    b.open(&page("scales", &scene), PROJECTOR);
+    let told = |b: &mut Browser| {
+        let script = r#"(() => { const f = document.getElementById("acceleration"); return [f.querySelector("svg").dataset.mu,
+            f.querySelector(".scale").textContent, getComputedStyle(f.querySelector(".smaller")).visibility]; })()"#;
+        let v = b.eval(script);
+        [0, 1, 2].map(|i| v[i].as_str().unwrap().to_owned())
+    };
+    let [first, ..] = told(&mut b);
+    let mut scales = std::collections::BTreeSet::new();
+    for _ in 0..12 {
+        let [mu, caption, smaller] = told(&mut b);
+        assert!(caption.contains(&format!("={mu}(")), "{caption} of {mu}");
+        assert_eq!(smaller == "visible", mu != first, "{mu} {smaller}");
+        let there = travel(&mut b);
+        let (scene_there, worked) = worked_at(&mut b, &scene, there);
+        let (shown, drawn) = (shown(&mut b), drawn(&scene_there, &worked));
+        for (id, want) in drawn {
+            let worst = shown[&id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(worst < 1e-2, "{there}: {id} is off by {worst} mm");
+        }
+        scales.insert(mu);
+        for _ in 0..7 {
+            b.key("+");
+        }
+    }
+    assert!(scales.len() > 1, "{scales:?}");
+    assert_quiet(&b, "scales");
+}
+
 /// A slider is dragged along its line; across it the hand does not matter.
 #[test]
 fn a_dragged_slider_follows_along_its_line() {
@@ -409,6 +448,15 @@ fn every_template_has_a_lesson_of_some_size() {
         }
     }
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+/// The names of a polygon have one size in all frames, however many of its vectors vanish in some.
+#[test]
+fn names_keep_their_size() {
+    let page = lesson(&template("jansen-leg"), &Options::of_language(Lang::En)).unwrap().value;
+    let figure = page.split("<figure id=\"acceleration\"").nth(1).and_then(|rest| rest.split("</figure>").next()).unwrap();
+    let sizes: std::collections::BTreeSet<&str> = figure.split("scale(").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert_eq!(sizes.len(), 1, "{sizes:?}");
 }
 
 /// A frame must be moved in a small part of the 16 ms between two pictures.

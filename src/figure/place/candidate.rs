@@ -1,6 +1,7 @@
 //! The places that a label may take.
 
 use std::f64::consts::{FRAC_PI_4, TAU};
+use std::sync::LazyLock;
 
 use crate::figure::extent::{Rect, on_circle};
 use crate::geom::{Point, Vec2};
@@ -14,8 +15,17 @@ pub(super) struct Candidate {
     pub rect: Rect,
     /// Leader line from the label to its thing.
     pub leader: Option<(Point, Point)>,
+    /// Box of both.
+    pub reach: Rect,
     /// What the place costs before anything is covered.
     pub base: f64,
+}
+
+impl Candidate {
+    /// A place.
+    pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
+        Candidate { rect, leader, reach: leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b))), base }
+    }
 }
 
 /// Directions around a point.
@@ -45,7 +55,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
             for (gap, base) in POINT_GAPS {
                 for u in directions() {
                     let rect = wanted.rect(at + u * reach(u, wanted, clear_mm + gap));
-                    all.push(Candidate { rect, leader: None, base: base + side_cost(u, wanted) });
+                    all.push(Candidate::new(rect, None, base + side_cost(u, wanted)));
                 }
             }
             all
@@ -61,7 +71,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                     for side in [normal, -normal] {
                         let on = from + (to - from) * t;
                         let rect = wanted.rect(on + side * (half + clear_mm + gap));
-                        all.push(Candidate { rect, leader: None, base: base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted) });
+                        all.push(Candidate::new(rect, None, base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted)));
                     }
                 }
             }
@@ -79,7 +89,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                         let rect = wanted.rect(centre + u * t_mm);
                         let base = base + off + STATION_COST * (t - 0.5).abs();
                         let wish = if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
-                        all.push(Candidate { rect, leader: None, base: base + wish });
+                        all.push(Candidate::new(rect, None, base + wish));
                     }
                 }
             }
@@ -104,14 +114,16 @@ pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
             let Some(back) = (near - at).unit() else { continue };
             // Air at the letters, none at the thing.
             let leader = (near - back * 0.5, at + back * clear_mm);
-            all.push(Candidate { rect, leader: Some(leader), base: base + side_cost(u, wanted) });
+            all.push(Candidate::new(rect, Some(leader), base + side_cost(u, wanted)));
         }
     }
     all
 }
 
 fn directions() -> impl Iterator<Item = Vec2> {
-    (0..DIRECTIONS).map(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64))
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
+        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64)));
+    ALL.iter().copied()
 }
 
 /// How far along `u` a box's middle must go for the box to stand `clear_mm` off the origin.

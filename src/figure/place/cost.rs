@@ -34,7 +34,7 @@ const LEADER_CROSSES: f64 = 2.5;
 const OVERLAP: f64 = 25.0;
 const OVERLAP_PER_MM2: f64 = 2.0;
 /// Air between two labels, for each of them.
-pub(super) const PAIR_AIR_MM: f64 = 0.3;
+const PAIR_AIR_MM: f64 = 0.3;
 
 /// What is drawn around a label's places: found once, so that each place is asked about little more than it may touch.
 pub(super) struct Around<'a> {
@@ -57,7 +57,7 @@ struct Line<'a> {
 impl<'a> Around<'a> {
     /// All that can make one of these places dearer.
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
-        let looks = places.iter().map(|c| with_leader(c).union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
+        let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
             return Around { wanted, paper, bars: Vec::new(), heads: Vec::new(), discs: Vec::new(), rects: Vec::new() };
         };
@@ -80,18 +80,18 @@ impl<'a> Around<'a> {
     /// The part of a place's cost that does not depend on other labels.
     pub(super) fn fixed(&self, c: &Candidate) -> f64 {
         let mut cost = c.base;
-        let own_distance = own_distance(c.rect, self.wanted.target);
+        let look = own_distance(c.rect, self.wanted.target) + NEARER_MARGIN_MM;
         let mut nearer: f64 = 0.0;
         for Line { bar, bounds, own, meets } in &self.bars {
             let grown = c.rect.grown(bar.half_width_mm + AIR_MM);
-            let look = own_distance + NEARER_MARGIN_MM;
-            if !touch(grown.grown(look), *bounds) {
+            // A line that is farther off than the nearest so far changes nothing.
+            if !touch(grown.grown(look - nearer), *bounds) {
                 continue;
             }
-            let covered = clipped_mm(bar.from, bar.to, grown);
+            let covered = if touch(grown, *bounds) { clipped_mm(bar.from, bar.to, grown) } else { 0.0 };
             if covered > 0.0 {
                 cost += (TOUCH + PER_MM * covered) * if *own { OWN_FACTOR } else { 1.0 };
-            } else if !own && !meets {
+            } else if !own && !meets && NEARER_PER_MM * nearer < NEARER_MAX {
                 let foreign = distance(c.rect, bar) - bar.half_width_mm;
                 nearer = nearer.max(look - foreign);
             }
@@ -123,16 +123,13 @@ impl<'a> Around<'a> {
             cost += OUTSIDE;
         }
         if let Some((a, b)) = c.leader {
-            let crossed = self.bars.iter().filter(|l| !l.own && !l.meets && crosses(a, b, l.bar.from, l.bar.to));
+            let reach = Rect::new(a, b);
+            let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
+            let crossed = near.filter(|l| crosses(a, b, l.bar.from, l.bar.to));
             cost += LEADER_CROSSES * crossed.count() as f64;
         }
         cost
     }
-}
-
-/// The box around a place and its leader line.
-pub(super) fn with_leader(c: &Candidate) -> Rect {
-    c.leader.map_or(c.rect, |(a, b)| c.rect.union(Rect::new(a, b)))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -151,15 +148,22 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
 }
 
 /// What two places cost beside one another.
+#[inline]
 pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
+    if !close(a.reach, b.reach) {
+        return 0.0;
+    }
     let (ra, rb) = (a.rect.grown(PAIR_AIR_MM), b.rect.grown(PAIR_AIR_MM));
     let area = ra.overlap_mm2(rb);
-    let mut cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
-    if a.leader.is_none() && b.leader.is_none() {
-        return cost;
-    }
+    let cost = if area > 0.0 { OVERLAP + OVERLAP_PER_MM2 * area } else { 0.0 };
+    if a.leader.is_none() && b.leader.is_none() { cost } else { cost + across([a, b], [ra, rb]) }
+}
+
+/// What it costs that leader lines run across the labels and one another.
+fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
+    let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
-        if leader.is_some_and(|(p, q)| clipped_mm(p, q, rect) > 0.0) {
+        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && clipped_mm(p, q, rect) > 0.0) {
             cost += OVERLAP;
         }
     }
@@ -169,6 +173,11 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
         cost += LEADER_CROSSES;
     }
     cost
+}
+
+/// Whether places within two boxes can meet.
+pub(super) fn close(a: Rect, b: Rect) -> bool {
+    touch(a.grown(2.0 * PAIR_AIR_MM), b)
 }
 
 /// Whether a line ends or passes at the target: then to stand near it is to stand near the own point.

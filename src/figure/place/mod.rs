@@ -21,6 +21,7 @@ use super::item::{Anchor, Colour, Item, Shape, Stroke};
 use super::label::Label;
 use super::text;
 use candidate::Candidate;
+use search::Offer;
 
 /// What a label belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +152,9 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> 
 /// place beside its thing unless something has come in its way.
 pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
     let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
-    search::run(&labels, obstacles, bounds, before).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
+    let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
+    let all: Vec<usize> = (0..labels.len()).collect();
+    search::run(&mut offers, &all, before).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
 /// What a label of a series did in the figure before.
@@ -170,19 +173,22 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
     let absent = |i: &usize| requests[*i].optional && before.get(*i) == Some(&Some(Habit::LeftOut));
     let (away, mut kept): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(absent);
     let mut out = vec![None; requests.len()];
+    let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
+    let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
     loop {
-        let wanted: Vec<LabelRequest> = kept.iter().map(|&i| requests[i].clone()).collect();
         let stood = |i: &usize| match before[*i] {
             Some(Habit::At(index)) => Some(index),
             _ => None,
         };
         let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(stood).collect() };
-        let places = place_after(&wanted, obstacles, bounds, &habits);
+        let found = search::run(&mut offers, &kept, &habits);
+        let places: Vec<Placement> = found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
         let hides = |k: usize| {
-            let (own, here) = (Wanted::new(&wanted[k]), places[k].bounds);
-            cost::hides(here, &own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
+            let (own, here) = (&labels[kept[k]], places[k].bounds);
+            cost::hides(here, own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
         };
-        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| wanted[k].optional && places[k].cost >= CROWDED && hides(k)).collect();
+        let mut crowded: Vec<usize> =
+            (0..kept.len()).filter(|&k| requests[kept[k]].optional && places[k].cost >= CROWDED && hides(k)).collect();
         if crowded.is_empty() {
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
             break;
@@ -198,15 +204,10 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
     }
     for i in away {
         let placed: Vec<Placement> = out.iter().flatten().copied().collect();
-        out[i] = place_beside(&requests[i], obstacles, bounds, &placed).filter(|p| p.cost < CROWDED);
+        let found = search::beside_placed(&labels[i], obstacles, bounds, &placed);
+        out[i] = found.map(|found| labels[i].placement(found)).filter(|p| p.cost < CROWDED);
     }
     out
-}
-
-/// The best place for one more label beside others that stay.
-fn place_beside(request: &LabelRequest, obstacles: &Obstacles, bounds: Rect, placed: &[Placement]) -> Option<Placement> {
-    let wanted = Wanted::new(request);
-    search::beside_placed(&wanted, obstacles, bounds, placed).map(|found| wanted.placement(found))
 }
 
 /// A place that was picked, what it costs, and which of the label's places it is.

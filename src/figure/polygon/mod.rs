@@ -68,27 +68,39 @@ const MANY_ARROWS: usize = 16;
 
 /// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
-    let (draft, style) = Draft::new(style, w, p);
+    let (draft, style) = Draft::new(style, w, p, false);
     let (drawing, names) = draft.draw(&style, &[]);
     let part = drawing.finish();
     let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
     if insets.is_empty() { part } else { draft.draw(&style, &insets).0.finish() }
 }
 
-/// The same without insets and before its labels are placed, for series of drawings.
-pub fn drawing(style: &Style, w: &Writer, p: &Polygon) -> Drawing {
-    let (draft, style) = Draft::new(style, w, p);
+/// The same without insets and before its labels are placed, for series of drawings: those of which one is `full` ([`is_full`]) are
+/// all lettered alike.
+pub fn drawing(style: &Style, w: &Writer, p: &Polygon, full: bool) -> Drawing {
+    let (draft, style) = Draft::new(style, w, p, full);
     draft.draw(&style, &[]).0
 }
 
+/// Whether a polygon has so many vectors that not all are named, and in smaller type.
+pub fn is_full(w: &Writer, p: &Polygon) -> bool {
+    Draft::of(w, p).arrows.len() > MANY_ARROWS
+}
+
 impl<'a> Draft<'a> {
-    /// A polygon's things, and the style that suits their number.
-    fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon) -> (Draft<'a>, Style) {
+    /// A polygon's things.
+    fn of(w: &'a Writer<'a>, p: &'a Polygon) -> Draft<'a> {
         let mut draft = Draft { w, p, arrows: vec![], letters: vec![], zeros: vec![], lines: vec![], copies: vec![] };
         draft.letter(Point::ORIGIN, w.pole(p.level), 0);
         draft.follow();
+        draft
+    }
+
+    /// A polygon's things as far as they are drawn, and the style that suits their number.
+    fn new(style: &Style, w: &'a Writer<'a>, p: &'a Polygon, full: bool) -> (Draft<'a>, Style) {
+        let mut draft = Draft::of(w, p);
         let mut style = style.clone();
-        if draft.arrows.len() > MANY_ARROWS {
+        if full || draft.arrows.len() > MANY_ARROWS {
             let needed = draft.needed();
             draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
             style.label_mm = style.small_mm;

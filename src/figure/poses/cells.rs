@@ -2,6 +2,7 @@
 //! of its cell, so that neighbouring poses can be compared.
 
 use super::{BOXES, Row, Table, text};
+use crate::construct::Polygon;
 use crate::figure::course::courses;
 use crate::figure::drawing::{Habits, Part};
 use crate::figure::extent::Rect;
@@ -59,11 +60,21 @@ impl Table<'_> {
             .collect()
     }
 
+    /// A row's polygon, where it is on the paper, and who writes its letters.
+    fn polygon<'a>(&'a self, row: &'a Row, shows: Shows) -> Option<(Writer<'a>, &'a Polygon)> {
+        let Shows::Polygon(level) = shows else { return None };
+        let shown = !row.unbounded() && row.shown[usize::from(level == Level::Acceleration)];
+        let p = row.worked.construction.polygon(level).filter(|_| shown)?;
+        let Options { notation, lang, .. } = self.options;
+        Some((Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang }, p))
+    }
+
     fn parts(&self, shows: Shows) -> Vec<Part> {
-        let Options { style, notation, lang, .. } = self.options;
+        let Options { style, notation, .. } = self.options;
         let poses: Vec<(&Scene, &Worked)> = self.rows.iter().map(|r| (&r.scene, &r.worked)).collect();
         let courses = courses(&poses, style, notation);
         let behind = self.behind(shows);
+        let full = self.rows.iter().filter_map(|row| self.polygon(row, shows)).any(|(w, p)| polygon::is_full(&w, p));
         let mut habits = Habits::new();
         let mut parts = Vec::new();
         for (k, row) in self.rows.iter().enumerate() {
@@ -76,17 +87,11 @@ impl Table<'_> {
                     part.translate((here.origin - first.origin) * (1.0 / first.mu_l));
                     part
                 }
-                Shows::Polygon(level) => {
-                    let shown = !row.unbounded() && row.shown[usize::from(level == Level::Acceleration)];
-                    match row.worked.construction.polygon(level).filter(|_| shown) {
-                        Some(p) => {
-                            let w = Writer { scene: &row.scene, plan: &row.worked.plan, notation, lang: *lang };
-                            // An inset would take more room than the pose.
-                            polygon::drawing(style, &w, p).finish()
-                        }
-                        None => Part::of(self.absent(row)),
-                    }
-                }
+                Shows::Polygon(_) => match self.polygon(row, shows) {
+                    // An inset would take more room than the pose.
+                    Some((w, p)) => polygon::drawing(style, &w, p, full).finish(),
+                    None => Part::of(self.absent(row)),
+                },
             };
             if !behind.is_empty() {
                 part = Part::of(behind.iter().cloned().chain(part.items).collect());
