@@ -63,8 +63,9 @@ impl Ladder {
             return Some(alone);
         }
         let mut mu = vec![scale::choose(shortened, boxes.polygon)];
+        // Divided alike when a place is looked for, so that the usual polygon itself is held.
         let largest = usual / mu[0];
-        while largest * mu[mu.len() - 1] < most {
+        while most / mu[mu.len() - 1] > largest {
             mu.push(coarser(mu[mu.len() - 1], STEP));
         }
         Some(Ladder { level, boxes, mu, largest })
@@ -73,7 +74,7 @@ impl Ladder {
     /// Which of the scales a pose's polygon has: the finest that holds it.
     pub fn place(&self, worked: &Worked) -> usize {
         let size = size(worked, self.level, &self.boxes).unwrap_or(0.0);
-        self.mu.iter().position(|mu| size <= self.largest * mu).unwrap_or(self.mu.len() - 1)
+        self.mu.iter().position(|mu| size / mu <= self.largest).unwrap_or(self.mu.len() - 1)
     }
 }
 
