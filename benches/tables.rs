@@ -71,8 +71,8 @@ fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
         });
         let mut offset = begin.len() as u64;
         for piece in pieces {
-            file.write_all(&piece.bytes).unwrap();
-            let length = piece.bytes.len() as u64;
+            piece.write(&mut file).unwrap();
+            let length = piece.length();
             standing.push(Standing { offset, rows: piece.rows, index: piece.index });
             offset += length;
         }

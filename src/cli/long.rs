@@ -15,7 +15,7 @@ pub fn bar(all: u64, done: u64, what: &str) -> ProgressBar {
 }
 
 /// Makes, forms and takes pieces side by side until there are no more, or one of them fails. What has been formed goes back to the
-/// maker, who needs no new memory then; three of what is made and two of what is formed are there at most.
+/// maker, who needs no new memory then; three of what is made and three of what is formed are there at most.
 pub fn pipeline<T: Send, U: Send>(
     mut make: impl FnMut(Option<T>) -> Option<T> + Send,
     mut form: impl FnMut(&T) -> U + Send,
@@ -23,7 +23,7 @@ pub fn pipeline<T: Send, U: Send>(
 ) -> io::Result<()> {
     let (to_form, made) = mpsc::sync_channel(1);
     let (give_back, used) = mpsc::channel();
-    let (to_take, formed) = mpsc::sync_channel(0);
+    let (to_take, formed) = mpsc::sync_channel(1);
     std::thread::scope(|s| {
         // An error of a sender: who should receive has failed and gone.
         s.spawn(move || while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {});

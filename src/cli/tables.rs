@@ -57,7 +57,7 @@ pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
     let count = columns.iter().filter_map(|c| c.first()).map(|c| c.len() as u64).sum();
     out.write_all(&format.begin(count, &sweep.notes()))?;
     for piece in columns {
-        out.write_all(&format.piece(&piece.iter().map(Vec::as_slice).collect::<Vec<_>>())?.bytes)?;
+        format.piece(&piece.iter().map(Vec::as_slice).collect::<Vec<_>>())?.write(out)?;
     }
     Ok(())
 }
@@ -97,10 +97,11 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io
     let shape = |columns: Vec<Vec<f64>>| format.piece(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>());
     long::overlapped(pieces(sweep, &bar, shape), |piece| {
         let piece = piece?;
-        out.write_all(&piece.bytes)?;
+        piece.write(out)?;
         written += piece.rows;
+        let length = piece.length();
         standing.push(Standing { offset, rows: piece.rows, index: piece.index });
-        offset += piece.bytes.len() as u64;
+        offset += length;
         Ok(())
     })?;
     bar.finish_and_clear();

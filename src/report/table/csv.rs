@@ -57,8 +57,8 @@ impl Format for Csv {
     fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
         let cut = |k: usize| k * ROWS..rows.min((k + 1) * ROWS);
-        let parts: Vec<Vec<u8>> = (0..rows.div_ceil(ROWS)).into_par_iter().map(|k| self.lines(columns, cut(k))).collect();
-        Ok(Piece { bytes: parts.concat(), rows: rows as u64, index: Vec::new() })
+        let parts = (0..rows.div_ceil(ROWS)).into_par_iter().map(|k| self.lines(columns, cut(k))).collect();
+        Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
     }
 
     fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {

@@ -88,12 +88,27 @@ impl Head {
 /// Some whole rows in a format.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Piece {
-    /// What is written.
-    pub bytes: Vec<u8>,
+    /// What is written, one part after the other: as they were made, side by side, for joining them would move every byte once more.
+    pub parts: Vec<Vec<u8>>,
     /// How many rows they hold.
     pub rows: u64,
     /// What the end of the file has to know of it; empty in most formats.
     pub index: Vec<u8>,
+}
+
+impl Piece {
+    /// Bytes of all parts.
+    pub fn length(&self) -> u64 {
+        self.parts.iter().map(|p| p.len() as u64).sum()
+    }
+
+    /// Writes all parts.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        self.parts.iter().try_for_each(|p| out.write_all(p))
+    }
 }
 
 /// Where a piece stands in its file, and its index.

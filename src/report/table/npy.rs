@@ -74,7 +74,7 @@ impl Format for Npy {
                 }
             }
         });
-        Ok(Piece { bytes, rows: rows as u64, index: Vec::new() })
+        Ok(Piece { parts: vec![bytes], rows: rows as u64, index: Vec::new() })
     }
 
     fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {

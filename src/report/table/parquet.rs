@@ -125,11 +125,11 @@ impl Format for Parquet {
         let rows = columns.first().map_or(0, |c| c.len());
         let made = columns.par_iter().zip(&self.head.columns).enumerate().map(|(i, (values, h))| self.column(i, h, values));
         let made = made.collect::<ParquetResult<Vec<_>>>()?;
-        let mut bytes = Vec::with_capacity(made.iter().map(|(b, _)| b.len()).sum());
-        let mut chunks = Vec::with_capacity(made.len());
+        let (mut parts, mut chunks, mut length) = (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()), 0);
         for (column, chunk) in made {
-            chunks.push(moved(&chunk, bytes.len() as i64)?);
-            bytes.extend_from_slice(&column);
+            chunks.push(moved(&chunk, length)?);
+            length += column.len() as i64;
+            parts.push(column);
         }
         let size = chunks.iter().map(ColumnChunkMetaData::uncompressed_size).sum();
         let group = RowGroupMetaData::builder(Arc::clone(&self.schema))
@@ -139,7 +139,7 @@ impl Format for Parquet {
             .build()?;
         let mut index = self.footer(vec![group], Vec::new())?;
         index.truncate(index.len().saturating_sub(AFTER_FOOTER));
-        Ok(Piece { bytes, rows: rows as u64, index })
+        Ok(Piece { parts, rows: rows as u64, index })
     }
 
     fn end(&self, pieces: &[Standing], notes: &[Diagnostic]) -> io::Result<Vec<u8>> {
