@@ -87,7 +87,7 @@ fn command(arguments: &str, last: &Path) {
     assert!(c.status().unwrap().success());
 }
 
-fn writing(only_compute: usize) {
+fn writing() {
     let scene = asked(&["v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let variation = Variation::new(&scene, &["l_AB", "l_BC", "l_CD"]).unwrap();
@@ -99,12 +99,6 @@ fn writing(only_compute: usize) {
     let ends = || (0..MECHANISMS).step_by(STEP as usize).map(|from| (from, MECHANISMS.min(from + STEP)));
     // One after the other, each in the memory of the one before.
     let computed = || ends().fold(Block::default(), |used, (from, to)| black_box(batch.block_in(from, to, used)));
-    if only_compute > 0 {
-        let start = Instant::now();
-        (0..only_compute).for_each(|_| drop(computed()));
-        println!("{:.2} us a mechanism", start.elapsed().as_secs_f64() * 1e6 / (MECHANISMS as f64 * only_compute as f64));
-        return;
-    }
     let kept: Vec<Block> = ends().map(|(from, to)| batch.block(from, to)).collect();
     let rows: usize = kept.iter().map(|b| b.columns[0].len()).sum();
     let mut head = Head::new("", batch.columns());
@@ -163,10 +157,6 @@ fn main() {
         println!("{{\"positions\": {}}}", in_memory());
         return;
     }
-    if std::env::args().any(|a| a == "batch") {
-        writing(10);
-        return;
-    }
-    writing(0);
+    writing();
     starting();
 }

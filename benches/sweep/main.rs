@@ -9,7 +9,7 @@ mod by_hand;
 use by_hand::ByHand;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{Scene, edit, read, templates};
-use hodograph::sweep::batch::{Batch, Choice};
+use hodograph::sweep::batch::{Batch, Block, Choice};
 use hodograph::sweep::program::{COS, SIN, VALUE};
 use hodograph::sweep::run::CHUNK;
 use hodograph::sweep::vary::Variation;
@@ -168,9 +168,10 @@ fn batch() {
     let stations = Some(Stations::turned(hodograph::scene::Angle::Deg(0.0), hodograph::scene::Angle::Deg(358.2), 199));
     let batch = Batch { scene: &scene, mechanism: &m, variation: variation.clone(), values, choice, driver: 0, stations };
     let (start, cpu) = (Instant::now(), processor_time());
-    let mut rows = 0;
+    let (mut rows, mut block) = (0, Block::default());
     for from in (0..10_000).step_by(320) {
-        rows += black_box(batch.block(from, (from + 320).min(10_000))).columns[0].len();
+        block = black_box(batch.block_in(from, (from + 320).min(10_000), block));
+        rows += block.columns[0].len();
     }
     let t = start.elapsed().as_secs_f64();
     println!("\n10 000 random four-bars × 200 positions: {rows} rows in {t:.3} s, {:.1} million positions/s", 2.0 / t);
