@@ -67,15 +67,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
             Line::None(u) => {
                 let find = &scene.find[u.find];
                 let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
-                let cell = |text: Label, anchor, what: &str| {
-                    Some(Cell {
-                        label: text.in_fonts(&style.fonts),
-                        size_mm: style.caption_mm,
-                        anchor,
-                        class: "result".into(),
-                        id: format!("{id}-{what}"),
-                    })
-                };
+                let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
                 let value = Label::text(verdict(u.refused.why, words.lang()));
                 rows.push(Row {
                     cells: vec![
@@ -101,15 +93,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
         let id = format!("result-{}", find.text);
-        let cell = |text: Label, anchor, what: &str| {
-            Some(Cell {
-                label: text.in_fonts(&style.fonts),
-                size_mm: style.caption_mm,
-                anchor,
-                class: "result".into(),
-                id: format!("{id}-{what}"),
-            })
-        };
+        let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
@@ -151,6 +135,11 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         below += REMARK_MM;
     }
     Part::of(items)
+}
+
+/// A cell of the list.
+fn cell(style: &Style, label: Label, anchor: Anchor, id: String) -> Cell {
+    Cell { label: label.in_fonts(&style.fonts), size_mm: style.caption_mm, anchor, class: "result".into(), id }
 }
 
 /// All results in one sentence, for readers who do not see the figure.

@@ -13,6 +13,11 @@ use crate::figure::label::Label;
 use crate::figure::text;
 use crate::report::phrase::{Phrase, Piece};
 
+/// Whether a break would part a number from its unit, or from what it counts.
+fn parts_a_number(text: &str, at: usize) -> bool {
+    at < text.len() && text[..at].strip_suffix(' ').is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()))
+}
+
 /// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
 /// breaks anywhere; a formula that is, sticks out.
 pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
@@ -32,7 +37,7 @@ pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Font
         }
     }
     let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
-    let breaks: Vec<usize> = segmenter.segment_str(&plain).collect();
+    let breaks: Vec<usize> = segmenter.segment_str(&plain).filter(|at| !parts_a_number(&plain, *at)).collect();
     let label = |from: &str, formulas: &mut VecDeque<String>| {
         let mut out = Label::text("").in_fonts(fonts);
         for (k, words) in from.split(THING).enumerate() {
@@ -110,6 +115,14 @@ mod tests {
         let joined: String = lines.iter().map(Label::plain).collect();
         assert_eq!(joined, Phrase::new(source).label().plain());
         assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        for width in 20..80 {
+            let lines = texts("from o lay off 59.01 mm square to it, 3 mm more, then 12 mm back", f64::from(width));
+            assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
+        }
     }
 
     #[test]
