@@ -254,15 +254,17 @@ impl<'a, N: Real> Assembly<'a, N> {
                 }
             }
         };
+        let scene = self.scene;
+        let names = || names_of(scene, group);
         let pick = match self.meant {
             // Where `f64` could not see which closure is which, these numbers choose again, by the same rules.
             Some(meant) => {
                 let again = N::refines() && branch::alike(&trials, meant.extent());
-                let chosen = if again { branch::choose(self.scene, &self.points, &trials, &self.names_of(group)).ok() } else { None };
+                let chosen = if again { branch::choose(self.scene, &self.points, &trials, &names).ok() } else { None };
                 chosen.map_or(meant.closures[index], |(pick, _)| pick)
             }
             None => {
-                let (pick, note) = branch::choose(self.scene, &self.points, &trials, &self.names_of(group))?;
+                let (pick, note) = branch::choose(self.scene, &self.points, &trials, &names)?;
                 self.notes.extend(note);
                 pick
             }
@@ -282,15 +284,6 @@ impl<'a, N: Real> Assembly<'a, N> {
         Ok(())
     }
 
-    /// The links of a group for a sentence that begins with "link".
-    fn names_of(&self, group: &Group) -> String {
-        let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        match names[..] {
-            [one] => format!(" {one}"),
-            _ => format!("s {}", names.join(", ")),
-        }
-    }
-
     /// Where pins of the group have coordinates, only the pose that puts the link there is meant.
     pub(super) fn nearest_to_given(&self, link: LinkId, given: &[(PointId, Point<N>)], poses: Vec<Pose<N>>) -> Vec<Pose<N>> {
         let off = |pose: &Pose<N>| -> f64 {
@@ -305,6 +298,7 @@ impl<'a, N: Real> Assembly<'a, N> {
     /// Collects a closure: adds the points of all its links.
     pub(super) fn trial(&self, pins: Vec<(PointId, Point<N>)>, poses: Vec<(LinkId, Pose<N>)>) -> Trial<N> {
         let mut points = pins;
+        points.reserve(poses.iter().map(|(l, _)| self.shapes[l.0].points.len()).sum());
         for (l, pose) in &poses {
             for (p, local) in &self.shapes[l.0].points {
                 if !points.iter().any(|(q, _)| q == p) && self.points[p.0].is_none() {
@@ -334,7 +328,7 @@ impl<'a, N: Real> Assembly<'a, N> {
 
     pub(super) fn trial_of_pin(&self, group: &Group, pin: PointId, at: Point<N>) -> Result<Trial<N>, Diagnostic> {
         let Core::Pin { legs, .. } = &group.core else { unreachable!("called for pin cores only") };
-        let mut poses = Vec::new();
+        let mut poses = Vec::with_capacity(legs.len());
         for leg in legs {
             match *leg {
                 Leg::Bar { link, far, .. } => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
@@ -405,5 +399,14 @@ impl<'a, N: Real> Assembly<'a, N> {
         Diagnostic::error("driver-without-position", format!("the driver does not say {what}, and no coordinates give it"))
             .at(self.scene.drivers[driver].span)
             .help(format!("add \"{key}\" to the driver, or the coordinates of the moving joints to \"points\""))
+    }
+}
+
+/// The links of a group for a sentence that begins with "link".
+fn names_of(scene: &Scene, group: &Group) -> String {
+    let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
+    match names[..] {
+        [one] => format!(" {one}"),
+        _ => format!("s {}", names.join(", ")),
     }
 }

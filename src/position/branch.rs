@@ -36,12 +36,12 @@ pub(super) fn choose<N: Real>(
     scene: &Scene,
     placed: &[Option<Point<N>>],
     trials: &[Trial<N>],
-    link_names: &str,
+    link_names: &dyn Fn() -> String,
 ) -> Result<(usize, Option<Diagnostic>), Diagnostic> {
-    let mut left: Vec<usize> = (0..trials.len()).collect();
-    if left.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
+    if trials.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
         return Ok((0, None));
     }
+    let mut left: Vec<usize> = (0..trials.len()).collect();
     let mut decided = false;
     for side in &scene.sides {
         let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
@@ -63,7 +63,7 @@ pub(super) fn choose<N: Real>(
                 format!(
                     "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
                     trials.len(),
-                    link_names,
+                    link_names(),
                     scene.point_name(side.point),
                     if side.left { "left" } else { "right" },
                     scene.point_name(side.from),
@@ -101,7 +101,7 @@ pub(super) fn choose<N: Real>(
         };
         Diagnostic::note(
             "assembly-by-default",
-            format!("link{link_names} can be assembled in {} ways and the scene does not say which: {which}", left.len()),
+            format!("link{} can be assembled in {} ways and the scene does not say which: {which}", link_names(), left.len()),
         )
         .help(format!("say it with \"side\" or {hint}"))
     });

@@ -136,32 +136,32 @@ impl Batch<'_> {
         for column in &mut columns {
             parts.iter_mut().zip(column.chunks_mut(positions)).for_each(|(part, c)| part.push(c));
         }
+        let demand = Demand::of(self.scene, self.mechanism);
         let missing: Vec<Vec<usize>> = parts
             .into_par_iter()
             .enumerate()
-            .map_init(|| self.scene.clone(), |scene, (i, part)| self.one(scene, from + i as u64, part))
+            .map_init(|| self.scene.clone(), |scene, (i, part)| self.one(scene, &demand, from + i as u64, part))
             .collect();
         let gaps: Vec<usize> =
             (0..).step_by(positions).zip(&missing).flat_map(|(first, rows)| rows.iter().map(move |k| first + k)).collect();
-        columns.iter_mut().for_each(|c| close(c, &gaps));
+        columns.par_iter_mut().for_each(|c| close(c, &gaps));
         Block { columns, missing: gaps.len() as u64 }
     }
 
     /// Fills the columns of a mechanism; returns the rows that are missing.
-    fn one(&self, scene: &mut Scene, number: u64, mut columns: Vec<&mut [f64]>) -> Vec<usize> {
+    fn one(&self, scene: &mut Scene, demand: &Demand, number: u64, mut columns: Vec<&mut [f64]>) -> Vec<usize> {
         let parameters = self.parameters(number);
         let lead = std::iter::once(number as f64).chain(parameters.iter().map(|p| p.si()));
         columns.iter_mut().zip(lead).for_each(|(column, value)| column.fill(value));
-        let rows = self.variation.set(scene, &parameters).and_then(|()| self.rows(scene, columns.split_off(1 + parameters.len())));
+        let rows = self.variation.set(scene, &parameters).and_then(|()| self.rows(scene, demand, columns.split_off(1 + parameters.len())));
         rows.unwrap_or_else(|_| (0..self.positions()).collect())
     }
 
     /// The driver's positions and the answers of a mechanism; returns the rows that are missing.
-    fn rows(&self, scene: &Scene, mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
-        let demand = Demand::of(scene, self.mechanism);
-        let (at, moved) = self.place(scene, &demand)?;
+    fn rows(&self, scene: &Scene, demand: &Demand, mut columns: Vec<&mut [f64]>) -> Result<Vec<usize>, Faults> {
+        let (at, moved) = self.place(scene, demand)?;
         let scene = moved.as_ref().unwrap_or(scene);
-        let placed = Placed { scene, mechanism: self.mechanism, demand, at };
+        let placed = Placed { scene, mechanism: self.mechanism, demand: demand.clone(), at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
         let here = || Stations::of_values(vec![position_now(scene, &placed.at, self.driver)], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);

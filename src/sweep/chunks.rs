@@ -135,6 +135,17 @@ thread_local! {
     static REGISTERS: RefCell<Buffer> = RefCell::default();
 }
 
+/// Zero where all numbers are finite, else NaN.
+fn nothing(numbers: &[f64]) -> f64 {
+    // Side by side, for each sum waits for the one before it.
+    let (eights, rest) = numbers.as_chunks::<8>();
+    let mut sums = [0.0; 8];
+    for eight in eights {
+        sums.iter_mut().zip(eight).for_each(|(sum, v)| *sum += v * 0.0);
+    }
+    sums.iter().sum::<f64>() + rest.iter().map(|v| v * 0.0).sum::<f64>()
+}
+
 /// Runs a program in one of its forms over all stations into columns of their length. `states`: its followed links at each station.
 /// `seen` sees the registers of each chunk, and how many positions it has.
 pub(super) fn fill<C: DerefMut<Target = [f64]>>(
@@ -155,7 +166,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     }
     let together = fused.positions();
     // Where each column is found, and the part of it that each chunk fills.
-    let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(c.reg)).collect();
+    let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(*c)).collect();
     let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
     for column in &mut columns {
         parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
@@ -175,17 +186,21 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
         fused.run(buffer, width);
         seen(buffer, rows.len());
-        // A sum of what is finite times zero is zero: no number of the row need be looked at by itself.
-        let mut lost = [0.0; CHUNK];
+        // A sum of what is finite times zero is zero: no number need be looked at by itself.
+        let mut lost = 0.0;
         for (numbers, reg) in part.iter_mut().zip(&found) {
             match reg {
                 Some(reg) => numbers.copy_from_slice(buffer.numbers(*reg, rows.len())),
                 None => numbers.fill(f64::NAN),
             }
-            lost.iter_mut().zip(numbers.iter()).for_each(|(lost, v)| *lost += v * 0.0);
+            lost += nothing(numbers);
         }
+        if lost == 0.0 {
+            return Vec::new();
+        }
+        let lost = |row: &usize| part.iter().any(|numbers| !numbers[*row].is_finite());
         // What misses by more than rounding needs nobody's second opinion.
-        (0..rows.len()).filter(|&row| lost[row] != 0.0).map(|row| (rows.start + row, fused.misses(program, buffer, row))).collect()
+        (0..rows.len()).filter(lost).map(|row| (rows.start + row, fused.misses(program, buffer, row))).collect()
     };
     let lost: Vec<Vec<(usize, bool)>> = if n <= ALONE {
         let mut buffer = fused.buffer_in(REGISTERS.take());

@@ -114,17 +114,6 @@ pub struct Joint {
     pub pin: Option<PointId>,
 }
 
-/// One column of the result.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
-    /// Its name, such as `v_E.x`.
-    pub name: String,
-    /// Its SI unit.
-    pub unit: &'static str,
-    /// Where it is found.
-    pub reg: Reg,
-}
-
 /// A scene compiled for one swept quantity.
 #[derive(Clone, Debug)]
 pub struct Program {
@@ -134,8 +123,8 @@ pub struct Program {
     pub constants: Vec<(Reg, f64)>,
     /// How many registers there are.
     pub registers: usize,
-    /// What is asked for.
-    pub columns: Vec<Asked>,
+    /// Where each column of the answers is found.
+    pub columns: Vec<Reg>,
     /// The closures that can miss, in solving order.
     pub joints: Vec<Joint>,
     /// Position, velocity and acceleration of each point, as far as they are there: what belongs together.

@@ -118,10 +118,11 @@ pub struct Buffer {
 }
 
 impl Buffer {
-    /// The same memory for so many registers, all zero.
+    /// The same memory for so many registers, with whatever is in it: an operation fills registers before others read them.
     pub(super) fn sized(mut self, registers: usize) -> Buffer {
-        self.columns.clear();
-        self.columns.resize(registers, Column([[0.0; 4]; QUADS]));
+        if self.columns.len() < registers {
+            self.columns.resize(registers, Column([[0.0; 4]; QUADS]));
+        }
         Buffer { quads: QUADS, ..self }
     }
 

@@ -70,6 +70,8 @@ pub struct Variation {
     parameters: Vec<(String, Expr)>,
     /// The varied ones, indices into `parameters`.
     varied: Vec<usize>,
+    /// The value of each parameter that does not depend on the varied ones.
+    fixed: Vec<Option<Value>>,
     /// Indices into [`slots`] of what depends on them.
     dependent: Vec<(usize, Expr)>,
 }
@@ -121,7 +123,11 @@ impl Variation {
                 dependent.push((i, expr));
             }
         }
-        Ok(Variation { parameters, varied, dependent })
+        let moves: Vec<bool> = known.iter().map(|name| moving.contains(name)).collect();
+        let mut variation = Variation { parameters, varied, fixed: Vec::new(), dependent };
+        let usual = variation.values(&[])?;
+        variation.fixed = usual.into_iter().zip(moves).map(|(value, moves)| (!moves).then_some(value)).collect();
+        Ok(variation)
     }
 
     /// The names of the varied parameters, in the order in which their values are set.
@@ -195,8 +201,8 @@ impl Variation {
     fn values(&self, varied: &[Value]) -> Result<Vec<Value>, Faults> {
         let mut values = Vec::with_capacity(self.parameters.len());
         for (i, (_, expr)) in self.parameters.iter().enumerate() {
-            let given = self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
-            let value = match given {
+            let given = || self.varied.iter().position(|v| *v == i).and_then(|k| varied.get(k)).copied();
+            let value = match self.fixed.get(i).copied().flatten().or_else(given) {
                 Some(value) => value,
                 None => self.evaluate(expr, &values)?,
             };

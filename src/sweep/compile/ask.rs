@@ -9,7 +9,6 @@ use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
 use crate::sweep::kernel::{Pair, Reg};
-use crate::sweep::program::Asked;
 use crate::sweep::reading::{Coriolis, Direction, Dot, Length, Part, Sum};
 
 const P: Level = Level::Position;
@@ -18,14 +17,14 @@ const A: Level = Level::Acceleration;
 
 impl Compiler<'_> {
     /// The columns of a question: a number one, a vector its two components and its length.
-    pub(super) fn answer(&mut self, find: &Find) -> Result<Vec<Asked>, NoKernel> {
+    pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
         use scene::Asked::*;
-        let one = |c: &Self, reg: Reg| vec![c.column(find, "", reg)];
+        let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
         let vector = |c: &mut Self, level: Level, v: Pair| {
             let length = c.emit(level, Length { v }, 1);
-            vec![c.column(find, ".x", v.x), c.column(find, ".y", v.y), c.column(find, "", length)]
+            c.columns.extend([v.x, v.y, length]);
         };
-        Ok(match find.what {
+        match find.what {
             Coordinate(p, axis) => {
                 let at = self.point(p, P)?;
                 one(self, if axis == Axis::X { at.x } else { at.y })
@@ -92,11 +91,12 @@ impl Compiler<'_> {
                 let reg = self.relative_turning(a, b, A)?;
                 one(self, reg)
             }
-        })
+        }
+        Ok(())
     }
 
     /// Position, rate and acceleration of an output.
-    pub(super) fn output(&mut self, output: Output) -> Result<[Asked; 3], NoKernel> {
+    pub(super) fn output(&mut self, output: Output) -> Result<(), NoKernel> {
         let regs = match output {
             Output::Turning(l) => {
                 let v = self.line_of(l)?;
@@ -116,11 +116,8 @@ impl Compiler<'_> {
                 [self.emit(P, Dot { u, v: way }, 1), self.emit(V, Dot { u, v }, 1), self.emit(A, Dot { u, v: a }, 1)]
             }
         };
-        Ok(regs.map(|reg| Asked { name: String::new(), unit: "", reg }))
-    }
-
-    fn column(&self, find: &Find, component: &str, reg: Reg) -> Asked {
-        Asked { name: format!("{}{component}", find.text), unit: unit(&find.what), reg }
+        self.columns.extend(regs);
+        Ok(())
     }
 
     fn vector(&mut self, p: &OnLink, level: Level) -> Result<Pair, NoKernel> {

@@ -15,7 +15,7 @@ mod rate;
 use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::extreme::Output;
 use super::kernel::{Pair, Reg};
-use super::program::{Asked, COS, Joint, Op, Program, SIN, Step, VALUE};
+use super::program::{COS, Joint, Op, Program, SIN, Step, VALUE};
 use super::track::Track;
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
@@ -35,8 +35,7 @@ pub type NoKernel = Diagnostic;
 pub fn compile(scene: &Scene, m: &Mechanism, at: &Configuration, driver: Option<usize>, find: &[Find]) -> Result<Program, NoKernel> {
     let mut c = Compiler::new(scene, m, at, driver);
     for f in find {
-        let columns = c.answer(f)?;
-        c.columns.extend(columns);
+        c.answer(f)?;
     }
     Ok(c.finish())
 }
@@ -52,8 +51,7 @@ pub fn outputs(scene: &Scene, m: &Mechanism, at: &Configuration, driver: usize, 
         c.group(g, Level::Position)?;
     }
     for output in outputs {
-        let columns = c.output(*output)?;
-        c.columns.extend(columns);
+        c.output(*output)?;
     }
     Ok(c.finish())
 }
@@ -108,7 +106,7 @@ pub(super) struct Compiler<'a> {
     steps: [Vec<Step>; 3],
     constants: Vec<(Reg, f64)>,
     registers: u32,
-    columns: Vec<Asked>,
+    columns: Vec<Reg>,
     joints: Vec<Joint>,
     tracks: Vec<Track>,
     points: Vec<[Option<Pair>; 3]>,
@@ -128,10 +126,11 @@ impl<'a> Compiler<'a> {
             driver,
             values: driver_positions(scene, at),
             unit: 1.0 / power_of_two_scale(at.extent()),
-            steps: Default::default(),
-            constants: Vec::new(),
+            // About as many operations has a dyad for each effect.
+            steps: std::array::from_fn(|_| Vec::with_capacity(6 * (1 + m.groups.len()))),
+            constants: Vec::with_capacity(8 * (1 + m.groups.len())),
             registers: SIN.0 + 1,
-            columns: Vec::new(),
+            columns: Vec::with_capacity(3 * scene.find.len()),
             joints: Vec::new(),
             tracks: Vec::new(),
             points: vec![[None; 3]; scene.points.len()],

@@ -55,27 +55,31 @@ impl Compiler<'_> {
 
     /// The velocity or acceleration of a core pin.
     fn pin_at(&mut self, g: usize, pin: PointId, level: Level) -> Result<(), NoKernel> {
-        let rows = self.rows[g].clone();
-        let solved: Vec<Row> = rows.iter().copied().filter(|r| !matches!(r, Row::Ram { .. })).collect();
-        let pair = match solved[..] {
-            [Row::Carried { at }] => self.spot(at, level)?,
-            [Row::Distance { far: a, bar: true, .. }, Row::Distance { far: b, bar: true, .. }] => self.two_bars(g, pin, a, b, level)?,
-            [first, second] => {
-                let (n1, _, c1) = self.row(&first, None, level)?;
-                let (n2, _, c2) = self.row(&second, None, level)?;
+        // Put back below: nothing else asks for the rows of a group while it is solved.
+        let rows = std::mem::take(&mut self.rows[g]);
+        let mut solved = rows.iter().filter(|r| !matches!(r, Row::Ram { .. }));
+        let pair = match (solved.next(), solved.next(), solved.next()) {
+            (Some(Row::Carried { at }), None, _) => self.spot(*at, level)?,
+            (Some(Row::Distance { far: a, bar: true, .. }), Some(Row::Distance { far: b, bar: true, .. }), None) => {
+                self.two_bars(g, pin, *a, *b, level)?
+            }
+            (Some(first), Some(second), None) => {
+                let (n1, _, c1) = self.row(first, None, level)?;
+                let (n2, _, c2) = self.row(second, None, level)?;
                 self.emit_pair(level, Cross { n1, c1, n2, c2 })
             }
             _ => return Err(self.without_kernel(g)),
         };
         self.points[pin.0][level as usize] = Some(pair);
-        for row in rows {
-            if let Row::Ram { link, far, pin, guide, driver } = row {
+        for row in &rows {
+            if let Row::Ram { link, far, pin, guide, driver } = *row {
                 let turning = self.turning_of_ram(link, far, pin, guide, driver, level)?;
                 if let Some(body) = &mut self.bodies[link.0] {
                     body.turning[level as usize - 1] = Some(turning);
                 }
             }
         }
+        self.rows[g] = rows;
         Ok(())
     }
 

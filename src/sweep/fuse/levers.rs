@@ -1,14 +1,15 @@
 //! The operations of a lever with a slot over a pin, on a fixed pivot, found and made one.
 
-use super::Unit;
 use super::kernels::Slotted;
-use super::matching::{Matching, motion_of};
+use super::matching::{Few, Matching, motion_of};
+use super::{Outs, Unit};
 use crate::sweep::carry::{Arm, Swing, SwingRate};
 use crate::sweep::closure::Lever;
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::Op;
 use crate::sweep::rows::{ReducedRate, SlotRate, TurnOf};
 use crate::sweep::run::{Any, Whole};
+use arrayvec::ArrayVec;
 
 /// What is known of a lever while its operations are looked for.
 struct Slot<'a> {
@@ -40,9 +41,9 @@ impl Matching<'_> {
             _ => false,
         };
         let Some(rate) = later().find(swings) else { return };
-        let mut b = vec![lever.b, v];
-        let mut outs = vec![arm.x, arm.y, self.steps[rate].out, pair(self.steps[rate].out).y];
-        let mut done = vec![i, turn, rate];
+        let mut b = Few::from_iter([lever.b, v]);
+        let mut outs = Outs::from_iter([arm.x, arm.y, self.steps[rate].out, pair(self.steps[rate].out).y]);
+        let mut done = ArrayVec::<usize, 5>::from_iter([i, turn, rate]);
         let third = later().find_map(|k| {
             let Op::TurnOf(turn) = &self.steps[k].op else { return None };
             let a = self.pin_acceleration(&slot, turn, omega, v)?;

@@ -1,12 +1,13 @@
 //! Which operations of a program are one: a point's position, velocity and acceleration, a line's turning.
 
 use super::kernels::{Coupled, Crank, Dyad, Images, Motion, Slider, Turned};
-use super::{NONE, Unit, Wires};
+use super::{NONE, Outs, Unit, Wires};
 use crate::sweep::carry::Arm;
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{COS, Op, Program, SIN, Step};
 use crate::sweep::rows::Cross;
 use crate::sweep::run::{Any, Whole};
+use arrayvec::ArrayVec;
 
 /// A program looked at from its registers.
 pub struct Matching<'a> {
@@ -37,6 +38,9 @@ macro_rules! levels {
         }
     };
 }
+
+/// Something for each level of motion.
+pub(super) type Few<T> = ArrayVec<T, 3>;
 
 /// What was found for one point: its kernel by levels and lengths, and the pairs that it fills.
 type Made<'a> = &'a dyn Fn(usize, bool) -> Whole;
@@ -131,8 +135,7 @@ impl<'a> Matching<'a> {
 
     /// Position, velocity and acceleration of a point.
     fn motion(&self, motion: &[Option<Pair>; 3], taken: &mut [bool], units: &mut Vec<Unit>) {
-        let mut pairs = Vec::with_capacity(3);
-        let mut ops = Vec::with_capacity(3);
+        let (mut pairs, mut ops) = (Few::new(), Few::new());
         for pair in motion.iter().map_while(|p| *p) {
             let Some((i, op)) = self.op(pair).filter(|(i, _)| !taken[*i]) else { break };
             pairs.push(pair);
@@ -140,11 +143,11 @@ impl<'a> Matching<'a> {
         }
         // As many levels as the kernel can do together; the rest stays as it is.
         for levels in (1..=pairs.len()).rev() {
-            let kinds: Vec<&Op> = ops[..levels].iter().map(|o| o.1).collect();
+            let kinds: Few<&Op> = ops[..levels].iter().map(|o| o.1).collect();
             let mut put = |measured: bool, made: Made| {
-                let lengths: Vec<usize> = pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
+                let lengths: Few<usize> = pairs[1..levels].iter().map(|p| self.length[p.x.0 as usize] as usize).collect();
                 let all = measured && levels > 1 && lengths.iter().all(|l| *l < self.steps.len() && !taken[*l]);
-                let mut outs: Vec<Reg> = pairs[..levels].iter().flat_map(|p| [p.x, p.y]).collect();
+                let mut outs: Outs = pairs[..levels].iter().flat_map(|p| [p.x, p.y]).collect();
                 ops[..levels].iter().for_each(|o| taken[o.0] = true);
                 if all {
                     lengths.iter().for_each(|l| taken[*l] = true);
@@ -162,7 +165,7 @@ impl<'a> Matching<'a> {
     fn dyad(&self, ops: &[&Op], pairs: &[Pair], put: &mut dyn FnMut(bool, Made)) -> bool {
         let Op::Circles(c) = ops[0] else { return false };
         let (Some(r), Some(s)) = (self.constant(c.r), self.constant(c.s)) else { return false };
-        let (mut a, mut b) = (vec![c.a], vec![c.b]);
+        let (mut a, mut b) = (Few::from_iter([c.a]), Few::from_iter([c.b]));
         // What passes between the effects is passed nowhere else.
         let det = Reg(pairs[0].x.0 + 2);
         if let Some(op) = ops.get(1) {
@@ -205,7 +208,7 @@ impl<'a> Matching<'a> {
 
     /// A point of a link.
     fn image(&self, ops: &[&Op], put: &mut dyn FnMut(bool, Made)) -> bool {
-        let mut images = Vec::with_capacity(3);
+        let mut images = Few::new();
         for op in ops {
             let Op::Image(i) = op else { return false };
             images.push(*i);
@@ -214,7 +217,7 @@ impl<'a> Matching<'a> {
         if images.iter().any(|i| i.k != k) {
             return false;
         }
-        let (o, d): (Vec<Pair>, Vec<Pair>) = images.iter().map(|i| (i.o, i.d)).unzip();
+        let (o, d): (Few<Pair>, Few<Pair>) = images.iter().map(|i| (i.o, i.d)).unzip();
         let ground = self.ground(&o);
         if let Some(crank) = ground.and_then(|o| self.crank(o, k, &d)) {
             put(false, &|levels, _| match levels {
@@ -224,7 +227,7 @@ impl<'a> Matching<'a> {
             });
             return true;
         }
-        let ends: Option<Vec<Pair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
+        let ends: Option<Few<Pair>> = d.iter().zip(&o).map(|(d, o)| self.end_from(*d, *o)).collect();
         let (o, d) = (motion_of(&o), motion_of(&d));
         match ends {
             Some(ends) => {
@@ -285,7 +288,7 @@ impl<'a> Matching<'a> {
     fn sliding(&self, ops: &[&Op], pairs: &[Pair]) -> Option<Slider<3, false>> {
         let Op::CircleLine(c) = ops[0] else { return None };
         let (r, q, t) = (self.constant(c.r)?, self.fixed(c.q)?, self.fixed(c.t)?);
-        let mut a = vec![c.a];
+        let mut a = Few::from_iter([c.a]);
         for (level, op) in ops.iter().enumerate().skip(1) {
             let Op::Cross(cross) = op else { return None };
             let (n, bar, square, guide) = self.rows_of(cross)?;
@@ -332,7 +335,8 @@ impl<'a> Matching<'a> {
         };
         let (Some(d), Some(v)) = (arm(turning.d), arm(turning.v)) else { return };
         let omega = self.steps[i].out;
-        let (mut o, mut n, mut outs) = (vec![d.from, v.from], vec![d.to, v.to], vec![omega]);
+        let (mut o, mut n) = (Few::from_iter([d.from, v.from]), Few::from_iter([d.to, v.to]));
+        let mut outs = Outs::from_iter([omega]);
         taken[i] = true;
         let rate = (i + 1..self.steps.len()).find(|&k| match &self.steps[k].op {
             Op::TurningRate(rate) => self.alive[k] && !taken[k] && rate.omega == omega && rate.d == turning.d && rate.v == turning.v,

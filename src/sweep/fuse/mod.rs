@@ -13,6 +13,7 @@ use super::kernel::Reg;
 use super::program::{Program, Step};
 use super::run::{Any, Buffer, CHUNK, Placed, Runner};
 use crate::mechanism::Level;
+use arrayvec::ArrayVec;
 use matching::Matching;
 
 /// A program ready to be run.
@@ -32,8 +33,12 @@ pub struct Fused {
 /// Operations that are run together: what is run, and the registers of the program that it fills.
 pub(super) struct Unit {
     pub op: Any,
-    pub outs: Vec<Reg>,
+    pub outs: Outs,
 }
+
+/// The registers that a unit fills: three pairs and the lengths of two of them at most. A mechanism of a batch has its program for some
+/// microseconds, in which many small vectors would be felt.
+pub(super) type Outs = ArrayVec<Reg, 8>;
 
 /// What an operation reads, and how many registers it fills.
 #[derive(Default)]
@@ -67,7 +72,7 @@ impl Program {
     }
 
     fn answers(&self) -> impl Iterator<Item = Reg> {
-        self.columns.iter().map(|c| c.reg)
+        self.columns.iter().copied()
     }
 
     pub(super) fn crossings(&self) -> impl Iterator<Item = Reg> {
@@ -132,7 +137,10 @@ impl Ordered {
     /// `None` where units wait for one another.
     fn of(registers: usize, units: Vec<Unit>, wanted: &[Reg]) -> Option<Ordered> {
         let mut maker = vec![NONE; registers];
-        let mut o = Ordered { order: Vec::with_capacity(units.len()), ..Ordered::default() };
+        let n = units.len();
+        // A unit reads hardly more than a dozen registers.
+        let mut o =
+            Ordered { order: Vec::with_capacity(n), wires: Vec::with_capacity(12 * n), ends: Vec::with_capacity(n), units: Vec::new() };
         let mut ins = Wires::default();
         for (i, unit) in units.iter().enumerate() {
             unit.outs.iter().for_each(|r| maker[r.0 as usize] = i as u32);
@@ -143,7 +151,7 @@ impl Ordered {
         o.units = units;
         // Depth first, with a stack of its own: a chain of dyads is as deep as it is long.
         let mut state = vec![0u8; o.units.len()];
-        let mut stack: Vec<(u32, usize)> = Vec::new();
+        let mut stack: Vec<(u32, usize)> = Vec::with_capacity(n);
         for reg in wanted {
             let unit = maker[reg.0 as usize];
             if unit != NONE && state[unit as usize] == 0 {
@@ -189,7 +197,7 @@ impl Ordered {
             steps: Vec::with_capacity(self.order.len()),
             wires: Vec::with_capacity(self.wires.len()),
             registers: super::program::SIN.0 as usize + 1,
-            constants: Vec::new(),
+            constants: Vec::with_capacity(program.constants.len()),
             place: vec![None; program.registers],
             values: constants,
         };
@@ -280,11 +288,11 @@ mod tests {
                 "class-iii-six-bar" | "stephenson-six-bar" | "two-slots" => continue,
                 name => program(name, &[]),
             };
-            let wanted: Vec<Reg> = program.columns.iter().map(|c| c.reg).collect();
+            let wanted = &program.columns[..];
             let mut steps: Vec<Step> = program.steps.concat();
             steps.sort_by_key(|s| s.out.0);
-            let matching = Matching::new(&program, &steps, &wanted);
-            let plain = Ordered::of(program.registers, matching.singles(), &wanted).unwrap().placed(&program, matching.constants, &wanted);
+            let matching = Matching::new(&program, &steps, wanted);
+            let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(&program, matching.constants, wanted);
             let run = |fused: &Fused| -> Vec<Vec<f64>> {
                 let mut buffer = fused.buffer();
                 buffer.fill(VALUE, &stations.values);
@@ -293,10 +301,10 @@ mod tests {
                 fused.run(&mut buffer, Width::Widest);
                 wanted.iter().map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect()).collect()
             };
-            for ((a, b), column) in run(program.fused()).iter().zip(run(&plain)).zip(&program.columns) {
+            for ((a, b), column) in run(program.fused()).iter().zip(run(&plain)).zip(1..) {
                 let size = b.iter().fold(1.0f64, |m, x| m.max(x.abs()));
                 let off = a.iter().zip(&b).fold(0.0f64, |m, (x, y)| m.max((x - y).abs()));
-                assert!(off <= 1e-11 * size, "{} {}: {off:e} of {size}", t.name, column.name);
+                assert!(off <= 1e-11 * size, "{} column {column}: {off:e} of {size}", t.name);
             }
         }
     }
