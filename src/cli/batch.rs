@@ -10,7 +10,7 @@ use super::sweep::{ask, driver_of, stations};
 use super::{Failure, Input, Run, choices, files, long, stop, tables};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
-use crate::report::table::{Format, GENERATOR, Head};
+use crate::report::table::{Format, GENERATOR, Head, Piece};
 use crate::scene::Scene;
 use crate::sweep::Placed;
 use crate::sweep::batch::{Batch, Block, Choice};
@@ -148,13 +148,13 @@ fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()>
         from = to;
         Some((to, block))
     };
-    let form = |(to, block): &(u64, Block)| {
+    let form = |(to, block): &(u64, Block), used: Option<(u64, u64, Piece)>| {
         let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-        (*to, block.missing, format.piece(&columns))
+        Ok((*to, block.missing, format.piece_in(&columns, used.unwrap_or_default().2)?))
     };
     long::pipeline(make, form, |(done, missing, piece)| {
-        part.add(piece?, done, missing)?;
-        bar.set_position(done);
+        part.add(piece, *done, *missing)?;
+        bar.set_position(*done);
         Ok(())
     })?;
     bar.finish_and_clear();

@@ -15,21 +15,23 @@ pub fn bar(all: u64, done: u64, what: &str) -> ProgressBar {
 }
 
 /// Makes, forms and takes pieces side by side until there are no more, or one of them fails. What has been formed goes back to the
-/// maker, who needs no new memory then; three of what is made and three of what is formed are there at most.
+/// maker, and what has been taken to the former, who need no new memory then; three of what is made and three of what is formed are
+/// there at most.
 pub fn pipeline<T: Send, U: Send>(
     mut make: impl FnMut(Option<T>) -> Option<T> + Send,
-    mut form: impl FnMut(&T) -> U + Send,
-    mut take: impl FnMut(U) -> io::Result<()>,
+    mut form: impl FnMut(&T, Option<U>) -> io::Result<U> + Send,
+    mut take: impl FnMut(&U) -> io::Result<()>,
 ) -> io::Result<()> {
     let (to_form, made) = mpsc::sync_channel(1);
     let (give_back, used) = mpsc::channel();
     let (to_take, formed) = mpsc::sync_channel(1);
+    let (give_taken, taken) = mpsc::channel();
     std::thread::scope(|s| {
         // An error of a sender: who should receive has failed and gone.
         s.spawn(move || while make(used.try_recv().ok()).is_some_and(|piece| to_form.send(piece).is_ok()) {});
         s.spawn(move || {
             for piece in made {
-                let new = form(&piece);
+                let new = form(&piece, taken.try_recv().ok());
                 // The maker may have ended.
                 let _ = give_back.send(piece);
                 if to_take.send(new).is_err() {
@@ -37,7 +39,13 @@ pub fn pipeline<T: Send, U: Send>(
                 }
             }
         });
-        formed.into_iter().try_for_each(&mut take)
+        formed.into_iter().try_for_each(|piece| {
+            let piece = piece?;
+            take(&piece)?;
+            // The former may have ended.
+            let _ = give_taken.send(piece);
+            Ok(())
+        })
     })
 }
 

@@ -117,12 +117,12 @@ impl Part {
     }
 
     /// Adds a piece, with which `done` mechanisms are in the file.
-    pub fn add(&mut self, piece: Piece, done: u64, missing: u64) -> io::Result<()> {
+    pub fn add(&mut self, piece: &Piece, done: u64, missing: u64) -> io::Result<()> {
         if piece.rows > 0 {
             piece.write(&mut self.file)?;
         }
         let added = if piece.rows > 0 { piece.length() } else { 0 };
-        let entry = Entry { done, missing, bytes: self.bytes + added, rows: piece.rows, index: piece.index };
+        let entry = Entry { done, missing, bytes: self.bytes + added, rows: piece.rows, index: piece.index.clone() };
         self.note(&entry)?;
         self.take(entry);
         Ok(())

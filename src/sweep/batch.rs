@@ -3,15 +3,11 @@
 //! Mechanisms are numbered; the values of one depend on its number alone, so that any stretch of a batch can be computed by
 //! itself, in any order and on any number of threads, with the same bits. Memory is that of a [`Block`], not of the batch.
 
-use super::chunks::{Rows, fill, run_parts};
+use super::chunks::run_on_branches;
 use super::general::{General, driver_name};
-use super::kernel::Reg;
-use super::limit::{SUSPECT, dense};
-use super::program::Program;
-use super::run::Buffer;
 use super::station::{Stations, angle_per_value, position_now};
 use super::vary::Variation;
-use super::{Placed, Width, beside, branches, compile, moved};
+use super::{Placed, Width, beside, compile, moved};
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::Faults;
 use crate::mechanism::{Demand, Mechanism};
@@ -22,7 +18,6 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 /// How the parameters' values are chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -170,39 +165,13 @@ impl Batch<'_> {
         columns[0].copy_from_slice(&stations.values);
         let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
-                let mut rows = self.run(&program, &placed, &stations, answers);
+                let (mut rows, _) = run_on_branches(&program, &placed, self.driver, &stations, Width::Widest, answers);
                 rows.complete(&general, &stations, &|row| beside(&program, &placed, self.driver, stations.values[row]));
                 rows
             }
-            Err(_) => copied(moved::follow(&placed, self.driver, &stations).0, answers),
+            Err(_) => moved::follow(&placed, self.driver, &stations).0.copied_to(answers),
         };
         Ok(rows.missing.into_keys().collect())
-    }
-
-    /// Runs a program with its branches.
-    fn run<'a>(&self, program: &Program, placed: &Placed, stations: &Stations, answers: Vec<&'a mut [f64]>) -> Rows<&'a mut [f64]> {
-        if !program.tracks.is_empty() || !dense(placed, self.driver, stations) {
-            let (parts, _) = branches(program.clone(), placed, self.driver, stations);
-            return copied(run_parts(&parts, placed, self.driver, stations, Width::Widest), answers);
-        }
-        // The crossings are looked at on the way: most mechanisms come nowhere near a change point, and need not be searched for one.
-        let near = AtomicBool::new(false);
-        let fused = program.fused_watched();
-        let watched: Vec<Reg> = program.crossings().filter_map(|c| fused.place(c)).collect();
-        let seen = |buffer: &Buffer, n: usize| {
-            let clear = |reg: &Reg| buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT));
-            if !watched.iter().all(clear) {
-                near.store(true, Ordering::Relaxed);
-            }
-        };
-        let rows = fill(program, fused, None, stations, Width::Widest, answers, seen);
-        if !near.into_inner() {
-            return rows;
-        }
-        match &branches(program.clone(), placed, self.driver, stations).0[..] {
-            [_] => rows,
-            parts => copied(run_parts(parts, placed, self.driver, stations, Width::Widest), rows.columns),
-        }
     }
 
     /// Where everything is at the instant; where it cannot be assembled there, the driver is put to the first station where it can,
@@ -220,12 +189,6 @@ impl Batch<'_> {
         }
         Err(why.clone())
     }
-}
-
-/// Rows with their numbers copied to other columns.
-fn copied(rows: Rows, mut columns: Vec<&mut [f64]>) -> Rows<&mut [f64]> {
-    columns.iter_mut().zip(&rows.columns).for_each(|(c, v)| c.copy_from_slice(v));
-    Rows { columns, missing: rows.missing, open: rows.open }
 }
 
 /// Takes the numbers of the missing rows, given in order, out of a column.

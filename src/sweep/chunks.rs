@@ -4,16 +4,18 @@ use super::fuse::Fused;
 use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
+use super::limit::{SUSPECT, dense};
 use super::program::{COS, Program, SIN, VALUE};
-use super::run::{Buffer, CHUNK};
+use super::run::Buffer;
 use super::table::{Column, Table};
 use super::tracked::{self, States};
-use super::{Placed, Stations, compile};
+use super::{Placed, Stations, branches, compile};
 use crate::diag::{Diagnostic, Faults};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::ops::DerefMut;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The rows of a sweep under way: numbers of all columns, and which rows are there.
 #[derive(Default)]
@@ -54,6 +56,12 @@ impl<C: DerefMut<Target = [f64]>> Rows<C> {
 }
 
 impl Rows {
+    /// The same with the numbers copied to other columns.
+    pub fn copied_to<C: DerefMut<Target = [f64]>>(self, mut columns: Vec<C>) -> Rows<C> {
+        columns.iter_mut().zip(&self.columns).for_each(|(c, v)| c.copy_from_slice(v));
+        Rows { columns, missing: self.missing, open: self.open }
+    }
+
     /// The numbers of the rows that are there, the driver's values first.
     pub fn there(self, values: Vec<f64>) -> Vec<Vec<f64>> {
         let mut columns: Vec<Vec<f64>> = std::iter::once(values).chain(self.columns).collect();
@@ -115,35 +123,103 @@ pub(super) fn run_program(
     width: Width,
     used: Vec<Vec<f64>>,
 ) -> Rows {
-    let states = (!program.tracks.is_empty()).then(|| tracked::follow(program, placed, driver, stations));
-    run_with(program, states.as_ref(), stations, width, used)
+    run_with(program, states(program, placed, driver, stations).as_ref(), stations, width, used)
+}
+
+/// The states of a program's followed links, if it has any.
+fn states(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Option<States> {
+    (!program.tracks.is_empty()).then(|| tracked::follow(program, placed, driver, stations))
 }
 
 /// The same, where its followed links, if it has any, are as `states` says.
 pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width, used: Vec<Vec<f64>>) -> Rows {
+    fill(program, program.fused(), states, stations, width, sized(used, program, stations), |_, _| {})
+}
+
+/// Columns for a program's answers at all stations, in the memory of `used` ones.
+pub(super) fn sized(used: Vec<Vec<f64>>, program: &Program, stations: &Stations) -> Vec<Vec<f64>> {
     let mut columns = used;
     columns.resize_with(program.columns.len(), Vec::new);
     columns.iter_mut().for_each(|c| c.resize(stations.len(), 0.0));
-    fill(program, program.fused(), states, stations, width, columns, |_, _| {})
+    columns
 }
 
-/// Below this many rows a sweep is not worth other threads.
-const ALONE: usize = 16 * CHUNK;
+/// Up to so many stations looking for change points on the way costs less than searching for them beforehand.
+const WATCHED: usize = 4096;
+
+/// Runs a program over all stations, on the other branches of its joints beyond change points; and a note for each of these.
+pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
+    program: &Program,
+    placed: &Placed,
+    driver: usize,
+    stations: &Stations,
+    width: Width,
+    columns: Vec<C>,
+) -> (Rows<C>, Vec<Diagnostic>) {
+    let watch = stations.len() <= WATCHED && program.tracks.is_empty() && dense(placed, driver, stations);
+    let ran = if watch {
+        let (rows, near) = run_watched(program, stations, width, columns);
+        if !near {
+            return (rows, Vec::new());
+        }
+        Ok(rows)
+    } else {
+        Err(columns)
+    };
+    let (parts, notes) = branches(program.clone(), placed, driver, stations);
+    let rows = match (&parts[..], ran) {
+        ([_], Ok(rows)) => rows,
+        ([(program, _)], Err(columns)) => {
+            let states = states(program, placed, driver, stations);
+            fill(program, program.fused(), states.as_ref(), stations, width, columns, |_, _| {})
+        }
+        (parts, ran) => {
+            let columns = ran.map_or_else(|columns| columns, |rows| rows.columns);
+            run_parts(parts, placed, driver, stations, width).copied_to(columns)
+        }
+    };
+    (rows, notes)
+}
+
+/// Runs a program on the branches of the instant and looks at the crossings of its joints on the way: most mechanisms come nowhere near
+/// a change point, and need not be searched for one. Whether there may be one.
+fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Stations, width: Width, columns: Vec<C>) -> (Rows<C>, bool) {
+    let near = AtomicBool::new(false);
+    let fused = program.fused_watched();
+    let watched: Vec<Reg> = program.crossings().filter_map(|c| fused.place(c)).collect();
+    let seen = |buffer: &Buffer, n: usize| {
+        let clear = |reg: &Reg| buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT));
+        if !watched.iter().all(clear) {
+            near.store(true, Ordering::Relaxed);
+        }
+    };
+    let rows = fill(program, fused, None, stations, width, columns, seen);
+    (rows, near.into_inner())
+}
+
+/// Below so many numbers in registers, some hundred microseconds, a sweep is not worth other threads: waking them takes as long.
+const ALONE: usize = 1 << 19;
 
 thread_local! {
     /// The registers of the last sweep on this thread: those of the next one need no new memory.
     static REGISTERS: RefCell<Buffer> = RefCell::default();
 }
 
-/// Zero where all numbers are finite, else NaN.
-fn nothing(numbers: &[f64]) -> f64 {
+/// Whether all numbers are: a sum of what is finite times zero is zero, and none need be looked at by itself.
+#[inline(always)]
+fn finite(numbers: &[f64]) -> bool {
     // Side by side, for each sum waits for the one before it.
-    let (eights, rest) = numbers.as_chunks::<8>();
-    let mut sums = [0.0; 8];
-    for eight in eights {
-        sums.iter_mut().zip(eight).for_each(|(sum, v)| *sum += v * 0.0);
+    let (many, rest) = numbers.as_chunks::<16>();
+    let mut sums = [0.0; 16];
+    for numbers in many {
+        for k in 0..16 {
+            sums[k] += numbers[k] * 0.0;
+        }
     }
-    sums.iter().sum::<f64>() + rest.iter().map(|v| v * 0.0).sum::<f64>()
+    for number in rest {
+        sums[0] += number * 0.0;
+    }
+    sums.iter().fold(0.0, |all, sum| all + sum) == 0.0
 }
 
 /// Runs a program in one of its forms over all stations into columns of their length. `states`: its followed links at each station.
@@ -186,23 +262,24 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
         fused.run(buffer, width);
         seen(buffer, rows.len());
-        // A sum of what is finite times zero is zero: no number need be looked at by itself.
-        let mut lost = 0.0;
         for (numbers, reg) in part.iter_mut().zip(&found) {
             match reg {
                 Some(reg) => numbers.copy_from_slice(buffer.numbers(*reg, rows.len())),
                 None => numbers.fill(f64::NAN),
             }
-            lost += nothing(numbers);
         }
-        if lost == 0.0 {
+        if width.wide(
+            #[inline(always)]
+            || part.iter().all(|numbers| finite(numbers)),
+        ) {
             return Vec::new();
         }
         let lost = |row: &usize| part.iter().any(|numbers| !numbers[*row].is_finite());
         // What misses by more than rounding needs nobody's second opinion.
         (0..rows.len()).filter(lost).map(|row| (rows.start + row, fused.misses(program, buffer, row))).collect()
     };
-    let lost: Vec<Vec<(usize, bool)>> = if n <= ALONE {
+    let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
+    let lost: Vec<Vec<(usize, bool)>> = if alone {
         let mut buffer = fused.buffer_in(REGISTERS.take());
         let lost = parts.iter_mut().enumerate().map(|part| one_chunk(&mut buffer, part)).collect();
         REGISTERS.set(buffer);

@@ -19,7 +19,7 @@ pub struct Pair {
 }
 
 /// One operation: `IN` numbers to `OUT`.
-pub trait Kernel<const IN: usize, const OUT: usize> {
+pub trait Kernel<const IN: usize, const OUT: usize>: Copy {
     /// The registers that it reads.
     fn inputs(&self) -> [Reg; IN];
 

@@ -27,9 +27,10 @@ pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, O
     /// The smaller one; `other` where either is NaN.
     fn least(self, other: Self) -> Self;
 
-    /// The radicand of a closure whose smaller factor is `least`: zero where rounding explains that there is a factor, negative
-    /// where the loci miss each other. The rule of [`Lane::touching`], in fewer steps.
-    fn unless_touching(self, least: Self, slack: Self) -> Self;
+    /// The root of the radicand of a closure whose smaller factor is `least`: zero where rounding explains that there is a factor, NaN
+    /// where the loci miss each other, for the other factor is positive then. The rule of [`Lane::touching`], in fewer steps: the root
+    /// need not wait for it.
+    fn root_unless_touching(self, least: Self, slack: Self) -> Self;
 
     /// Angle of the vector (x, y) = (`x`, `self`), in (−π, π].
     fn atan2(self, x: Self) -> Self;
@@ -64,8 +65,8 @@ impl Lane for f64 {
     }
 
     #[inline(always)]
-    fn unless_touching(self, least: f64, slack: f64) -> f64 {
-        if least <= slack * 0.25 { (least + slack).least(0.0) } else { self }
+    fn root_unless_touching(self, least: f64, slack: f64) -> f64 {
+        if least <= slack * 0.25 && least >= -slack { 0.0 } else { self.sqrt() }
     }
 
     fn atan2(self, x: f64) -> f64 {
@@ -104,9 +105,9 @@ impl<S: Simd> Lane for f64x4<S> {
     }
 
     #[inline(always)]
-    fn unless_touching(self, least: Self, slack: Self) -> Self {
-        let zero = f64x4::splat(self.simd, 0.0);
-        least.simd_le(slack * 0.25).select((least + slack).least(zero), self)
+    fn root_unless_touching(self, least: Self, slack: Self) -> Self {
+        let touch = least.simd_le(slack * 0.25) & least.simd_ge(-slack);
+        touch.select(f64x4::splat(self.simd, 0.0), SimdFloat::sqrt(self))
     }
 
     #[inline(always)]
@@ -127,6 +128,17 @@ pub enum Width {
 }
 
 impl Width {
+    /// Calls a function, compiled for the machine's wide registers where they are wanted and there: for loops that the compiler itself
+    /// makes wide. What it calls must be inlined.
+    #[inline]
+    pub(super) fn wide<T>(self, call: impl FnOnce() -> T) -> T {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
+        if let Some(simd) = self.four() {
+            return simd.vectorize(call);
+        }
+        call()
+    }
+
     /// The machine's four lanes, where they are wanted and there.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     pub(super) fn four(self) -> Option<fearless_simd::Avx2> {
@@ -228,8 +240,8 @@ impl Lane for Dual {
         if self.value < other.value { self } else { other }
     }
 
-    fn unless_touching(self, least: Dual, slack: Dual) -> Dual {
-        if least.value <= slack.value * 0.25 { (least + slack).least(Dual::fixed(0.0)) } else { self }
+    fn root_unless_touching(self, least: Dual, slack: Dual) -> Dual {
+        Lane::sqrt(if least.value <= slack.value * 0.25 && least.value >= -slack.value { Dual::fixed(0.0) } else { self })
     }
 
     fn atan2(self, x: Dual) -> Dual {
@@ -253,7 +265,7 @@ mod tests {
             type One = fn(f64, f64) -> f64;
             let both: [(f64x4<_>, One); 8] = [
                 (vx.least(vy), |x, y| x.least(y)),
-                (vy.unless_touching(vx, vy), |x, y| y.unless_touching(x, y)),
+                (vy.root_unless_touching(vx, vy), |x, y| y.root_unless_touching(x, y)),
                 (vx.touching(vy), |x, y| x.touching(y)),
                 (vx.or_zero(), |x, _| x.or_zero()),
                 (Lane::sqrt(vx), |x, _| x.sqrt()),

@@ -49,7 +49,7 @@ use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
 use crate::scene::Scene;
-use chunks::{run_parts, run_program};
+use chunks::{run_on_branches, run_parts, sized};
 use general::General;
 pub use general::driver_name;
 use limit::{Event, Probe};
@@ -105,12 +105,9 @@ pub fn run_in(placed: &Placed, driver: usize, stations: &Stations, width: Width,
     let general = General::new(placed, driver);
     let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
         Ok(program) => {
-            let (parts, changes) = branches(program.clone(), placed, driver, stations);
+            let columns = sized(stock, &program, stations);
+            let (mut rows, changes) = run_on_branches(&program, placed, driver, stations, width, columns);
             notes.extend(changes);
-            let mut rows = match &parts[..] {
-                [(program, _)] => run_program(program, placed, driver, stations, width, stock),
-                _ => run_parts(&parts, placed, driver, stations, width),
-            };
             rows.complete(&general, stations, &|row| beside(&program, placed, driver, stations.values[row]));
             rows.explain(&general, stations);
             if !rows.missing.is_empty() {

@@ -68,6 +68,8 @@ operations! { Whole:
     DyadGroundP, DyadGroundV, DyadGroundA, DyadGroundVL, DyadGroundAL,
     /// A point of the driver.
     CrankP, CrankV, CrankA,
+    /// A point of a driver that turns evenly.
+    EvenP, EvenV, EvenA,
     /// A point of a link by two others.
     CoupledP, CoupledV, CoupledA, CoupledVL, CoupledAL,
     /// A point of a link by two others, one of them fixed.
@@ -78,6 +80,14 @@ operations! { Whole:
     SliderP, SliderV, SliderA, SliderVL, SliderAL,
     /// A slot of a lever over a pin.
     SlottedV, SlottedA,
+    /// The same on the pin of a crank.
+    CrankDyadP, CrankDyadV, CrankDyadA, CrankDyadVL, CrankDyadAL,
+    CrankSliderP, CrankSliderV, CrankSliderA, CrankSliderVL, CrankSliderAL,
+    CrankSlottedV, CrankSlottedA,
+    /// The same, the crank turning evenly.
+    EvenDyadP, EvenDyadV, EvenDyadA, EvenDyadVL, EvenDyadAL,
+    EvenSliderP, EvenSliderV, EvenSliderA, EvenSliderVL, EvenSliderAL,
+    EvenSlottedV, EvenSlottedA,
     /// Turning of a line.
     TurnedV, TurnedA,
     /// Turning of a line of which one point is fixed.
@@ -232,6 +242,8 @@ impl<S: Simd> Runner for Four<'_, S> {
         for k in 0..IN {
             x[k] = &known[wires[k].0 as usize].0;
         }
+        // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
+        let kernel = *kernel;
         for i in 0..self.quads.min(QUADS) {
             // A loop, for what is not inlined runs without the machine's wide registers.
             let mut lanes = [f64x4::splat(self.simd, 0.0); IN];

@@ -23,8 +23,8 @@ impl Csv {
         Csv { head }
     }
 
-    fn lines(&self, columns: &[&[f64]], rows: std::ops::Range<usize>) -> Vec<u8> {
-        let mut text = Vec::with_capacity(rows.len() * columns.len() * WIDTH);
+    fn lines(&self, columns: &[&[f64]], rows: std::ops::Range<usize>, text: &mut Vec<u8>) {
+        text.reserve(rows.len() * columns.len() * WIDTH);
         let (mut real, mut whole) = (zmij::Buffer::new(), itoa::Buffer::new());
         for i in rows {
             for (column, heading) in columns.iter().zip(&self.head.columns) {
@@ -37,7 +37,6 @@ impl Csv {
                 *last = b'\n';
             }
         }
-        text
     }
 }
 
@@ -54,10 +53,11 @@ impl Format for Csv {
         out
     }
 
-    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
         let cut = |k: usize| k * ROWS..rows.min((k + 1) * ROWS);
-        let parts = (0..rows.div_ceil(ROWS)).into_par_iter().map(|k| self.lines(columns, cut(k))).collect();
+        let mut parts = used.into_parts(rows.div_ceil(ROWS));
+        parts.par_iter_mut().enumerate().for_each(|(k, text)| self.lines(columns, cut(k), text));
         Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
     }
 

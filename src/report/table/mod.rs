@@ -97,6 +97,14 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// The memory of its parts, for so many others: empty, with what room they have.
+    fn into_parts(self, count: usize) -> Vec<Vec<u8>> {
+        let mut parts = self.parts;
+        parts.iter_mut().for_each(Vec::clear);
+        parts.resize_with(count, Vec::new);
+        parts
+    }
+
     /// Bytes of all parts.
     pub fn length(&self) -> u64 {
         self.parts.iter().map(|p| p.len() as u64).sum()
@@ -127,11 +135,19 @@ pub trait Format: Send + Sync {
     /// The bytes before the first row. Their number does not depend on `rows`: they may be written over when the rows are counted.
     fn begin(&self, rows: u64, notes: &[Diagnostic]) -> Vec<u8>;
 
-    /// Rows, from columns of one length.
+    /// Rows, from columns of one length, in the memory of a piece that is no longer needed: fresh memory costs as much as the bytes in it.
     ///
     /// # Errors
     /// Those of the format's library.
-    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece>;
+    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece>;
+
+    /// [`Format::piece_in`] in memory of its own.
+    ///
+    /// # Errors
+    /// Those of the format's library.
+    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
+        self.piece_in(columns, Piece::default())
+    }
 
     /// The bytes after the last row, given all pieces that hold rows.
     ///

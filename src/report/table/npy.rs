@@ -62,9 +62,12 @@ impl Format for Npy {
         out
     }
 
-    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
-        let mut bytes = vec![0; rows * columns.len() * 8];
+        let mut parts = used.parts;
+        parts.resize_with(1, Vec::new);
+        let bytes = &mut parts[0];
+        bytes.resize(rows * columns.len() * 8, 0);
         bytes.par_chunks_mut(ROWS * columns.len().max(1) * 8).enumerate().for_each(|(k, part)| {
             for (i, record) in part.chunks_exact_mut(columns.len() * 8).enumerate() {
                 for ((column, heading), place) in columns.iter().zip(&self.head.columns).zip(record.chunks_exact_mut(8)) {
@@ -74,7 +77,7 @@ impl Format for Npy {
                 }
             }
         });
-        Ok(Piece { parts: vec![bytes], rows: rows as u64, index: Vec::new() })
+        Ok(Piece { parts, rows: rows as u64, index: Vec::new() })
     }
 
     fn end(&self, _pieces: &[Standing], _notes: &[Diagnostic]) -> io::Result<Vec<u8>> {

@@ -34,8 +34,8 @@ const MAGIC: &[u8; 4] = b"PAR1";
 /// Length of the footer and magic, behind the footer itself.
 const AFTER_FOOTER: usize = 8;
 
-/// Rows of a page at most: a page of doubles is then as large as the library's limit allows, a megabyte.
-const PAGE: usize = 1 << 17;
+/// Rows of a page at most: a page of doubles, 128 KiB, is copied from a cache to the file's bytes.
+const PAGE: usize = 1 << 14;
 
 impl Parquet {
     /// A table with this head.
@@ -49,23 +49,28 @@ impl Parquet {
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Answers hardly repeat: looking each up in a dictionary would cost more than writing it.
+        // Answers hardly repeat: looking each up in a dictionary would cost more than writing it. And their bounds tell nobody where to look:
+        // of the mechanisms in a row group some are always fast and some slow.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)
             .set_encoding(Encoding::PLAIN)
-            .set_statistics_enabled(EnabledStatistics::Chunk)
+            .set_statistics_enabled(EnabledStatistics::None)
             .set_offset_index_disabled(true)
             .set_data_page_row_count_limit(PAGE)
             .set_created_by(created_by());
         for h in head.columns.iter().filter(|h| h.repeats) {
-            properties = properties.set_column_dictionary_enabled(ColumnPath::from(vec![h.label()]), true);
+            let column = ColumnPath::from(vec![h.label()]);
+            properties = properties
+                .set_column_dictionary_enabled(column.clone(), true)
+                .set_column_statistics_enabled(column, EnabledStatistics::Chunk);
         }
         Ok(Parquet { head, schema: Arc::new(SchemaDescriptor::new(Arc::new(root))), properties: Arc::new(properties.build()) })
     }
 
     /// The bytes of one column of a row group, and its metadata counted from their first.
-    fn column(&self, i: usize, heading: &Heading, values: &[f64]) -> ParquetResult<(Vec<u8>, ColumnChunkMetaData)> {
-        let mut sink = TrackedWrite::new(Vec::with_capacity(values.len() * 8 + 256));
+    fn column(&self, i: usize, heading: &Heading, values: &[f64], mut used: Vec<u8>) -> ParquetResult<(Vec<u8>, ColumnChunkMetaData)> {
+        used.reserve(if heading.repeats { 0 } else { values.len() * 8 + 4096 });
+        let mut sink = TrackedWrite::new(used);
         let pages = Box::new(SerializedPageWriter::new(&mut sink));
         let close = match get_column_writer(self.schema.column(i), Arc::clone(&self.properties), pages) {
             ColumnWriter::Int64ColumnWriter(mut w) if heading.whole => {
@@ -121,9 +126,11 @@ impl Format for Parquet {
         MAGIC.to_vec()
     }
 
-    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
+    fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
-        let made = columns.par_iter().zip(&self.head.columns).enumerate().map(|(i, (values, h))| self.column(i, h, values));
+        let memory = used.into_parts(columns.len());
+        let all = columns.par_iter().zip(&self.head.columns).zip(memory).enumerate();
+        let made = all.map(|(i, ((values, h), used))| self.column(i, h, values, used));
         let made = made.collect::<ParquetResult<Vec<_>>>()?;
         let (mut parts, mut chunks, mut length) = (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()), 0);
         for (column, chunk) in made {

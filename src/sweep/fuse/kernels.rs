@@ -40,8 +40,10 @@ pub struct Dyad<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> {
 }
 
 /// A point on a link that turns about a fixed pivot as a given angle does: P = O + k (cos, sin), at a constant ω and α.
+///
+/// `EVEN`: k is real and α zero, as with a crank that turns evenly and whose angle is that of its arm; what would be added is not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crank<const LEVELS: usize> {
+pub struct Crank<const LEVELS: usize, const EVEN: bool> {
     /// Cosine and sine.
     pub turn: Pair,
     /// O.
@@ -126,6 +128,15 @@ pub struct Slotted<const LEVELS: usize> {
     pub n: [f64; 2],
 }
 
+/// A group that hangs on the pin of a crank and on nothing else that moves, together with the crank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnCrank<C, K> {
+    /// The crank.
+    pub crank: C,
+    /// The group, whose registers are not read.
+    pub group: K,
+}
+
 /// The registers of places with their rates, one place after the other.
 fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
     std::array::from_fn(|i| {
@@ -179,9 +190,10 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
         let d = b - a;
         let d2 = d.norm2();
         let (outer, inner) = (d2.constant(sum * sum) - d2, d2 + -(difference * difference));
-        let m = (outer * inner).unless_touching(outer.least(inner), (d2 + (self.r * self.r + self.s * self.s)) * TOUCH);
+        let slack = (d2 + (self.r * self.r + self.s * self.s)) * TOUCH;
+        let root = (outer * inner).root_unless_touching(outer.least(inner), slack);
         // The sign goes along outside of the root: nothing waits for it.
-        let (root, half) = (m.sqrt(), d2.constant(0.5 * self.sign) / d2);
+        let half = d2.constant(0.5 * self.sign) / d2;
         let (f, h) = (half * (sum * difference * self.sign) + 0.5, root * half);
         (Vec2::new(a.x + d.x * f - d.y * h, a.y + d.y * f + d.x * h), d2.constant(2.0 * self.sign) / root)
     }
@@ -213,16 +225,28 @@ impl<const GROUND: bool, const LEVELS: usize, const LENGTHS: bool> Dyad<GROUND, 
     }
 }
 
-impl<const LEVELS: usize> Crank<LEVELS> {
+impl<const LEVELS: usize, const EVEN: bool> Crank<LEVELS, EVEN> {
+    /// The same crank of other levels, or as one that turns evenly.
+    pub fn turned_to<const OTHER: usize, const NOW: bool>(self) -> Crank<OTHER, NOW> {
+        Crank { turn: self.turn, o: self.o, k: self.k, omega: self.omega, alpha: self.alpha }
+    }
+
+    /// Whether it is as `EVEN` says.
+    pub fn is_even(&self) -> bool {
+        self.k[1] == 0.0 && self.alpha == 0.0
+    }
+
     #[inline(always)]
     fn solve<N: Lane, const IN: usize, const OUT: usize>(&self, x: [N; IN]) -> [N; OUT] {
-        let arm = twisted(vector(&x, 0), self.k);
+        let turn = vector(&x, 0);
+        let arm = if EVEN { turn * turn.x.constant(self.k[0]) } else { twisted(turn, self.k) };
         let mut out = [Vec2::new(arm.x + self.o[0], arm.y + self.o[1]); LEVELS];
         if LEVELS > 1 {
             out[1] = Vec2::new(arm.y * -self.omega, arm.x * self.omega);
         }
         if LEVELS > 2 {
-            out[2] = twisted(arm, [-(self.omega * self.omega), self.alpha]);
+            let square = -(self.omega * self.omega);
+            out[2] = if EVEN { arm * arm.x.constant(square) } else { twisted(arm, [square, self.alpha]) };
         }
         put(out)
     }
@@ -267,7 +291,7 @@ impl<const LEVELS: usize, const LENGTHS: bool> Slider<LEVELS, LENGTHS> {
         let (h, b) = (qy * t[0] + qx * -t[1], qx * t[0] + qy * t[1]);
         let (r, h2) = (self.r, h * h);
         let outer = (-h + r) * (h + r);
-        let w = outer.unless_touching(outer, (h2 + r * r) * TOUCH).sqrt() * self.sign;
+        let w = outer.root_unless_touching(outer, (h2 + r * r) * TOUCH) * self.sign;
         let way = w - b;
         let c = Vec2::new(way * t[0] + self.q[0], way * t[1] + self.q[1]);
         let mut out = [c; LEVELS];
@@ -308,7 +332,7 @@ impl<const LEVELS: usize> Slotted<LEVELS> {
         let r = vector(&x, 0) - fixed(x[0], self.at);
         let (r2, h2) = (r.norm2(), self.h * self.h);
         let outer = r2 + -h2;
-        let w = outer.unless_touching(outer, (r2 + h2) * TOUCH).sqrt() * self.sign;
+        let w = outer.root_unless_touching(outer, (r2 + h2) * TOUCH) * self.sign;
         let inverse = r2.constant(1.0) / r2;
         let t = Vec2::new((r.x * w + r.y * self.h) * inverse, (r.y * w + r.x * -self.h) * inverse);
         let arm = twisted(t, self.k);
@@ -363,9 +387,12 @@ kernels! {
     DyadGroundA = Dyad<true, 3, false>: 3, 6 => 6, |k| [k.a, k.a];
     DyadGroundVL = Dyad<true, 2, true>: 2, 4 => 5, |k| [k.a, k.a];
     DyadGroundAL = Dyad<true, 3, true>: 3, 6 => 8, |k| [k.a, k.a];
-    CrankP = Crank<1>: 1, 2 => 2, |k| [[k.turn; 3]; 2];
-    CrankV = Crank<2>: 1, 2 => 4, |k| [[k.turn; 3]; 2];
-    CrankA = Crank<3>: 1, 2 => 6, |k| [[k.turn; 3]; 2];
+    CrankP = Crank<1, false>: 1, 2 => 2, |k| [[k.turn; 3]; 2];
+    CrankV = Crank<2, false>: 1, 2 => 4, |k| [[k.turn; 3]; 2];
+    CrankA = Crank<3, false>: 1, 2 => 6, |k| [[k.turn; 3]; 2];
+    EvenP = Crank<1, true>: 1, 2 => 2, |k| [[k.turn; 3]; 2];
+    EvenV = Crank<2, true>: 1, 2 => 4, |k| [[k.turn; 3]; 2];
+    EvenA = Crank<3, true>: 1, 2 => 6, |k| [[k.turn; 3]; 2];
     CoupledP = Coupled<false, 1, false>: 1, 4 => 2, |k| [k.n, k.o];
     CoupledV = Coupled<false, 2, false>: 2, 8 => 4, |k| [k.n, k.o];
     CoupledA = Coupled<false, 3, false>: 3, 12 => 6, |k| [k.n, k.o];
@@ -392,4 +419,53 @@ kernels! {
     TurnedA = Turned<false, 3>: 3, 12 => 2, |k| [k.n, k.o];
     TurnedGroundV = Turned<true, 2>: 2, 4 => 1, |k| [k.n, k.n];
     TurnedGroundA = Turned<true, 3>: 3, 6 => 2, |k| [k.n, k.n];
+}
+
+/// A group on a crank: its name, the kernels of both, how many numbers the one hands to the other, and how many come out.
+macro_rules! on_cranks {
+    ($($name:ident = $crank:ty, $group:ty: $in:literal => $out:literal;)*) => {
+        $(
+            #[doc = concat!("[`", stringify!($group), "`] on a crank.")]
+            pub type $name = OnCrank<$crank, $group>;
+
+            impl Kernel<2, $out> for $name {
+                fn inputs(&self) -> [Reg; 2] {
+                    self.crank.inputs()
+                }
+
+                #[inline(always)]
+                fn eval<N: Lane>(&self, x: [N; 2]) -> [N; $out] {
+                    let pin: [N; $in] = self.crank.eval(x);
+                    self.group.eval(pin)
+                }
+            }
+        )*
+    };
+}
+
+on_cranks! {
+    CrankDyadP = CrankP, DyadGroundP: 2 => 2;
+    CrankDyadV = CrankV, DyadGroundV: 4 => 4;
+    CrankDyadA = CrankA, DyadGroundA: 6 => 6;
+    CrankDyadVL = CrankV, DyadGroundVL: 4 => 5;
+    CrankDyadAL = CrankA, DyadGroundAL: 6 => 8;
+    CrankSliderP = CrankP, SliderP: 2 => 2;
+    CrankSliderV = CrankV, SliderV: 4 => 4;
+    CrankSliderA = CrankA, SliderA: 6 => 6;
+    CrankSliderVL = CrankV, SliderVL: 4 => 5;
+    CrankSliderAL = CrankA, SliderAL: 6 => 8;
+    CrankSlottedV = CrankV, SlottedV: 4 => 5;
+    CrankSlottedA = CrankA, SlottedA: 6 => 8;
+    EvenDyadP = EvenP, DyadGroundP: 2 => 2;
+    EvenDyadV = EvenV, DyadGroundV: 4 => 4;
+    EvenDyadA = EvenA, DyadGroundA: 6 => 6;
+    EvenDyadVL = EvenV, DyadGroundVL: 4 => 5;
+    EvenDyadAL = EvenA, DyadGroundAL: 6 => 8;
+    EvenSliderP = EvenP, SliderP: 2 => 2;
+    EvenSliderV = EvenV, SliderV: 4 => 4;
+    EvenSliderA = EvenA, SliderA: 6 => 6;
+    EvenSliderVL = EvenV, SliderVL: 4 => 5;
+    EvenSliderAL = EvenA, SliderAL: 6 => 8;
+    EvenSlottedV = EvenV, SlottedV: 4 => 5;
+    EvenSlottedA = EvenA, SlottedA: 6 => 8;
 }

@@ -220,10 +220,13 @@ impl<'a> Matching<'a> {
         let (o, d): (Few<Pair>, Few<Pair>) = images.iter().map(|i| (i.o, i.d)).unzip();
         let ground = self.ground(&o);
         if let Some(crank) = ground.and_then(|o| self.crank(o, k, &d)) {
-            put(false, &|levels, _| match levels {
-                1 => Whole::CrankP(Crank { turn: crank.turn, o: crank.o, k: crank.k, omega: crank.omega, alpha: crank.alpha }),
-                2 => Whole::CrankV(Crank { turn: crank.turn, o: crank.o, k: crank.k, omega: crank.omega, alpha: crank.alpha }),
-                _ => Whole::CrankA(crank),
+            put(false, &|levels, _| match (levels, crank.is_even()) {
+                (1, false) => Whole::CrankP(crank.turned_to()),
+                (2, false) => Whole::CrankV(crank.turned_to()),
+                (_, false) => Whole::CrankA(crank),
+                (1, true) => Whole::EvenP(crank.turned_to()),
+                (2, true) => Whole::EvenV(crank.turned_to()),
+                (_, true) => Whole::EvenA(crank.turned_to()),
             });
             return true;
         }
@@ -253,7 +256,7 @@ impl<'a> Matching<'a> {
     }
 
     /// An arm that turns as the driver does, and its rates.
-    fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[Pair]) -> Option<Crank<3>> {
+    fn crank(&self, o: [f64; 2], k: [f64; 2], d: &[Pair]) -> Option<Crank<3, false>> {
         let (_, Op::Twist(twist)) = self.op(d[0])? else { return None };
         let turn = Pair { x: COS, y: SIN };
         let [p, q] = twist.k;

@@ -5,6 +5,7 @@
 //! and one kernel of [`kernels`] does them all; what stays between is run as it is. Nothing here knows of mechanisms: a
 //! dyad is recognised by its operations, wherever it hangs. The numbers are the same whatever the width.
 
+mod cranks;
 pub mod kernels;
 mod levers;
 mod matching;
@@ -15,6 +16,7 @@ use super::run::{Any, Buffer, CHUNK, Placed, Runner};
 use crate::mechanism::Level;
 use arrayvec::ArrayVec;
 use matching::Matching;
+use std::ops::Range;
 
 /// A program ready to be run.
 #[derive(Clone, Debug)]
@@ -91,7 +93,8 @@ impl Fused {
         let matching = Matching::new(program, &steps, wanted);
         let fused = Ordered::of(program.registers, matching.units(), wanted);
         // Fused operations could wait for one another in a circle; the list as it was compiled cannot.
-        let ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
+        let mut ordered = fused.or_else(|| Ordered::of(program.registers, matching.singles(), wanted)).unwrap_or_default();
+        cranks::join(&mut ordered, wanted);
         ordered.placed(program, matching.constants, wanted)
     }
 
@@ -128,9 +131,10 @@ impl Fused {
 struct Ordered {
     units: Vec<Unit>,
     order: Vec<u32>,
-    /// What unit `i` reads is `wires[ends[i - 1]..ends[i]]`.
+    /// What units read, one after the other.
     wires: Vec<Reg>,
-    ends: Vec<usize>,
+    /// Where it is found for each unit.
+    reads: Vec<Range<usize>>,
 }
 
 impl Ordered {
@@ -140,13 +144,13 @@ impl Ordered {
         let n = units.len();
         // A unit reads hardly more than a dozen registers.
         let mut o =
-            Ordered { order: Vec::with_capacity(n), wires: Vec::with_capacity(12 * n), ends: Vec::with_capacity(n), units: Vec::new() };
+            Ordered { order: Vec::with_capacity(n), wires: Vec::with_capacity(12 * n), reads: Vec::with_capacity(n), units: Vec::new() };
         let mut ins = Wires::default();
         for (i, unit) in units.iter().enumerate() {
             unit.outs.iter().for_each(|r| maker[r.0 as usize] = i as u32);
             unit.op.run(&mut ins, Reg(0));
             o.wires.extend_from_slice(&ins.ins);
-            o.ends.push(o.wires.len());
+            o.reads.push(o.wires.len() - ins.ins.len()..o.wires.len());
         }
         o.units = units;
         // Depth first, with a stack of its own: a chain of dyads is as deep as it is long.
@@ -187,8 +191,7 @@ impl Ordered {
     }
 
     fn reads(&self, unit: u32) -> &[Reg] {
-        let unit = unit as usize;
-        &self.wires[if unit == 0 { 0 } else { self.ends[unit - 1] }..self.ends[unit]]
+        &self.wires[self.reads[unit as usize].clone()]
     }
 
     /// Gives every register that is used a place.
@@ -266,10 +269,11 @@ mod tests {
     fn one_operation_for_each_point() {
         let leg = ["v_C", "v_D", "v_E", "v_F", "v_G", "a_C", "a_D", "a_E", "a_F", "a_G"];
         for (name, find, operations) in [
-            ("crank-rocker", &["v_C", "a_C"][..], 2),
-            ("crank-rocker", &["x_C", "v_C"], 2),
-            ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 3),
-            ("slider-crank", &["v_C", "a_C"], 2),
+            ("crank-rocker", &["v_C", "a_C"][..], 1),
+            ("crank-rocker", &["x_C", "v_C"], 1),
+            ("crank-rocker", &["v_B", "v_C"], 3),
+            ("crank-rocker", &["v_C", "a_C", "omega_3", "alpha_3"], 2),
+            ("slider-crank", &["v_C", "a_C"], 1),
             // The rates of G do not need its place: they are arm, image and length each.
             ("jansen-leg", &leg, 11),
         ] {
