@@ -1,5 +1,5 @@
 //! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
-//! `-- sweep` only runs sweeps of a four-bar in memory, for `bench/peers`.
+//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, for `bench/peers`.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
@@ -42,43 +42,47 @@ fn asked(find: &[&str]) -> Scene {
     read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
 }
 
-/// Whole sweeps in memory, scene to table, again and again; how many positions. The caller measures, and says on how many cores.
-fn in_memory() -> usize {
+/// Whole sweeps of so many steps in memory, scene to table, again and again; how many positions. The caller measures, and says on how many cores.
+fn in_memory(steps: usize) -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
-    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 100_000);
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
     let mut table = Table::default();
     let mut again = || {
         table = sweep::run_in(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest, std::mem::take(&mut table)).unwrap();
         black_box(&table).rows()
     };
-    (0..100).map(|_| again()).sum()
+    (0..10_000_000 / steps).map(|_| again()).sum()
 }
 
-/// Writes blocks as the command does: the next is given its form while the last one is written.
+/// Writes blocks as the command does: the next is given its form while the last one is written, into a part that then takes the place
+/// of the file before.
 fn write(blocks: &[Block], format: &dyn Format, path: &Path) {
-    let mut file = File::create(path).unwrap();
+    let part = path.with_extension("part");
+    let mut file = File::create(&part).unwrap();
     let begin = format.begin(0, &[]);
     file.write_all(&begin).unwrap();
     let (sender, pieces) = mpsc::sync_channel(1);
+    let (give_back, used) = mpsc::channel();
     let mut standing = Vec::new();
     std::thread::scope(|s| {
         s.spawn(move || {
             for block in blocks {
                 let columns: Vec<&[f64]> = block.columns.iter().map(Vec::as_slice).collect();
-                sender.send(format.piece(&columns).unwrap()).unwrap();
+                sender.send(format.piece_in(&columns, used.try_recv().unwrap_or_default()).unwrap()).unwrap();
             }
         });
         let mut offset = begin.len() as u64;
         for piece in pieces {
             piece.write(&mut file).unwrap();
-            let length = piece.length();
-            standing.push(Standing { offset, rows: piece.rows, index: piece.index });
-            offset += length;
+            standing.push(Standing { offset, rows: piece.rows, index: piece.index.clone() });
+            offset += piece.length();
+            let _ = give_back.send(piece);
         }
     });
     file.write_all(&format.end(&standing, &[]).unwrap()).unwrap();
     file.sync_all().unwrap();
+    std::fs::rename(&part, path).unwrap();
 }
 
 fn command(arguments: &str, last: &Path) {
@@ -113,12 +117,18 @@ fn writing() {
     ];
     let (mut compute, mut alone, mut whole) = (Vec::new(), vec![Vec::new(); 3], vec![Vec::new(); 3]);
     let path = |ending: &str| folder.join(format!("designs.{ending}"));
-    for _ in 0..5 {
+    for round in 0..6 {
         compute.push(seconds(|| drop(computed())));
         for (k, (ending, format)) in formats.iter().enumerate() {
-            alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
             let arguments = format!("batch templates/crank-rocker.json {ARGUMENTS}");
-            whole[k].push(seconds(|| command(&arguments, &path(ending))));
+            // Whoever comes second finds memory that was just given back: each is first in turn.
+            for first in [round % 2 == 0, round % 2 != 0] {
+                if first {
+                    alone[k].push(seconds(|| write(&kept, &**format, &path(ending))));
+                } else {
+                    whole[k].push(seconds(|| command(&arguments, &path(ending))));
+                }
+            }
         }
     }
     let compute = median(compute);
@@ -153,8 +163,11 @@ fn starting() {
 }
 
 fn main() {
-    if std::env::args().any(|a| a == "sweep") {
-        println!("{{\"positions\": {}}}", in_memory());
+    let arguments: Vec<String> = std::env::args().collect();
+    if let [_, sweep, steps, ..] = &arguments[..]
+        && sweep == "sweep"
+    {
+        println!("{{\"positions\": {}}}", in_memory(steps.parse().expect("a number of steps")));
         return;
     }
     writing();

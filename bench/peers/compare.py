@@ -102,7 +102,7 @@ def table(path):
 
 def main():
     binary, scene, library = sys.argv[1:4]
-    fast, slow = 1_000_000, 360
+    fast, slow, turn_steps = 1_000_000, 360, 3_600
     with tempfile.TemporaryDirectory() as folder:
         turn = table(hodograph(binary, scene, slow, folder))
         arrow = pyarrow.parquet.read_table(hodograph(binary, scene, slow, folder, "parquet"))
@@ -112,10 +112,12 @@ def main():
         difference("pylinkage", turn[1:], theirs)
         difference("mechanism", turn, by_mechanism(np.linspace(0.0, math.tau, slow + 1)))
         linkage = by_pylinkage(fast)
-        times = {name: [] for name in ("library", "command", "pylinkage", "mechanism")}
+        times = {name: [] for name in ("library", "long", "command", "pylinkage", "mechanism")}
         for _ in range(ROUNDS):
-            seconds, out = timed(lambda: subprocess.run([library, "sweep"], check=True, capture_output=True, text=True))
-            times["library"].append(seconds / json.loads(out.stdout)["positions"])
+            for name, steps in (("library", turn_steps), ("long", 100_000)):
+                arguments = [library, "sweep", str(steps)]
+                seconds, out = timed(lambda: subprocess.run(arguments, check=True, capture_output=True, text=True))
+                times[name].append(seconds / json.loads(out.stdout)["positions"])
             times["command"].append(timed(lambda: hodograph(binary, scene, fast, folder))[0] / (fast + 1))
             times["pylinkage"].append(timed(linkage)[0] / fast)
             times["mechanism"].append(timed(lambda: by_mechanism(np.linspace(0.0, math.tau, slow + 1)))[0] / (slow + 1))
@@ -123,7 +125,8 @@ def main():
     print("\n| position, velocity and acceleration of joint C | processor ns a position | times the library's | times the command's |")
     print("|---|---|---|---|")
     rows = [
-        ("library", "hodograph, library, 100 times 100,000 positions, scene to table in memory, one core"),
+        ("library", f"hodograph, library, {turn_steps:,} positions again and again, scene to table in memory, one core"),
+        ("long", "hodograph, library, 100,000 positions again and again, the same"),
         ("command", f"hodograph sweep, {fast:,} positions, with starting and writing .npy, one core"),
         ("pylinkage", f"pylinkage with numba, {fast:,} positions in memory"),
         ("mechanism", f"mechanism, {slow + 1} positions in memory"),

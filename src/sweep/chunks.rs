@@ -205,23 +205,6 @@ thread_local! {
     static REGISTERS: RefCell<Buffer> = RefCell::default();
 }
 
-/// Whether all numbers are: a sum of what is finite times zero is zero, and none need be looked at by itself.
-#[inline(always)]
-fn finite(numbers: &[f64]) -> bool {
-    // Side by side, for each sum waits for the one before it.
-    let (many, rest) = numbers.as_chunks::<16>();
-    let mut sums = [0.0; 16];
-    for numbers in many {
-        for k in 0..16 {
-            sums[k] += numbers[k] * 0.0;
-        }
-    }
-    for number in rest {
-        sums[0] += number * 0.0;
-    }
-    sums.iter().fold(0.0, |all, sum| all + sum) == 0.0
-}
-
 /// Runs a program in one of its forms over all stations into columns of their length. `states`: its followed links at each station.
 /// `seen` sees the registers of each chunk, and how many positions it has.
 pub(super) fn fill<C: DerefMut<Target = [f64]>>(
@@ -268,10 +251,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
                 None => numbers.fill(f64::NAN),
             }
         }
-        if width.wide(
-            #[inline(always)]
-            || part.iter().all(|numbers| finite(numbers)),
-        ) {
+        if buffer.finite(&found, width) {
             return Vec::new();
         }
         let lost = |row: &usize| part.iter().any(|numbers| !numbers[*row].is_finite());

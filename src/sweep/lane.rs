@@ -128,17 +128,6 @@ pub enum Width {
 }
 
 impl Width {
-    /// Calls a function, compiled for the machine's wide registers where they are wanted and there: for loops that the compiler itself
-    /// makes wide. What it calls must be inlined.
-    #[inline]
-    pub(super) fn wide<T>(self, call: impl FnOnce() -> T) -> T {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
-        if let Some(simd) = self.four() {
-            return simd.vectorize(call);
-        }
-        call()
-    }
-
     /// The machine's four lanes, where they are wanted and there.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     pub(super) fn four(self) -> Option<fearless_simd::Avx2> {

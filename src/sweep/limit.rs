@@ -96,7 +96,9 @@ pub(super) fn dense(placed: &Placed, driver: usize, stations: &Stations) -> bool
     let step = reach(placed, driver) / STEPS as f64;
     let now = position_now(placed.scene, &placed.at, driver);
     let ends = stations.values.first().zip(stations.values.last());
-    ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && stations.values.windows(2).all(|w| (w[1] - w[0]).abs() <= step)
+    // All of them, without a look at each whether to go on.
+    let close = || stations.values.windows(2).fold(true, |close, w| close & ((w[1] - w[0]).abs() <= step));
+    ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
 }
 
 /// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being

@@ -151,6 +151,39 @@ impl Buffer {
         &self.columns[reg.0 as usize].0.as_flattened()[..n]
     }
 
+    /// Whether all numbers of all these registers are finite, for sure: a sum with what is not finite is not either, and none need be
+    /// looked at by itself.
+    pub(super) fn finite(&self, regs: &[Option<Reg>], width: Width) -> bool {
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
+        if let Some(simd) = width.four() {
+            return simd.vectorize(
+                #[inline(always)]
+                || {
+                    // Four sums side by side, for each waits for what was added before.
+                    let zero = f64x4::splat(simd, 0.0);
+                    let (mut a, mut b, mut c, mut d) = (zero, zero, zero, zero);
+                    for reg in regs {
+                        let Some(reg) = reg else { return false };
+                        let (many, rest) = self.columns[reg.0 as usize].0[..self.quads].as_chunks::<4>();
+                        for [p, q, r, s] in many {
+                            a += f64x4::simd_from(simd, *p);
+                            b += f64x4::simd_from(simd, *q);
+                            c += f64x4::simd_from(simd, *r);
+                            d += f64x4::simd_from(simd, *s);
+                        }
+                        for p in rest {
+                            a += f64x4::simd_from(simd, *p);
+                        }
+                    }
+                    let sums: [f64; 4] = ((a + b) + (c + d)).into();
+                    sums.iter().sum::<f64>().is_finite()
+                },
+            );
+        }
+        let of = |reg: &Option<Reg>| reg.map_or(f64::NAN, |reg| self.numbers(reg, 4 * self.quads).iter().sum::<f64>());
+        regs.iter().map(of).sum::<f64>().is_finite()
+    }
+
     /// Fills a register with the values of up to [`CHUNK`] positions, the length of the chunk from now on.
     pub fn fill(&mut self, reg: Reg, values: &[f64]) {
         self.quads = values.len().div_ceil(4);
