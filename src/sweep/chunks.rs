@@ -14,7 +14,7 @@ use crate::diag::{Diagnostic, Faults};
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::ops::DerefMut;
+use std::ops::{DerefMut, Range};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// The rows of a sweep under way: numbers of all columns, and which rows are there.
@@ -230,9 +230,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     for column in &mut columns {
         parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
     }
-    // The rows of a chunk that are lost, and whether that is sure.
-    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
-        let rows = chunk * together..n.min((chunk + 1) * together);
+    let run = |fused: &Fused, buffer: &mut Buffer, rows: &Range<usize>| {
         buffer.fill(VALUE, &stations.values[rows.clone()]);
         buffer.fill(COS, &stations.cosines[rows.clone()]);
         buffer.fill(SIN, &stations.sines[rows.clone()]);
@@ -244,6 +242,11 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             }
         }
         fused.run(buffer, width);
+    };
+    // The rows of a chunk that are lost, and whether that is sure.
+    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
+        let rows = chunk * together..n.min((chunk + 1) * together);
+        run(fused, buffer, &rows);
         seen(buffer, rows.len());
         for (numbers, reg) in part.iter_mut().zip(&found) {
             match reg {
@@ -255,8 +258,12 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
             return Vec::new();
         }
         let lost = |row: &usize| part.iter().any(|numbers| !numbers[*row].is_finite());
-        // What misses by more than rounding needs nobody's second opinion.
-        (0..rows.len()).filter(lost).map(|row| (rows.start + row, fused.misses(program, buffer, row))).collect()
+        // What misses by more than rounding needs nobody's second opinion. What the closures are made of is not in a program that only
+        // answers: there it is found again, which is worth it for the rows that are lost.
+        let closures = program.fused_crossings();
+        let mut looked = closures.buffer();
+        run(closures, &mut looked, &rows);
+        (0..rows.len()).filter(lost).map(|row| (rows.start + row, closures.misses(program, &looked, row))).collect()
     };
     let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
     let lost: Vec<Vec<(usize, bool)>> = if alone {
@@ -276,4 +283,31 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
     }
     Rows { columns, missing, open }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{Angle, edit, read, templates};
+
+    /// Where a four-bar that cannot turn surely does not close, the general solver is not asked, whatever the program is joined to.
+    #[test]
+    fn what_surely_misses_is_not_solved_again() {
+        let text = templates::instantiate("crank-rocker", &[("l_AB", "240")]).unwrap();
+        for find in [&["v_C", "a_C"][..], &["x_C"], &["v_B", "v_C"]] {
+            let scene = read(edit::with_find(&text, find).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &m).unwrap();
+            let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 10_000);
+            let program = super::super::compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
+            let rows = run_program(&program, &placed, 0, &stations, Width::Widest, Vec::new());
+            assert!(
+                rows.missing.len() > 1000 && rows.open.len() < 10,
+                "{find:?}: {} missing, {} open",
+                rows.missing.len(),
+                rows.open.len()
+            );
+        }
+    }
 }
