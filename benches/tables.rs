@@ -1,5 +1,5 @@
 //! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
-//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, for `bench/peers`.
+//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, and `-- chunk` its compiled program in cache, for `bench/peers`.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
@@ -7,8 +7,9 @@ use hodograph::mechanism::Mechanism;
 use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
+use hodograph::sweep::program::{COS, SIN, VALUE};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, Stations, Table, Width};
+use hodograph::sweep::{self, Placed, Stations, Table, Width, compile};
 use std::fs::File;
 use std::hint::black_box;
 use std::io::Write;
@@ -53,6 +54,22 @@ fn in_memory(steps: usize) -> usize {
         black_box(&table).rows()
     };
     (0..10_000_000 / steps).map(|_| again()).sum()
+}
+
+/// The compiled program over one chunk again and again, in cache; how many positions.
+fn in_cache() -> usize {
+    let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
+    let m = Mechanism::new(&scene).unwrap().value;
+    let placed = Placed::new(&scene, &m).unwrap();
+    let fused = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
+    let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), fused.positions() - 1);
+    let mut buffer = fused.buffer();
+    buffer.fill(VALUE, &stations.values);
+    buffer.fill(COS, &stations.cosines);
+    buffer.fill(SIN, &stations.sines);
+    let chunks = 50_000_000 / stations.len();
+    (0..chunks).for_each(|_| fused.run(black_box(&mut buffer), Width::Widest));
+    chunks * stations.len()
 }
 
 /// Writes blocks as the command does: the next is given its form while the last one is written, into a part that then takes the place
@@ -168,6 +185,10 @@ fn main() {
         && sweep == "sweep"
     {
         println!("{{\"positions\": {}}}", in_memory(steps.parse().expect("a number of steps")));
+        return;
+    }
+    if arguments.get(1).is_some_and(|a| a == "chunk") {
+        println!("{{\"positions\": {}}}", in_cache());
         return;
     }
     writing();

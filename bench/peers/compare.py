@@ -112,11 +112,10 @@ def main():
         difference("pylinkage", turn[1:], theirs)
         difference("mechanism", turn, by_mechanism(np.linspace(0.0, math.tau, slow + 1)))
         linkage = by_pylinkage(fast)
-        times = {name: [] for name in ("library", "long", "command", "pylinkage", "mechanism")}
+        times = {name: [] for name in ("library", "cache", "long", "command", "pylinkage", "mechanism")}
         for _ in range(ROUNDS):
-            for name, steps in (("library", turn_steps), ("long", 100_000)):
-                arguments = [library, "sweep", str(steps)]
-                seconds, out = timed(lambda: subprocess.run(arguments, check=True, capture_output=True, text=True))
+            for name, arguments in (("cache", ["chunk"]), ("library", ["sweep", str(turn_steps)]), ("long", ["sweep", "100000"])):
+                seconds, out = timed(lambda: subprocess.run([library, *arguments], check=True, capture_output=True, text=True))
                 times[name].append(seconds / json.loads(out.stdout)["positions"])
             times["command"].append(timed(lambda: hodograph(binary, scene, fast, folder))[0] / (fast + 1))
             times["pylinkage"].append(timed(linkage)[0] / fast)
@@ -125,6 +124,7 @@ def main():
     print("\n| position, velocity and acceleration of joint C | processor ns a position | times the library's | times the command's |")
     print("|---|---|---|---|")
     rows = [
+        ("cache", "hodograph, library, the compiled program in cache: computing alone, one core"),
         ("library", f"hodograph, library, {turn_steps:,} positions again and again, scene to table in memory, one core"),
         ("long", "hodograph, library, 100,000 positions again and again, the same"),
         ("command", f"hodograph sweep, {fast:,} positions, with starting and writing .npy, one core"),
