@@ -98,11 +98,11 @@ fn pick_way(mut ways: Vec<Vec<f64>>, near: impl Fn() -> Option<Vec<f64>>) -> Vec
 /// Runs the program of each stretch over its stations.
 pub(super) fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
     if let [(program, _)] = parts {
-        return run_program(program, placed, driver, stations, width, Vec::new());
+        return run_program(program, placed, driver, stations, width);
     }
     let mut whole = Rows { columns: Vec::new(), missing: BTreeMap::new(), open: Vec::new() };
     for (program, rows) in parts {
-        let part = run_program(program, placed, driver, &stations.pick(rows), width, Vec::new());
+        let part = run_program(program, placed, driver, &stations.pick(rows), width);
         whole.columns.resize_with(part.columns.len(), || vec![f64::NAN; stations.len()]);
         for (column, numbers) in whole.columns.iter_mut().zip(&part.columns) {
             rows.iter().zip(numbers).for_each(|(&i, v)| column[i] = *v);
@@ -114,16 +114,9 @@ pub(super) fn run_parts(parts: &[(Program, Vec<usize>)], placed: &Placed, driver
     whole
 }
 
-/// Runs a program over all stations into columns in the memory of `used` ones.
-pub(super) fn run_program(
-    program: &Program,
-    placed: &Placed,
-    driver: usize,
-    stations: &Stations,
-    width: Width,
-    used: Vec<Vec<f64>>,
-) -> Rows {
-    run_with(program, states(program, placed, driver, stations).as_ref(), stations, width, used)
+/// Runs a program over all stations.
+pub(super) fn run_program(program: &Program, placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Rows {
+    run_with(program, states(program, placed, driver, stations).as_ref(), stations, width)
 }
 
 /// The states of a program's followed links, if it has any.
@@ -132,8 +125,8 @@ fn states(program: &Program, placed: &Placed, driver: usize, stations: &Stations
 }
 
 /// The same, where its followed links, if it has any, are as `states` says.
-pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width, used: Vec<Vec<f64>>) -> Rows {
-    fill(program, program.fused(), states, stations, width, sized(used, program, stations), |_, _| {})
+pub(super) fn run_with(program: &Program, states: Option<&States>, stations: &Stations, width: Width) -> Rows {
+    fill(program, program.fused(), states, stations, width, sized(Vec::new(), program, stations), |_, _| {})
 }
 
 /// Columns for a program's answers at all stations, in the memory of `used` ones.
@@ -301,7 +294,7 @@ mod tests {
             let placed = Placed::new(&scene, &m).unwrap();
             let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 10_000);
             let program = super::super::compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
-            let rows = run_program(&program, &placed, 0, &stations, Width::Widest, Vec::new());
+            let rows = run_program(&program, &placed, 0, &stations, Width::Widest);
             assert!(
                 rows.missing.len() > 1000 && rows.open.len() < 10,
                 "{find:?}: {} missing, {} open",

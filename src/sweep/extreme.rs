@@ -215,7 +215,7 @@ fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], r
         // The branch is that of the nearest sample.
         let nearest = (0..stations.len()).min_by(|&a, &b| (stations.values[a] - x).abs().total_cmp(&(stations.values[b] - x).abs()))?;
         let part = parts.iter().find(|(_, rows)| rows.contains(&nearest))?;
-        let rows = run_program(&part.0, placed, driver, &one, Width::One, Vec::new());
+        let rows = run_program(&part.0, placed, driver, &one, Width::One);
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
     found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, range, &|x| at(x, k))).collect()

@@ -77,7 +77,7 @@ impl<'a> Long<'a> {
             Way::Tracked { course, .. } => {
                 let states = tracked::states(course, part, &values, &row, stop)?;
                 let program = course.follow().program();
-                (program, run_with(program, Some(&states), stations, Width::Widest, Vec::new()))
+                (program, run_with(program, Some(&states), stations, Width::Widest))
             }
             Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
         };

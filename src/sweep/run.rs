@@ -230,7 +230,8 @@ impl Fused {
         }
     }
 
-    /// Whether at a row of a chunk that was run some closure misses by more than rounding may explain.
+    /// Whether at a row of a chunk that was run some closure misses by more than rounding may explain: of a program that has the
+    /// crossings of its joints, for what closures read may be inside an operation of another.
     pub fn misses(&self, program: &Program, buffer: &Buffer, row: usize) -> bool {
         // As much as a hundred roundings of the terms: nearer to a touch the general solver decides.
         const SURE: f64 = -100.0 * f64::EPSILON;

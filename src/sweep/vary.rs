@@ -351,7 +351,7 @@ impl Pieces for Varied<'_> {
 fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
-            let mut rows = run_program(&program, placed, 0, stations, Width::Widest, Vec::new());
+            let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
             rows.complete(&General::new(placed, 0), stations, &|_| None);
             rows
         }

@@ -64,6 +64,7 @@ impl Format for Npy {
 
     fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece> {
         let rows = columns.first().map_or(0, |c| c.len());
+        // With its old bytes: all are written over.
         let mut parts = used.parts;
         parts.resize_with(1, Vec::new);
         let bytes = &mut parts[0];
