@@ -48,13 +48,3 @@ pub fn pipeline<T: Send, U: Send>(
         })
     })
 }
-
-/// Makes and takes pieces side by side until there are no more, or one of them fails. At most three are in memory.
-pub fn overlapped<T: Send>(mut make: impl FnMut() -> Option<T> + Send, mut take: impl FnMut(T) -> io::Result<()>) -> io::Result<()> {
-    let (sender, pieces) = mpsc::sync_channel(1);
-    std::thread::scope(|s| {
-        // An error of the sender: the taker has failed and gone.
-        s.spawn(move || while make().is_some_and(|piece| sender.send(piece).is_ok()) {});
-        pieces.into_iter().try_for_each(&mut take)
-    })
-}

@@ -14,19 +14,23 @@ pub struct Spool {
 /// Bytes of a number.
 const WIDTH: u64 = size_of::<f64>() as u64;
 
+/// Columns of one length, one after the other, in the memory of bytes that are no longer needed.
+pub fn bytes(columns: &[&[f64]], mut used: Vec<u8>) -> Vec<u8> {
+    used.clear();
+    columns.iter().copied().flatten().for_each(|v| used.extend_from_slice(&v.to_le_bytes()));
+    used
+}
+
 impl Spool {
     /// An empty table in an empty file.
     pub fn new(file: File) -> Spool {
         Spool { file, pieces: Vec::new(), end: 0 }
     }
 
-    /// Adds some rows, from columns of one length.
-    pub fn add(&mut self, columns: &[Vec<f64>]) -> io::Result<()> {
-        let rows = columns.first().map_or(0, Vec::len);
-        let mut bytes = Vec::with_capacity(columns.len() * rows * size_of::<f64>());
-        columns.iter().flatten().for_each(|v| bytes.extend_from_slice(&v.to_le_bytes()));
-        self.file.write_all(&bytes)?;
-        self.pieces.push((self.end, rows));
+    /// Adds some rows of so many columns, as [`bytes`] makes them.
+    pub fn add(&mut self, bytes: &[u8], columns: usize) -> io::Result<()> {
+        self.file.write_all(bytes)?;
+        self.pieces.push((self.end, bytes.len() / (columns * size_of::<f64>()).max(1)));
         self.end += bytes.len() as u64;
         Ok(())
     }

@@ -1,11 +1,12 @@
 //! Tables into files: which format a name calls for, and the rows written as they come, in the memory of a piece.
 
-use super::{Failure, files, long, spool::Spool, stop};
+use super::spool::{self, Spool};
+use super::{Failure, files, long, stop};
 use crate::diag::Diagnostic;
-use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Standing};
+use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
 use crate::sweep::pieces::Pieces;
 use indicatif::ProgressBar;
-use std::io::{self, Write};
+use std::io::{self, Seek, Write};
 use std::path::Path;
 
 /// The formats that are written row by row, by the ending of their files.
@@ -48,28 +49,32 @@ pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Fail
     })
 }
 
-/// A sweep as CSV to a place where nothing can be written over: its rows are counted, and its notes known, before the first is
-/// written.
+/// What of a sweep's rows is kept in memory before they are printed; more of them are set aside on disk.
+const KEPT: usize = 8 << 20;
+
+/// A sweep as CSV to a place where nothing can be written over: its notes, which come first, are known with the last row only.
 pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
     let format = Csv::new(Head::new("", sweep.columns()));
-    let bar = ProgressBar::hidden();
-    let columns: Vec<Vec<Vec<f64>>> = std::iter::from_fn(pieces(sweep, &bar, |columns| columns)).collect();
-    let count = columns.iter().filter_map(|c| c.first()).map(|c| c.len() as u64).sum();
+    let mut rows = tempfile::spooled_tempfile(KEPT);
+    let mut count = 0;
+    in_pieces(sweep, &ProgressBar::hidden(), formed(&format), |piece| {
+        count += piece.rows;
+        piece.write(&mut rows)
+    })?;
     out.write_all(&format.begin(count, &sweep.notes()))?;
-    for piece in columns {
-        format.piece(&piece.iter().map(Vec::as_slice).collect::<Vec<_>>())?.write(out)?;
-    }
-    Ok(())
+    rows.rewind()?;
+    io::copy(&mut rows, out).map(drop)
 }
 
-/// The pieces of a sweep, in the form that `shape` gives them, one after the other until all are made or the user asks to stop.
-fn pieces<'a, T>(
-    sweep: &'a mut dyn Pieces,
-    bar: &'a ProgressBar,
-    shape: impl Fn(Vec<Vec<f64>>) -> T + 'a,
-) -> impl FnMut() -> Option<T> + 'a {
+/// Makes a sweep piece by piece until all are made or the user asks to stop, gives each its form and takes it.
+fn in_pieces<U: Send>(
+    sweep: &mut dyn Pieces,
+    bar: &ProgressBar,
+    mut form: impl FnMut(&[&[f64]], Option<U>) -> io::Result<U> + Send,
+    take: impl FnMut(&U) -> io::Result<()>,
+) -> io::Result<()> {
     let (count, mut from) = (sweep.count(), 0);
-    move || {
+    let make = |_: Option<Vec<Vec<f64>>>| {
         let to = count.min(from + ROWS);
         let mut piece: Option<Vec<Vec<f64>>> = None;
         while from < to {
@@ -82,8 +87,14 @@ fn pieces<'a, T>(
                 None => piece = Some(rows),
             }
         }
-        piece.filter(|_| !stop::asked()).map(&shape)
-    }
+        piece.filter(|_| !stop::asked())
+    };
+    long::pipeline(make, |columns, used| form(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), used), take)
+}
+
+/// The form of pieces in a format.
+fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Result<Piece> + Send {
+    |columns, used| format.piece_in(columns, used.unwrap_or_default())
 }
 
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io::Result<()> {
@@ -94,14 +105,11 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io
     out.write_all(&begin)?;
     let (mut offset, mut written) = (begin.len() as u64, 0);
     let mut standing = Vec::new();
-    let shape = |columns: Vec<Vec<f64>>| format.piece(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>());
-    long::overlapped(pieces(sweep, &bar, shape), |piece| {
-        let piece = piece?;
+    in_pieces(sweep, &bar, formed(format), |piece| {
         piece.write(out)?;
         written += piece.rows;
-        let length = piece.length();
-        standing.push(Standing { offset, rows: piece.rows, index: piece.index });
-        offset += length;
+        standing.push(Standing { offset, rows: piece.rows, index: piece.index.clone() });
+        offset += piece.length();
         Ok(())
     })?;
     bar.finish_and_clear();
@@ -113,7 +121,12 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io
 fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut files::Out) -> io::Result<()> {
     let bar = long::bar(sweep.count() as u64, 0, "positions");
     let mut spool = Spool::new(out.scratch()?);
-    long::overlapped(pieces(sweep, &bar, |columns| columns), |columns| spool.add(&columns))?;
+    in_pieces(
+        sweep,
+        &bar,
+        |columns, used| Ok(spool::bytes(columns, used.unwrap_or_default())),
+        |bytes| spool.add(bytes, head.columns.len()),
+    )?;
     bar.finish_and_clear();
     table::json(head, |k| spool.column(k), &sweep.notes(), out)
 }
