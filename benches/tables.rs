@@ -1,5 +1,6 @@
 //! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
-//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, and `-- chunk` its compiled program in cache, for `bench/peers`.
+//! `-- sweep STEPS` only runs sweeps of a four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk` its compiled
+//! program in cache, for `bench/peers`.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
@@ -7,9 +8,8 @@ use hodograph::mechanism::Mechanism;
 use hodograph::report::table::{Csv, Format, Head, Npy, Parquet, Standing};
 use hodograph::scene::{Angle, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
-use hodograph::sweep::program::{COS, SIN, VALUE};
 use hodograph::sweep::vary::Variation;
-use hodograph::sweep::{self, Placed, Stations, Table, Width, compile};
+use hodograph::sweep::{Placed, Stations, Sweep, Table, Width, compile};
 use std::fs::File;
 use std::hint::black_box;
 use std::io::Write;
@@ -43,17 +43,33 @@ fn asked(find: &[&str]) -> Scene {
     read(edit::with_find(templates::get("crank-rocker").unwrap(), find).unwrap()).unwrap().value
 }
 
-/// Whole sweeps of so many steps in memory, scene to table, again and again; how many positions. The caller measures, and says on how many cores.
-fn in_memory(steps: usize) -> usize {
+/// What of a sweep is done again and again.
+#[derive(PartialEq)]
+enum Again {
+    /// All of it: scene to table.
+    Whole,
+    /// What follows the compiling: stations to table.
+    Compiled,
+}
+
+/// Sweeps of so many steps in memory, one after the other; how many positions. The caller measures, and says on how many cores.
+fn in_memory(steps: usize, again: Again) -> usize {
     let scene = asked(&["x_C", "y_C", "v_C", "a_C"]);
     let m = Mechanism::new(&scene).unwrap().value;
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), steps);
+    let placed = Placed::new(&scene, &m).unwrap();
+    let compiled = Sweep::new(&placed, 0).unwrap();
     let mut table = Table::default();
-    let mut again = || {
-        table = sweep::run_in(&Placed::new(&scene, &m).unwrap(), 0, &stations, Width::Widest, std::mem::take(&mut table)).unwrap();
+    let mut one = || {
+        let used = std::mem::take(&mut table);
+        table = if again == Again::Compiled {
+            compiled.run(&stations, Width::Widest, used)
+        } else {
+            Sweep::new(&Placed::new(&scene, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, used)
+        };
         black_box(&table).rows()
     };
-    (0..10_000_000 / steps).map(|_| again()).sum()
+    (0..20_000_000 / steps).map(|_| one()).sum()
 }
 
 /// The compiled program over one chunk again and again, in cache; how many positions.
@@ -64,9 +80,7 @@ fn in_cache() -> usize {
     let fused = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
     let stations = Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), fused.positions() - 1);
     let mut buffer = fused.buffer();
-    buffer.fill(VALUE, &stations.values);
-    buffer.fill(COS, &stations.cosines);
-    buffer.fill(SIN, &stations.sines);
+    fused.load(&mut buffer, &stations, 0..stations.len());
     let chunks = 50_000_000 / stations.len();
     (0..chunks).for_each(|_| fused.run(black_box(&mut buffer), Width::Widest));
     chunks * stations.len()
@@ -181,16 +195,16 @@ fn starting() {
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
-    if let [_, sweep, steps, ..] = &arguments[..]
-        && sweep == "sweep"
-    {
-        println!("{{\"positions\": {}}}", in_memory(steps.parse().expect("a number of steps")));
-        return;
-    }
-    if arguments.get(1).is_some_and(|a| a == "chunk") {
-        println!("{{\"positions\": {}}}", in_cache());
-        return;
-    }
-    writing();
-    starting();
+    let steps = |text: &str| text.parse().expect("a number of steps");
+    let positions = match &arguments[1..] {
+        [what, n, ..] if what == "sweep" => in_memory(steps(n), Again::Whole),
+        [what, n, ..] if what == "compiled" => in_memory(steps(n), Again::Compiled),
+        [what, ..] if what == "chunk" => in_cache(),
+        _ => {
+            writing();
+            starting();
+            return;
+        }
+    };
+    println!("{{\"positions\": {positions}}}");
 }

@@ -13,7 +13,7 @@ use hodograph::sweep::batch::{Batch, Block, Choice};
 use hodograph::sweep::long::Long;
 use hodograph::sweep::pieces::{Pieces, gather};
 use hodograph::sweep::vary::{Variation, Varied};
-use hodograph::sweep::{self, Placed, Stations, Table, Width, extreme, station};
+use hodograph::sweep::{self, Placed, Stations, Sweep, Table, Width, extreme, station};
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
 
@@ -516,7 +516,7 @@ fn change_points_in_a_batch() {
     for number in 0..3 {
         let mut own = scene.clone();
         batch.variation.set(&mut own, &batch.parameters(number)).unwrap();
-        table = sweep::run_in(&Placed::new(&own, &m).unwrap(), 0, &stations, Width::Widest, table).unwrap();
+        table = Sweep::new(&Placed::new(&own, &m).unwrap(), 0).unwrap().run(&stations, Width::Widest, table);
         let coded = |code: &str| table.notes.iter().filter(|n| n.code == code).count();
         changed += coded("change-point");
         stopped += coded("limit");

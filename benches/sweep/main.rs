@@ -10,7 +10,6 @@ use by_hand::ByHand;
 use hodograph::mechanism::Mechanism;
 use hodograph::scene::{Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
-use hodograph::sweep::program::{COS, SIN, VALUE};
 use hodograph::sweep::run::CHUNK;
 use hodograph::sweep::vary::Variation;
 use hodograph::sweep::{self, Placed, Stations, Width, compile};
@@ -48,9 +47,7 @@ fn chunk_of(scene: &Scene, width: Width) -> (Box<dyn FnMut()>, usize) {
     let placed = Placed::new(scene, &m).unwrap();
     let fused = compile(scene, &m, &placed.at, Some(0), &scene.find).unwrap().fused().clone();
     let (mut buffer, n) = (fused.buffer(), fused.positions());
-    buffer.fill(VALUE, &stations.values[..n]);
-    buffer.fill(COS, &stations.cosines[..n]);
-    buffer.fill(SIN, &stations.sines[..n]);
+    fused.load(&mut buffer, &stations, 0..n);
     (Box::new(move || fused.run(black_box(&mut buffer), width)), n)
 }
 

@@ -5,7 +5,7 @@ use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
-use super::program::{COS, Program, SIN, VALUE};
+use super::program::Program;
 use super::run::Buffer;
 use super::table::{Column, Table};
 use super::tracked::{self, States};
@@ -149,6 +149,9 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     width: Width,
     columns: Vec<C>,
 ) -> (Rows<C>, Vec<Diagnostic>) {
+    if program.tracks.is_empty() && program.suspects().next().is_none() {
+        return (fill(program, program.fused(), None, stations, width, columns, |_, _| {}), Vec::new());
+    }
     let watch = stations.len() <= WATCHED && program.tracks.is_empty() && dense(placed, driver, stations);
     let ran = if watch {
         let (rows, near) = run_watched(program, stations, width, columns);
@@ -174,12 +177,12 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     (rows, notes)
 }
 
-/// Runs a program on the branches of the instant and looks at the crossings of its joints on the way: most mechanisms come nowhere near
-/// a change point, and need not be searched for one. Whether there may be one.
+/// Runs a program on the branches of the instant and looks on the way at the crossings of the joints that may have a change point: most
+/// mechanisms come nowhere near one, and need not be searched for it. Whether there may be one.
 fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Stations, width: Width, columns: Vec<C>) -> (Rows<C>, bool) {
     let near = AtomicBool::new(false);
     let fused = program.fused_watched();
-    let watched: Vec<Reg> = program.crossings().filter_map(|c| fused.place(c)).collect();
+    let watched: Vec<Reg> = program.suspects().filter_map(|c| fused.place(c)).collect();
     let seen = |buffer: &Buffer, n: usize| {
         let clear = |reg: &Reg| buffer.numbers(*reg, n).iter().fold(true, |clear, c| clear & (*c > SUSPECT));
         if !watched.iter().all(clear) {
@@ -192,6 +195,9 @@ fn run_watched<C: DerefMut<Target = [f64]>>(program: &Program, stations: &Statio
 
 /// Below so many numbers in registers, some hundred microseconds, a sweep is not worth other threads: waking them takes as long.
 const ALONE: usize = 1 << 19;
+
+/// Chunks that a thread takes at once.
+const STRETCH: usize = 16;
 
 thread_local! {
     /// The registers of the last sweep on this thread: those of the next one need no new memory.
@@ -217,16 +223,16 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
     }
     let together = fused.positions();
-    // Where each column is found, and the part of it that each chunk fills.
     let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(*c)).collect();
-    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(together)).map(|_| Vec::with_capacity(columns.len())).collect();
+    let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
+    // The parts of the columns that are filled by one thread at a time.
+    let stretch = if alone { n.max(1) } else { STRETCH * together };
+    let mut parts: Vec<Vec<&mut [f64]>> = (0..n.div_ceil(stretch)).map(|_| Vec::with_capacity(columns.len())).collect();
     for column in &mut columns {
-        parts.iter_mut().zip(column.chunks_mut(together)).for_each(|(part, c)| part.push(c));
+        parts.iter_mut().zip(column.chunks_mut(stretch)).for_each(|(part, c)| part.push(c));
     }
     let run = |fused: &Fused, buffer: &mut Buffer, rows: &Range<usize>| {
-        buffer.fill(VALUE, &stations.values[rows.clone()]);
-        buffer.fill(COS, &stations.cosines[rows.clone()]);
-        buffer.fill(SIN, &stations.sines[rows.clone()]);
+        fused.load(buffer, stations, rows.clone());
         if let Some(states) = states {
             for (i, state) in states[rows.clone()].iter().enumerate() {
                 if let Ok(state) = state {
@@ -236,36 +242,35 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
         fused.run(buffer, width);
     };
-    // The rows of a chunk that are lost, and whether that is sure.
-    let one_chunk = |buffer: &mut Buffer, (chunk, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
-        let rows = chunk * together..n.min((chunk + 1) * together);
-        run(fused, buffer, &rows);
-        seen(buffer, rows.len());
-        for (numbers, reg) in part.iter_mut().zip(&found) {
-            match reg {
-                Some(reg) => numbers.copy_from_slice(buffer.numbers(*reg, rows.len())),
-                None => numbers.fill(f64::NAN),
+    // The rows of a stretch that are lost, and whether that is sure.
+    let one_stretch = |buffer: &mut Buffer, (number, part): (usize, &mut Vec<&mut [f64]>)| -> Vec<(usize, bool)> {
+        let mut lost = Vec::new();
+        let (first, end) = (number * stretch, n.min((number + 1) * stretch));
+        for from in (first..end).step_by(together) {
+            let rows = from..end.min(from + together);
+            run(fused, buffer, &rows);
+            seen(buffer, rows.len());
+            let places = part.iter_mut().map(|numbers| &mut numbers[rows.start - first..rows.end - first]);
+            if buffer.hand_out(&found, places, width) {
+                continue;
             }
+            // What misses by more than rounding needs nobody's second opinion. What the closures are made of is not in a program that only
+            // answers: there it is found again, which is worth it for the rows that are lost.
+            let closures = program.fused_crossings();
+            let mut looked = closures.buffer();
+            run(closures, &mut looked, &rows);
+            let gone = |row: &usize| part.iter().any(|numbers| !numbers[*row - first].is_finite());
+            lost.extend(rows.clone().filter(gone).map(|row| (row, closures.misses(program, &looked, row - rows.start))));
         }
-        if buffer.finite(&found, width) {
-            return Vec::new();
-        }
-        let lost = |row: &usize| part.iter().any(|numbers| !numbers[*row].is_finite());
-        // What misses by more than rounding needs nobody's second opinion. What the closures are made of is not in a program that only
-        // answers: there it is found again, which is worth it for the rows that are lost.
-        let closures = program.fused_crossings();
-        let mut looked = closures.buffer();
-        run(closures, &mut looked, &rows);
-        (0..rows.len()).filter(lost).map(|row| (rows.start + row, closures.misses(program, &looked, row))).collect()
+        lost
     };
-    let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
     let lost: Vec<Vec<(usize, bool)>> = if alone {
         let mut buffer = fused.buffer_in(REGISTERS.take());
-        let lost = parts.iter_mut().enumerate().map(|part| one_chunk(&mut buffer, part)).collect();
+        let lost = parts.iter_mut().enumerate().map(|part| one_stretch(&mut buffer, part)).collect();
         REGISTERS.set(buffer);
         lost
     } else {
-        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_chunk(buffer, part)).collect()
+        parts.par_iter_mut().enumerate().map_init(|| fused.buffer(), |buffer, part| one_stretch(buffer, part)).collect()
     };
     let mut open = Vec::new();
     for (row, sure) in lost.into_iter().flatten() {

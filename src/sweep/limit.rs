@@ -8,8 +8,7 @@
 use super::Placed;
 use super::kernel::Reg;
 use super::lane::{Dual, Width};
-use super::program::{COS, Op, Program, SIN, VALUE};
-use super::run::CHUNK;
+use super::program::{Op, Program};
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
 use crate::position::toggle::Toggle;
@@ -201,15 +200,14 @@ impl<'a> Probe<'a> {
         let mut out = vec![Vec::with_capacity(xs.len()); found.len()];
         let mut buffer = fused.buffer();
         let stations = sampled_at(xs, self.per_value);
-        for (part, (cosines, sines)) in xs.chunks(CHUNK).zip(stations.cosines.chunks(CHUNK).zip(stations.sines.chunks(CHUNK))) {
-            buffer.fill(VALUE, part);
-            buffer.fill(COS, cosines);
-            buffer.fill(SIN, sines);
+        for from in (0..xs.len()).step_by(fused.positions()) {
+            let rows = from..xs.len().min(from + fused.positions());
+            fused.load(&mut buffer, &stations, rows.clone());
             fused.run(&mut buffer, Width::Widest);
             for (reg, out) in found.iter().zip(&mut out) {
                 match reg {
-                    Some(reg) => out.extend_from_slice(buffer.numbers(*reg, part.len())),
-                    None => out.resize(out.len() + part.len(), f64::NAN),
+                    Some(reg) => out.extend_from_slice(buffer.numbers(*reg, rows.len())),
+                    None => out.resize(out.len() + rows.len(), f64::NAN),
                 }
             }
         }

@@ -1,9 +1,9 @@
 //! A whole motion at once: the scene compiled into a straight list of operations and run over all positions of a driver.
 //!
-//! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]. [`compile()`] makes the [`program::Program`], one
+//! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
+//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
 //! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
@@ -33,6 +33,7 @@ pub mod reading;
 pub mod rows;
 pub mod run;
 pub mod station;
+mod suspect;
 pub mod table;
 pub mod track;
 mod tracked;
@@ -87,44 +88,62 @@ impl<'a> Placed<'a> {
 /// # Errors
 /// A driver that the scene does not have.
 pub fn run(placed: &Placed, driver: usize, stations: &Stations, width: Width) -> Result<Table, Faults> {
-    run_in(placed, driver, stations, width, Table::default())
+    Ok(Sweep::new(placed, driver)?.run(stations, width, Table::default()))
 }
 
-/// [`run()`] in the memory of a table that is no longer needed: fresh memory costs more than the numbers in it.
-///
-/// # Errors
-/// As [`run()`].
-pub fn run_in(placed: &Placed, driver: usize, stations: &Stations, width: Width, used: Table) -> Result<Table, Faults> {
-    let mut stock: Vec<Vec<f64>> = used.columns.into_iter().map(|c| c.values).collect();
-    let mut first = stock.pop().unwrap_or_default();
-    let scene = placed.scene;
-    if driver >= scene.drivers.len() {
-        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+/// A scene compiled for one of its drivers, to be swept again and again.
+pub struct Sweep<'a> {
+    placed: &'a Placed<'a>,
+    driver: usize,
+    /// Or why there is none.
+    program: Result<Program, Diagnostic>,
+}
+
+impl<'a> Sweep<'a> {
+    /// Compiles a placed scene.
+    ///
+    /// # Errors
+    /// A driver that the scene does not have.
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
+        let scene = placed.scene;
+        if driver >= scene.drivers.len() {
+            return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+        }
+        let program = compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find);
+        Ok(Sweep { placed, driver, program })
     }
-    let mut notes = Vec::new();
-    let general = General::new(placed, driver);
-    let rows = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
-        Ok(program) => {
-            let columns = sized(stock, &program, stations);
-            let (mut rows, changes) = run_on_branches(&program, placed, driver, stations, width, columns);
-            notes.extend(changes);
-            rows.complete(&general, stations, &|row| beside(&program, placed, driver, stations.values[row]));
-            rows.explain(&general, stations);
-            if !rows.missing.is_empty() {
-                notes.extend(ends(&program, placed, driver, stations));
+
+    /// The answers at all stations, as those of [`run()`], in the memory of a table that is no longer needed: fresh memory costs more
+    /// than the numbers in it.
+    pub fn run(&self, stations: &Stations, width: Width, used: Table) -> Table {
+        let Sweep { placed, driver, program } = self;
+        let mut stock: Vec<Vec<f64>> = used.columns.into_iter().map(|c| c.values).collect();
+        let mut first = stock.pop().unwrap_or_default();
+        let mut notes = Vec::new();
+        let general = General::new(placed, *driver);
+        let rows = match program {
+            Ok(program) => {
+                let columns = sized(stock, program, stations);
+                let (mut rows, changes) = run_on_branches(program, placed, *driver, stations, width, columns);
+                notes.extend(changes);
+                rows.complete(&general, stations, &|row| beside(program, placed, *driver, stations.values[row]));
+                rows.explain(&general, stations);
+                if !rows.missing.is_empty() {
+                    notes.extend(ends(program, placed, *driver, stations));
+                }
+                rows
             }
-            rows
-        }
-        Err(note) => {
-            notes.push(note);
-            let (rows, limits) = moved::follow(placed, driver, stations);
-            notes.extend(limits);
-            rows
-        }
-    };
-    first.clear();
-    first.extend_from_slice(&stations.values);
-    Ok(rows.into_table(placed, driver, stations, first, notes))
+            Err(note) => {
+                notes.push(note.clone());
+                let (rows, limits) = moved::follow(placed, *driver, stations);
+                notes.extend(limits);
+                rows
+            }
+        };
+        first.clear();
+        first.extend_from_slice(&stations.values);
+        rows.into_table(placed, *driver, stations, first, notes)
+    }
 }
 
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
@@ -163,7 +182,7 @@ fn branches(program: Program, placed: &Placed, driver: usize, stations: &Station
 /// The change points of the driver's way from where it stands downward, and those upward.
 fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Vec<Event>; 2] {
     let mut changes = [Vec::new(), Vec::new()];
-    if program.tracks.is_empty() && !program.joints.is_empty() {
+    if program.tracks.is_empty() && program.suspects().next().is_some() {
         // Both ways are searched by one program.
         program.fused_crossings();
         for (changes, until) in changes.iter_mut().zip(span).filter(|(_, until)| *until != now) {

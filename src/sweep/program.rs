@@ -133,7 +133,7 @@ pub struct Program {
     pub tracks: Vec<Track>,
     /// Whether the swept quantity is an angle.
     pub angular: bool,
-    /// The program as it is run, once it has been: for its answers, for its joints' crossings, for both.
+    /// The program as it is run, once it has been: for its answers, for its joints' crossings, for its answers and some crossings.
     pub(super) runs: [OnceLock<Fused>; 3],
 }
 
@@ -143,6 +143,9 @@ pub const VALUE: Reg = Reg(0);
 pub const COS: Reg = Reg(1);
 /// Sine.
 pub const SIN: Reg = Reg(2);
+
+/// All three, the first of all registers.
+pub(super) const INPUTS: [Reg; 3] = [VALUE, COS, SIN];
 
 impl Program {
     /// Registers of one position with the inputs filled in, each with its derivative by the swept quantity. `per_value`: the

@@ -6,12 +6,13 @@
 // Several arrays are gone through side by side; loops over numbers are sure to be unrolled.
 #![allow(clippy::needless_range_loop)]
 
-use super::fuse::Fused;
-use super::fuse::kernels::*;
+use super::fuse::{Fused, cranks::*, kernels::*};
 use super::kernel::{Kernel, Reg};
 use super::lane::Width;
-use super::program::{Joint, Op, Program};
+use super::program::{COS, Joint, Op, Program, SIN};
+use super::station::Stations;
 use fearless_simd::{Simd, SimdBase, SimdFrom, f64x4};
+use std::ops::Range;
 
 /// Positions run together: the registers of an eight-link mechanism with velocities and accelerations then stay in a
 /// first-level cache of 32 KiB.
@@ -151,47 +152,60 @@ impl Buffer {
         &self.columns[reg.0 as usize].0.as_flattened()[..n]
     }
 
-    /// Whether all numbers of all these registers are finite, for sure: a sum with what is not finite is not either, and none need be
-    /// looked at by itself.
-    pub(super) fn finite(&self, regs: &[Option<Reg>], width: Width) -> bool {
+    /// Copies the numbers of registers to places of one length; NaN where there is no register. Whether all of them are finite, for
+    /// sure: a sum with what is not finite is not either, and none need be looked at by itself.
+    pub(super) fn hand_out<'a>(&self, regs: &[Option<Reg>], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
                 || {
                     // Four sums side by side, for each waits for what was added before.
-                    let zero = f64x4::splat(simd, 0.0);
-                    let (mut a, mut b, mut c, mut d) = (zero, zero, zero, zero);
-                    for reg in regs {
-                        let Some(reg) = reg else { return false };
-                        let (many, rest) = self.columns[reg.0 as usize].0[..self.quads].as_chunks::<4>();
-                        for [p, q, r, s] in many {
-                            a += f64x4::simd_from(simd, *p);
-                            b += f64x4::simd_from(simd, *q);
-                            c += f64x4::simd_from(simd, *r);
-                            d += f64x4::simd_from(simd, *s);
+                    let mut sums = [f64x4::splat(simd, 0.0); 4];
+                    let mut rest = 0.0;
+                    for (reg, place) in regs.iter().zip(places) {
+                        let Some(reg) = reg else {
+                            place.fill(f64::NAN);
+                            rest = f64::NAN;
+                            continue;
+                        };
+                        let column = &self.columns[reg.0 as usize].0;
+                        let (many, few) = place.as_chunks_mut::<16>();
+                        for (place, numbers) in many.iter_mut().zip(column.as_chunks::<4>().0) {
+                            for k in 0..4 {
+                                let four = f64x4::simd_from(simd, numbers[k]);
+                                four.store_slice(&mut place[4 * k..4 * k + 4]);
+                                sums[k] += four;
+                            }
                         }
-                        for p in rest {
-                            a += f64x4::simd_from(simd, *p);
-                        }
+                        let last = &column.as_flattened()[16 * many.len()..][..few.len()];
+                        few.copy_from_slice(last);
+                        rest += last.iter().sum::<f64>();
                     }
-                    let sums: [f64; 4] = ((a + b) + (c + d)).into();
-                    sums.iter().sum::<f64>().is_finite()
+                    let all: [f64; 4] = ((sums[0] + sums[1]) + (sums[2] + sums[3])).into();
+                    (rest + all.iter().sum::<f64>()).is_finite()
                 },
             );
         }
-        let of = |reg: &Option<Reg>| reg.map_or(f64::NAN, |reg| self.numbers(reg, 4 * self.quads).iter().sum::<f64>());
-        regs.iter().map(of).sum::<f64>().is_finite()
+        let mut sum = 0.0;
+        for (reg, place) in regs.iter().zip(places) {
+            match reg {
+                Some(reg) => place.copy_from_slice(self.numbers(*reg, place.len())),
+                None => place.fill(f64::NAN),
+            }
+            sum += place.iter().sum::<f64>();
+        }
+        sum.is_finite()
     }
 
-    /// Fills a register with the values of up to [`CHUNK`] positions, the length of the chunk from now on.
-    pub fn fill(&mut self, reg: Reg, values: &[f64]) {
-        self.quads = values.len().div_ceil(4);
+    /// Fills a register with the values of up to [`CHUNK`] positions.
+    pub(super) fn fill(&mut self, reg: Reg, values: &[f64]) {
+        let end = values.len().next_multiple_of(4);
         let column = self.columns[reg.0 as usize].0.as_flattened_mut();
         column[..values.len()].copy_from_slice(values);
         // The last group repeats the last position, so that no lane of it meets numbers of another chunk.
         if let Some(last) = values.last() {
-            column[values.len()..4 * self.quads].fill(*last);
+            column[values.len()..end].fill(*last);
         }
     }
 }
@@ -204,6 +218,19 @@ impl Fused {
     pub fn positions(&self) -> usize {
         // Fewer than four groups would not pay for going through the list.
         4 * (ROOM / (self.registers * size_of::<[f64; 4]>())).clamp(4, QUADS)
+    }
+
+    /// Fills in the inputs of a chunk: some stations, as many as [`Fused::positions`] at most.
+    pub fn load(&self, buffer: &mut Buffer, stations: &Stations, rows: Range<usize>) {
+        buffer.quads = rows.len().div_ceil(4);
+        for reg in &self.inputs {
+            let values = match *reg {
+                COS => &stations.cosines,
+                SIN => &stations.sines,
+                _ => &stations.values,
+            };
+            buffer.fill(*reg, &values[rows.clone()]);
+        }
     }
 
     /// Runs a chunk whose inputs are filled in.

@@ -1,18 +1,18 @@
 //! A crank on whose pin one group alone hangs is done together with that group: what it finds stays in the machine's registers.
 
-use super::kernels::OnCrank;
+use super::kernels::*;
 use super::{Ordered, Unit};
-use crate::sweep::kernel::Reg;
+use crate::sweep::kernel::{Kernel, Reg};
+use crate::sweep::lane::Lane;
 use crate::sweep::run::{Any, Whole};
 
-/// The group on a crank, by the kernels of both.
-macro_rules! joined {
-    ($both:expr; $($crank:ident: $($group:ident => $new:ident),*;)*) => {
-        match $both {
-            $($((Any::Whole(Whole::$crank(crank)), Any::Whole(Whole::$group(group))) => Some(Whole::$new(OnCrank { crank, group })),)*)*
-            _ => None,
-        }
-    };
+/// A group that hangs on the pin of a crank and on nothing else that moves, together with the crank.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnCrank<C, K> {
+    /// The crank.
+    pub crank: C,
+    /// The group, whose registers are not read.
+    pub group: K,
 }
 
 /// Joins every crank whose numbers one unit alone reads, and reads nothing else, with that unit.
@@ -39,7 +39,7 @@ fn reader(all: &Ordered, crank: u32, wanted: &[Reg]) -> Option<(u32, Whole)> {
     }
     let mut readers = all.order.iter().filter(|unit| all.reads(**unit).iter().any(|r| outs.contains(r)));
     match (readers.next(), readers.next()) {
-        (Some(&unit), None) if all.reads(unit) == &outs[..] => Some((unit, of(*op, all.units[unit as usize].op)?)),
+        (Some(&unit), None) if all.reads(unit) == &outs[..] => Some((unit, joined(*op, all.units[unit as usize].op)?)),
         _ => None,
     }
 }
@@ -49,18 +49,62 @@ fn is_crank(op: &Any) -> bool {
     matches!(op, Any::Whole(CrankP(_) | CrankV(_) | CrankA(_) | EvenP(_) | EvenV(_) | EvenA(_)))
 }
 
-/// The kernel of both.
-fn of(crank: Any, group: Any) -> Option<Whole> {
-    joined! { (crank, group);
-        CrankP: DyadGroundP => CrankDyadP, SliderP => CrankSliderP;
-        CrankV: DyadGroundV => CrankDyadV, DyadGroundVL => CrankDyadVL, SliderV => CrankSliderV, SliderVL => CrankSliderVL,
-            SlottedV => CrankSlottedV;
-        CrankA: DyadGroundA => CrankDyadA, DyadGroundAL => CrankDyadAL, SliderA => CrankSliderA, SliderAL => CrankSliderAL,
-            SlottedA => CrankSlottedA;
-        EvenP: DyadGroundP => EvenDyadP, SliderP => EvenSliderP;
-        EvenV: DyadGroundV => EvenDyadV, DyadGroundVL => EvenDyadVL, SliderV => EvenSliderV, SliderVL => EvenSliderVL,
-            SlottedV => EvenSlottedV;
-        EvenA: DyadGroundA => EvenDyadA, DyadGroundAL => EvenDyadAL, SliderA => EvenSliderA, SliderAL => EvenSliderAL,
-            SlottedA => EvenSlottedA;
-    }
+/// Groups on cranks: the name of each, the kernels of both, how many numbers the one hands to the other, and how many come out; and
+/// [`joined`], which finds the kernel of both.
+macro_rules! on_cranks {
+    ($($name:ident = $crank:ident, $group:ident: $in:literal => $out:literal;)*) => {
+        $(
+            #[doc = concat!("[`", stringify!($group), "`] on a crank.")]
+            pub type $name = OnCrank<$crank, $group>;
+
+            impl Kernel<2, $out> for $name {
+                fn inputs(&self) -> [Reg; 2] {
+                    self.crank.inputs()
+                }
+
+                #[inline(always)]
+                fn eval<N: Lane>(&self, x: [N; 2]) -> [N; $out] {
+                    let pin: [N; $in] = self.crank.eval(x);
+                    self.group.eval(pin)
+                }
+            }
+        )*
+
+        /// The kernel of a group on a crank, where there is one.
+        fn joined(crank: Any, group: Any) -> Option<Whole> {
+            match (crank, group) {
+                $((Any::Whole(Whole::$crank(crank)), Any::Whole(Whole::$group(group))) => {
+                    Some(Whole::$name(OnCrank { crank, group }))
+                })*
+                _ => None,
+            }
+        }
+    };
+}
+
+on_cranks! {
+    CrankDyadP = CrankP, DyadGroundP: 2 => 2;
+    CrankDyadV = CrankV, DyadGroundV: 4 => 4;
+    CrankDyadA = CrankA, DyadGroundA: 6 => 6;
+    CrankDyadVL = CrankV, DyadGroundVL: 4 => 5;
+    CrankDyadAL = CrankA, DyadGroundAL: 6 => 8;
+    CrankSliderP = CrankP, SliderP: 2 => 2;
+    CrankSliderV = CrankV, SliderV: 4 => 4;
+    CrankSliderA = CrankA, SliderA: 6 => 6;
+    CrankSliderVL = CrankV, SliderVL: 4 => 5;
+    CrankSliderAL = CrankA, SliderAL: 6 => 8;
+    CrankSlottedV = CrankV, SlottedV: 4 => 5;
+    CrankSlottedA = CrankA, SlottedA: 6 => 8;
+    EvenDyadP = EvenP, DyadGroundP: 2 => 2;
+    EvenDyadV = EvenV, DyadGroundV: 4 => 4;
+    EvenDyadA = EvenA, DyadGroundA: 6 => 6;
+    EvenDyadVL = EvenV, DyadGroundVL: 4 => 5;
+    EvenDyadAL = EvenA, DyadGroundAL: 6 => 8;
+    EvenSliderP = EvenP, SliderP: 2 => 2;
+    EvenSliderV = EvenV, SliderV: 4 => 4;
+    EvenSliderA = EvenA, SliderA: 6 => 6;
+    EvenSliderVL = EvenV, SliderVL: 4 => 5;
+    EvenSliderAL = EvenA, SliderAL: 6 => 8;
+    EvenSlottedV = EvenV, SlottedV: 4 => 5;
+    EvenSlottedA = EvenA, SlottedA: 6 => 8;
 }

@@ -128,15 +128,6 @@ pub struct Slotted<const LEVELS: usize> {
     pub n: [f64; 2],
 }
 
-/// A group that hangs on the pin of a crank and on nothing else that moves, together with the crank.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OnCrank<C, K> {
-    /// The crank.
-    pub crank: C,
-    /// The group, whose registers are not read.
-    pub group: K,
-}
-
 /// The registers of places with their rates, one place after the other.
 fn wires<const IN: usize>(levels: usize, places: &[Motion]) -> [Reg; IN] {
     std::array::from_fn(|i| {
@@ -419,53 +410,4 @@ kernels! {
     TurnedA = Turned<false, 3>: 3, 12 => 2, |k| [k.n, k.o];
     TurnedGroundV = Turned<true, 2>: 2, 4 => 1, |k| [k.n, k.n];
     TurnedGroundA = Turned<true, 3>: 3, 6 => 2, |k| [k.n, k.n];
-}
-
-/// A group on a crank: its name, the kernels of both, how many numbers the one hands to the other, and how many come out.
-macro_rules! on_cranks {
-    ($($name:ident = $crank:ty, $group:ty: $in:literal => $out:literal;)*) => {
-        $(
-            #[doc = concat!("[`", stringify!($group), "`] on a crank.")]
-            pub type $name = OnCrank<$crank, $group>;
-
-            impl Kernel<2, $out> for $name {
-                fn inputs(&self) -> [Reg; 2] {
-                    self.crank.inputs()
-                }
-
-                #[inline(always)]
-                fn eval<N: Lane>(&self, x: [N; 2]) -> [N; $out] {
-                    let pin: [N; $in] = self.crank.eval(x);
-                    self.group.eval(pin)
-                }
-            }
-        )*
-    };
-}
-
-on_cranks! {
-    CrankDyadP = CrankP, DyadGroundP: 2 => 2;
-    CrankDyadV = CrankV, DyadGroundV: 4 => 4;
-    CrankDyadA = CrankA, DyadGroundA: 6 => 6;
-    CrankDyadVL = CrankV, DyadGroundVL: 4 => 5;
-    CrankDyadAL = CrankA, DyadGroundAL: 6 => 8;
-    CrankSliderP = CrankP, SliderP: 2 => 2;
-    CrankSliderV = CrankV, SliderV: 4 => 4;
-    CrankSliderA = CrankA, SliderA: 6 => 6;
-    CrankSliderVL = CrankV, SliderVL: 4 => 5;
-    CrankSliderAL = CrankA, SliderAL: 6 => 8;
-    CrankSlottedV = CrankV, SlottedV: 4 => 5;
-    CrankSlottedA = CrankA, SlottedA: 6 => 8;
-    EvenDyadP = EvenP, DyadGroundP: 2 => 2;
-    EvenDyadV = EvenV, DyadGroundV: 4 => 4;
-    EvenDyadA = EvenA, DyadGroundA: 6 => 6;
-    EvenDyadVL = EvenV, DyadGroundVL: 4 => 5;
-    EvenDyadAL = EvenA, DyadGroundAL: 6 => 8;
-    EvenSliderP = EvenP, SliderP: 2 => 2;
-    EvenSliderV = EvenV, SliderV: 4 => 4;
-    EvenSliderA = EvenA, SliderA: 6 => 6;
-    EvenSliderVL = EvenV, SliderVL: 4 => 5;
-    EvenSliderAL = EvenA, SliderAL: 6 => 8;
-    EvenSlottedV = EvenV, SlottedV: 4 => 5;
-    EvenSlottedA = EvenA, SlottedA: 6 => 8;
 }

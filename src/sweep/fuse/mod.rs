@@ -5,13 +5,13 @@
 //! and one kernel of [`kernels`] does them all; what stays between is run as it is. Nothing here knows of mechanisms: a
 //! dyad is recognised by its operations, wherever it hangs. The numbers are the same whatever the width.
 
-mod cranks;
+pub mod cranks;
 pub mod kernels;
 mod levers;
 mod matching;
 
 use super::kernel::Reg;
-use super::program::{Program, Step};
+use super::program::{INPUTS, Program, Step};
 use super::run::{Any, Buffer, CHUNK, Placed, Runner};
 use crate::mechanism::Level;
 use arrayvec::ArrayVec;
@@ -24,6 +24,8 @@ pub struct Fused {
     pub(super) steps: Vec<Placed>,
     pub(super) wires: Vec<Reg>,
     pub(super) registers: usize,
+    /// Which of a position's inputs are read.
+    pub(super) inputs: ArrayVec<Reg, 3>,
     /// Registers with fixed values.
     constants: Vec<(Reg, f64)>,
     /// Where a register of the program is found, if anything reads it.
@@ -68,9 +70,9 @@ impl Program {
         self.runs[1].get_or_init(|| Fused::of(self, Level::Position, &self.crossings().collect::<Vec<_>>()))
     }
 
-    /// The program for its answers and the crossings of its joints.
+    /// The program for its answers and the crossings of the joints that may have a change point.
     pub(super) fn fused_watched(&self) -> &Fused {
-        self.runs[2].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().chain(self.crossings()).collect::<Vec<_>>()))
+        self.runs[2].get_or_init(|| Fused::of(self, Level::Acceleration, &self.answers().chain(self.suspects()).collect::<Vec<_>>()))
     }
 
     fn answers(&self) -> impl Iterator<Item = Reg> {
@@ -199,13 +201,14 @@ impl Ordered {
         let mut f = Fused {
             steps: Vec::with_capacity(self.order.len()),
             wires: Vec::with_capacity(self.wires.len()),
-            registers: super::program::SIN.0 as usize + 1,
+            registers: INPUTS.len(),
+            inputs: ArrayVec::new(),
             constants: Vec::with_capacity(program.constants.len()),
             place: vec![None; program.registers],
             values: constants,
         };
-        for i in 0..f.registers {
-            f.place[i] = Some(Reg(i as u32));
+        for reg in INPUTS {
+            f.place[reg.0 as usize] = Some(reg);
         }
         // The numbers of followed links come from outside.
         for t in &program.tracks {
@@ -224,6 +227,7 @@ impl Ordered {
             f.steps.push(Placed { op: unit.op, end: f.wires.len(), out });
         }
         wanted.iter().for_each(|r| f.know(*r));
+        f.inputs = INPUTS.into_iter().filter(|r| f.wires.contains(r) || wanted.contains(r)).collect();
         f
     }
 }
@@ -249,7 +253,6 @@ mod tests {
     use super::*;
     use crate::mechanism::Mechanism;
     use crate::scene::{edit, read, templates};
-    use crate::sweep::program::{COS, SIN, VALUE};
     use crate::sweep::{Placed, Stations, Width, compile, station};
 
     fn program(name: &str, find: &[&str]) -> (Program, Stations) {
@@ -299,9 +302,7 @@ mod tests {
             let plain = Ordered::of(program.registers, matching.singles(), wanted).unwrap().placed(&program, matching.constants, wanted);
             let run = |fused: &Fused| -> Vec<Vec<f64>> {
                 let mut buffer = fused.buffer();
-                buffer.fill(VALUE, &stations.values);
-                buffer.fill(COS, &stations.cosines);
-                buffer.fill(SIN, &stations.sines);
+                fused.load(&mut buffer, &stations, 0..stations.len());
                 fused.run(&mut buffer, Width::Widest);
                 wanted.iter().map(|r| (0..stations.len()).map(|i| fused.number(&buffer, *r, i)).collect()).collect()
             };
