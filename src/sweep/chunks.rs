@@ -6,7 +6,7 @@ use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
 use super::program::Program;
-use super::run::Buffer;
+use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
 use super::tracked::{self, States};
 use super::{Placed, Stations, branches, compile};
@@ -224,6 +224,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     }
     let together = fused.positions();
     let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(*c)).collect();
+    let [straight, copied] = [true, false].map(|straight| fused.answers(&found, straight));
     let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
     // The parts of the columns that are filled by one thread at a time.
     let stretch = if alone { n.max(1) } else { STRETCH * together };
@@ -248,10 +249,16 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         let (first, end) = (number * stretch, n.min((number + 1) * stretch));
         for from in (first..end).step_by(together) {
             let rows = from..end.min(from + together);
-            run(fused, buffer, &rows);
+            let here = rows.start - first..rows.end - first;
+            let answers = if states.is_none() && rows.len() == CHUNK {
+                fused.run_there(buffer, (stations, rows.start), &straight, places(part, &here), width);
+                &straight
+            } else {
+                run(fused, buffer, &rows);
+                &copied
+            };
             seen(buffer, rows.len());
-            let places = part.iter_mut().map(|numbers| &mut numbers[rows.start - first..rows.end - first]);
-            if buffer.hand_out(&found, places, width) {
+            if buffer.hand_out(answers, places(part, &here), width) {
                 continue;
             }
             // What misses by more than rounding needs nobody's second opinion. What the closures are made of is not in a program that only
@@ -281,6 +288,11 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         }
     }
     Rows { columns, missing, open }
+}
+
+/// Some rows of the columns of a part.
+fn places<'a>(part: &'a mut [&mut [f64]], rows: &Range<usize>) -> impl Iterator<Item = &'a mut [f64]> {
+    part.iter_mut().map(|numbers| &mut numbers[rows.clone()])
 }
 
 #[cfg(test)]

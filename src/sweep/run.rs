@@ -9,7 +9,7 @@
 use super::fuse::{Fused, cranks::*, kernels::*};
 use super::kernel::{Kernel, Reg};
 use super::lane::Width;
-use super::program::{COS, Joint, Op, Program, SIN};
+use super::program::{COS, INPUTS, Joint, Op, Program, SIN};
 use super::station::Stations;
 use fearless_simd::{Simd, SimdBase, SimdFrom, f64x4};
 use std::ops::Range;
@@ -21,10 +21,13 @@ pub const CHUNK: usize = 64;
 /// Groups of four in a chunk.
 const QUADS: usize = CHUNK / 4;
 
+/// The numbers of a register at all positions of a chunk.
+type Block = [[f64; 4]; QUADS];
+
 /// One register's numbers. Aligned, for a group of four that lies across two lines of the cache takes twice as long to store.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-struct Column([[f64; 4]; QUADS]);
+struct Column(Block);
 
 /// Runs kernels of whatever kind.
 pub(super) trait Runner {
@@ -152,9 +155,9 @@ impl Buffer {
         &self.columns[reg.0 as usize].0.as_flattened()[..n]
     }
 
-    /// Copies the numbers of registers to places of one length; NaN where there is no register. Whether all of them are finite, for
-    /// sure: a sum with what is not finite is not either, and none need be looked at by itself.
-    pub(super) fn hand_out<'a>(&self, regs: &[Option<Reg>], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
+    /// Takes the numbers of answers to their places, which are of one length. Whether all of them are finite, for sure: a sum with what is
+    /// not finite is not either, and none need be looked at by itself.
+    pub(super) fn hand_out<'a>(&self, answers: &[Answer], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
         if let Some(simd) = width.four() {
             return simd.vectorize(
@@ -163,24 +166,34 @@ impl Buffer {
                     // Four sums side by side, for each waits for what was added before.
                     let mut sums = [f64x4::splat(simd, 0.0); 4];
                     let mut rest = 0.0;
-                    for (reg, place) in regs.iter().zip(places) {
-                        let Some(reg) = reg else {
-                            place.fill(f64::NAN);
-                            rest = f64::NAN;
-                            continue;
-                        };
-                        let column = &self.columns[reg.0 as usize].0;
+                    for (answer, place) in answers.iter().zip(places) {
                         let (many, few) = place.as_chunks_mut::<16>();
-                        for (place, numbers) in many.iter_mut().zip(column.as_chunks::<4>().0) {
-                            for k in 0..4 {
-                                let four = f64x4::simd_from(simd, numbers[k]);
-                                four.store_slice(&mut place[4 * k..4 * k + 4]);
-                                sums[k] += four;
+                        match answer {
+                            Answer::There(_) => {
+                                for place in many {
+                                    for k in 0..4 {
+                                        sums[k] += f64x4::from_slice(simd, &place[4 * k..4 * k + 4]);
+                                    }
+                                }
+                            }
+                            Answer::In(reg) => {
+                                let column = &self.columns[reg.0 as usize].0;
+                                few.copy_from_slice(&column.as_flattened()[16 * many.len()..][..few.len()]);
+                                for (place, numbers) in many.iter_mut().zip(column.as_chunks::<4>().0) {
+                                    for k in 0..4 {
+                                        let four = f64x4::simd_from(simd, numbers[k]);
+                                        four.store_slice(&mut place[4 * k..4 * k + 4]);
+                                        sums[k] += four;
+                                    }
+                                }
+                            }
+                            Answer::Nowhere => {
+                                many.as_flattened_mut().fill(f64::NAN);
+                                few.fill(f64::NAN);
+                                rest = f64::NAN;
                             }
                         }
-                        let last = &column.as_flattened()[16 * many.len()..][..few.len()];
-                        few.copy_from_slice(last);
-                        rest += last.iter().sum::<f64>();
+                        rest += few.iter().sum::<f64>();
                     }
                     let all: [f64; 4] = ((sums[0] + sums[1]) + (sums[2] + sums[3])).into();
                     (rest + all.iter().sum::<f64>()).is_finite()
@@ -188,10 +201,11 @@ impl Buffer {
             );
         }
         let mut sum = 0.0;
-        for (reg, place) in regs.iter().zip(places) {
-            match reg {
-                Some(reg) => place.copy_from_slice(self.numbers(*reg, place.len())),
-                None => place.fill(f64::NAN),
+        for (answer, place) in answers.iter().zip(places) {
+            match answer {
+                Answer::There(_) => {}
+                Answer::In(reg) => place.copy_from_slice(self.numbers(*reg, place.len())),
+                Answer::Nowhere => place.fill(f64::NAN),
             }
             sum += place.iter().sum::<f64>();
         }
@@ -235,23 +249,68 @@ impl Fused {
 
     /// Runs a chunk whose inputs are filled in.
     pub fn run(&self, buffer: &mut Buffer, width: Width) {
-        let Buffer { columns, quads } = buffer;
-        let quads = *quads;
+        let quads = buffer.quads;
+        let Some((inputs, own)) = buffer.columns.split_first_chunk_mut::<{ INPUTS.len() }>() else { return };
+        let inputs = inputs.each_ref().map(|c| &c.0);
+        let slots = own[..self.registers - INPUTS.len()].iter_mut().map(|c| &mut c.0).collect();
+        self.run_in(Memory { inputs, slots, quads, wires: &[] }, width);
+    }
+
+    /// Runs the chunk of [`CHUNK`] stations from `first` on, with nothing filled in; operations put what is [`Answer::There`] to its
+    /// place themselves: from a cache to the table it would take as long as what is computed in the meantime.
+    pub(super) fn run_there<'a>(
+        &'a self,
+        buffer: &'a mut Buffer,
+        (stations, first): (&'a Stations, usize),
+        answers: &[Answer],
+        places: impl Iterator<Item = &'a mut [f64]>,
+        width: Width,
+    ) {
+        buffer.quads = QUADS;
+        let block = |values: &'a [f64]| values[first..].as_chunks().0.first_chunk();
+        let inputs = (block(&stations.values), block(&stations.cosines), block(&stations.sines));
+        let ((Some(values), Some(cosines), Some(sines)), Some(own)) = (inputs, buffer.columns.get_mut(INPUTS.len()..self.registers)) else {
+            return;
+        };
+        let mut slots: Vec<&mut Block> = own.iter_mut().map(|c| &mut c.0).collect();
+        for (answer, place) in answers.iter().zip(places) {
+            if let Answer::There(reg) = answer
+                && let Some(place) = place.as_chunks_mut().0.first_chunk_mut()
+            {
+                slots[reg.0 as usize - INPUTS.len()] = place;
+            }
+        }
+        self.run_in(Memory { inputs: [values, cosines, sines], slots, quads: QUADS, wires: &[] }, width);
+    }
+
+    /// Where answers are found that are in these registers; `straight`: when operations put what they can to its place themselves.
+    pub(super) fn answers(&self, found: &[Option<Reg>], straight: bool) -> Vec<Answer> {
+        let constant = |reg: Reg| self.constants.iter().any(|(r, _)| *r == reg);
+        let twice = |reg: Reg| found.iter().filter(|r| **r == Some(reg)).count() > 1;
+        let of = |reg: &Option<Reg>| match *reg {
+            Some(reg) if straight && !INPUTS.contains(&reg) && !constant(reg) && !twice(reg) => Answer::There(reg),
+            Some(reg) => Answer::In(reg),
+            None => Answer::Nowhere,
+        };
+        found.iter().map(of).collect()
+    }
+
+    fn run_in<'a>(&'a self, memory: Memory<'a>, width: Width) {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
-                || self.run_all(Four { simd, columns, quads, wires: &[] }),
+                || self.run_all(Four { simd, memory }),
             );
         }
-        self.run_all(One { columns, quads, wires: &[] });
+        self.run_all(One { memory });
     }
 
     #[inline(always)]
-    fn run_all<'a>(&'a self, mut runner: impl Runner + Wired<'a>) {
+    fn run_all<'a>(&'a self, mut runner: impl Runner + AsMut<Memory<'a>>) {
         let mut start = 0;
         for step in &self.steps {
-            runner.wire(&self.wires[start..step.end]);
+            runner.as_mut().wires = &self.wires[start..step.end];
             start = step.end;
             step.op.run(&mut runner, step.out);
         }
@@ -274,38 +333,64 @@ impl Fused {
     }
 }
 
-/// A runner that is told where an operation reads.
-pub(super) trait Wired<'a> {
-    fn wire(&mut self, wires: &'a [Reg]);
+/// How an answer gets to its place in a table.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Answer {
+    /// The operation that fills this register puts it there.
+    There(Reg),
+    /// From this register.
+    In(Reg),
+    /// There is none.
+    Nowhere,
+}
+
+/// The registers of a chunk that is run, and where its operation reads.
+struct Memory<'a> {
+    inputs: [&'a Block; INPUTS.len()],
+    /// The registers that are not inputs.
+    slots: Vec<&'a mut Block>,
+    quads: usize,
+    wires: &'a [Reg],
+}
+
+/// What an operation reads and what it fills.
+type Columns<'a, const IN: usize, const OUT: usize> = ([&'a Block; IN], [&'a mut Block; OUT]);
+
+impl Memory<'_> {
+    #[inline(always)]
+    fn columns<const IN: usize, const OUT: usize>(&mut self, out: Reg) -> Option<Columns<'_, IN, OUT>> {
+        let (known, new) = self.slots.split_at_mut(out.0 as usize - INPUTS.len());
+        let wires = self.wires.first_chunk::<IN>()?;
+        let mut x = [self.inputs[0]; IN];
+        for k in 0..IN {
+            let reg = wires[k].0 as usize;
+            x[k] = if reg < INPUTS.len() { self.inputs[reg] } else { &*known[reg - INPUTS.len()] };
+        }
+        Some((x, new.first_chunk_mut::<OUT>()?.each_mut().map(|block| &mut **block)))
+    }
 }
 
 /// Runs a chunk four positions at a time.
 struct Four<'a, S> {
     simd: S,
-    columns: &'a mut [Column],
-    quads: usize,
-    wires: &'a [Reg],
+    memory: Memory<'a>,
 }
 
-impl<'a, S> Wired<'a> for Four<'a, S> {
+impl<'a, S> AsMut<Memory<'a>> for Four<'a, S> {
     #[inline(always)]
-    fn wire(&mut self, wires: &'a [Reg]) {
-        self.wires = wires;
+    fn as_mut(&mut self) -> &mut Memory<'a> {
+        &mut self.memory
     }
 }
 
 impl<S: Simd> Runner for Four<'_, S> {
     #[inline(always)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
-        let (known, new) = self.columns.split_at_mut(out.0 as usize);
-        let (Some(wires), Some(y)) = (self.wires.first_chunk::<IN>(), new.first_chunk_mut::<OUT>()) else { return };
-        let mut x = [&known[0].0; IN];
-        for k in 0..IN {
-            x[k] = &known[wires[k].0 as usize].0;
-        }
+        let quads = self.memory.quads.min(QUADS);
+        let Some((x, y)) = self.memory.columns::<IN, OUT>(out) else { return };
         // A copy, which no number that is put out can lie in: what is made of its constants is made before the loop.
         let kernel = *kernel;
-        for i in 0..self.quads.min(QUADS) {
+        for i in 0..quads {
             // A loop, for what is not inlined runs without the machine's wide registers.
             let mut lanes = [f64x4::splat(self.simd, 0.0); IN];
             for k in 0..IN {
@@ -313,7 +398,7 @@ impl<S: Simd> Runner for Four<'_, S> {
             }
             let v = kernel.eval(lanes);
             for j in 0..OUT {
-                y[j].0[i] = v[j].into();
+                y[j][i] = v[j].into();
             }
         }
     }
@@ -321,28 +406,22 @@ impl<S: Simd> Runner for Four<'_, S> {
 
 /// Runs a chunk one position at a time.
 struct One<'a> {
-    columns: &'a mut [Column],
-    quads: usize,
-    wires: &'a [Reg],
+    memory: Memory<'a>,
 }
 
-impl<'a> Wired<'a> for One<'a> {
+impl<'a> AsMut<Memory<'a>> for One<'a> {
     #[inline(always)]
-    fn wire(&mut self, wires: &'a [Reg]) {
-        self.wires = wires;
+    fn as_mut(&mut self) -> &mut Memory<'a> {
+        &mut self.memory
     }
 }
 
 impl Runner for One<'_> {
     #[inline(always)]
     fn run<const IN: usize, const OUT: usize, K: Kernel<IN, OUT>>(&mut self, kernel: &K, out: Reg) {
-        let (known, new) = self.columns.split_at_mut(out.0 as usize);
-        let (Some(wires), Some(y)) = (self.wires.first_chunk::<IN>(), new.first_chunk_mut::<OUT>()) else { return };
-        let mut x = [&known[0].0; IN];
-        for k in 0..IN {
-            x[k] = &known[wires[k].0 as usize].0;
-        }
-        for i in 0..self.quads.min(QUADS) {
+        let quads = self.memory.quads.min(QUADS);
+        let Some((x, y)) = self.memory.columns::<IN, OUT>(out) else { return };
+        for i in 0..quads {
             for lane in 0..4 {
                 let mut numbers = [0.0; IN];
                 for k in 0..IN {
@@ -350,7 +429,7 @@ impl Runner for One<'_> {
                 }
                 let v = kernel.eval(numbers);
                 for j in 0..OUT {
-                    y[j].0[i][lane] = v[j];
+                    y[j][i][lane] = v[j];
                 }
             }
         }

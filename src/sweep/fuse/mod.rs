@@ -27,7 +27,7 @@ pub struct Fused {
     /// Which of a position's inputs are read.
     pub(super) inputs: ArrayVec<Reg, 3>,
     /// Registers with fixed values.
-    constants: Vec<(Reg, f64)>,
+    pub(super) constants: Vec<(Reg, f64)>,
     /// Where a register of the program is found, if anything reads it.
     place: Vec<Option<Reg>>,
     /// The values of the program's constant registers.
