@@ -244,6 +244,31 @@ fn a_long_json_is_the_document_of_a_whole_one() {
     assert!(json == format!("{document:#}\n"), "{} bytes against {}", json.len(), format!("{document:#}\n").len());
 }
 
+/// What is printed is what is written, with the notes first, though the rows were set aside on disk until the notes were known.
+#[test]
+fn a_long_sweep_is_printed_as_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let (scene, out) = (folder.path().join("rocker.json"), folder.path().join("out.csv"));
+    // It stops twice on the way round.
+    hodograph().args(["new", "crank-rocker", "--set", "l_AB=240", "-o"]).arg(&scene).assert().success();
+    let sweep = |more: &[&str]| {
+        let mut c = hodograph();
+        c.arg("sweep")
+            .arg(&scene)
+            .args(["--steps", "200000", "--find", "v_C,a_C"])
+            .args(more)
+            .assert()
+            .success()
+            .get_output()
+            .stdout
+            .clone()
+    };
+    sweep(&["-o", out.to_str().unwrap()]);
+    let (printed, written) = (sweep(&[]), std::fs::read(out).unwrap());
+    assert!(printed.starts_with(b"# ") && printed.len() > 9 << 20, "{} bytes", printed.len());
+    assert!(printed == written);
+}
+
 /// A sweep is written beside its name first: asked to stop, it takes that away. By rows and by columns; each row by itself, from the one
 /// before it, or a mechanism for each.
 #[cfg(unix)]
