@@ -5,7 +5,7 @@ use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
-use super::program::Program;
+use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
 use super::tracked::{self, States};
@@ -225,6 +225,8 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
     let together = fused.positions();
     let found: Vec<Option<Reg>> = program.columns.iter().map(|c| fused.place(*c)).collect();
     let [straight, copied] = [true, false].map(|straight| fused.answers(&found, straight));
+    // Where nothing has to be filled in, and no answer is what is given.
+    let whole = states.is_none() && !found.iter().flatten().any(|r| INPUTS.contains(r));
     let alone = n * fused.registers < ALONE || rayon::current_num_threads() == 1;
     // The parts of the columns that are filled by one thread at a time.
     let stretch = if alone { n.max(1) } else { STRETCH * together };
@@ -250,7 +252,7 @@ pub(super) fn fill<C: DerefMut<Target = [f64]>>(
         for from in (first..end).step_by(together) {
             let rows = from..end.min(from + together);
             let here = rows.start - first..rows.end - first;
-            let answers = if states.is_none() && rows.len() == CHUNK {
+            let answers = if whole && rows.len() == CHUNK {
                 fused.run_there(buffer, (stations, rows.start), &straight, places(part, &here), width);
                 &straight
             } else {
