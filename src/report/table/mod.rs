@@ -141,14 +141,6 @@ pub trait Format: Send + Sync {
     /// Those of the format's library.
     fn piece_in(&self, columns: &[&[f64]], used: Piece) -> io::Result<Piece>;
 
-    /// [`Format::piece_in`] in memory of its own.
-    ///
-    /// # Errors
-    /// Those of the format's library.
-    fn piece(&self, columns: &[&[f64]]) -> io::Result<Piece> {
-        self.piece_in(columns, Piece::default())
-    }
-
     /// The bytes after the last row, given all pieces that hold rows.
     ///
     /// # Errors
