@@ -6,7 +6,7 @@
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, Regular, bad_angles, compare, drafting, regular};
 use crate::analytic::{self, Refused, Solution};
-use crate::answer::{Value, evaluate, level_of};
+use crate::answer::{Value, level_of};
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -191,7 +191,7 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         // What is drawn is checked by the loop equations, near a singular pose as elsewhere.
         let computed = match written.as_ref().filter(|_| drawn.is_none()) {
             Some(written) => written.values[i],
-            None => evaluate(scene, &configuration, &solution, &find.what).or_else(|| beside(find)),
+            None => solution.answer(scene, &configuration, &find.what).or_else(|| beside(find)),
         };
         let Some(computed) = computed else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
@@ -223,7 +223,7 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         };
         let mut others = Vec::new();
         for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
-            let value = evaluate(scene, &configuration, other, &find.what);
+            let value = other.answer(scene, &configuration, &find.what);
             others.extend(value.map(|v| above(noise_of(other, &v), v)));
         }
         let longer = written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
@@ -303,7 +303,7 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
         Value::Scalar(_) => {
             let rates = paper.rates.iter().filter(|r| r.level == level);
             let largest = rates.clone().map(|r| r.value.abs()).fold(0.0, f64::max);
-            let arm = rates.filter_map(|r| r.measured).map(|m| m.1).fold(extent, f64::min);
+            let arm = rates.filter_map(|r| r.measured).map(|m| m.arm).fold(extent, f64::min);
             if arm > 0.0 { largest.max(vector / arm) } else { largest }
         }
     }

@@ -335,7 +335,7 @@ type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 
 /// What the ruler gives: |v|/μ, or |ω| l/μ for a turning rate measured on a line of length l.
 fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
-    let m = r.drawn.as_ref()?.measured?;
+    let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);
     let number = |x: N| x.enclosure().map(Number::new);
     let (size, arm) = match (value, m.arm_m) {

@@ -194,15 +194,21 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
                     crossing(*sine, p.mu, pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
                 }
                 Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),
+                Action::Join(e) => tell(What::Length(0), length(span(&p.edges[*e]))),
+                Action::Perpendicular { edges, .. } => {
+                    for (k, e) in edges.iter().enumerate() {
+                        tell(What::Length(k), length(span(&p.edges[*e])));
+                    }
+                }
                 Action::Rate(r) => {
                     let r = &paper.rates[*r];
                     let small = |n: &Number| n.enclosure().contains_zero() && n.enclosure().largest() <= NOTHING * largest;
                     let zero = match r.measured {
-                        Some((mm, arm)) => {
-                            let mm = length_of(mm);
+                        Some(m) => {
+                            let mm = length_of(m.length);
                             let zero = mm.as_ref().is_some_and(|n| n.zero);
                             tell(What::Length(0), mm);
-                            tell(What::Arm, some(arm));
+                            tell(What::Arm, some(m.arm));
                             zero
                         }
                         None => some(r.value).as_ref().is_some_and(small),

@@ -2,11 +2,13 @@
 //!
 //! Unknown are the velocities (and accelerations) of every moving link, three numbers each, and of every pin that sits on
 //! no link. The rows come from differentiating the constraint equations once and twice ([`rows`]); groups, legs, plan and
-//! paper are not known here, and no relative-motion term (normal, Coriolis) is ever written down.
+//! paper are not known here, and no formula of a relative-motion term (normal, Coriolis) is ever written down: where one is asked for, [`asked`]
+//! takes it from rows of the same kinds.
 //!
 //! # Source
 //! Φ_q q̇ = −Φ_t, Φ_q q̈ = γ: E. J. Haug, *Computer Aided Kinematics and Dynamics of Mechanical Systems*, ch. 3.
 
+mod asked;
 mod blocks;
 mod factor;
 mod fork;
@@ -24,7 +26,7 @@ pub use singular::Why;
 
 use crate::answer::Source;
 use crate::diag::{Diagnostic, Faults};
-use crate::geom::Vec2;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::position::Configuration;
 use crate::scene::{DriverKind, LinkId, PointId, Scene};
@@ -41,8 +43,8 @@ pub struct Solution {
     /// For velocities and for accelerations, the first solved link that carries each point.
     home: [Vec<Option<LinkId>>; 2],
     /// Places, for the vectors of further points.
-    points: Vec<Option<crate::geom::Point>>,
-    origins: Vec<Option<crate::geom::Point>>,
+    points: Vec<Option<Point>>,
+    origins: Vec<Option<Point>>,
     ground: LinkId,
     /// Estimated condition number of the scaled Jacobian (1-norm); infinite where it is singular.
     pub condition: f64,
@@ -277,6 +279,21 @@ impl Solution {
     }
 }
 
+impl Solution {
+    /// The vector of a moving link's point that lies at a place.
+    fn of_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
+        let motion = self.links[link.0]?;
+        let r = place - self.origins[link.0]?;
+        Some(match level {
+            Level::Velocity => motion.v + r.perp() * motion.omega,
+            _ => {
+                let (a, alpha) = motion.second?;
+                a + r.perp() * alpha - r * (motion.omega * motion.omega)
+            }
+        })
+    }
+}
+
 impl Source for Solution {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
         let slot = usize::from(level == Level::Acceleration);
@@ -292,15 +309,7 @@ impl Source for Solution {
         if link == self.ground {
             return Some(Vec2::ZERO);
         }
-        let motion = self.links[link.0]?;
-        let r = (*self.points.get(p.0)?)? - self.origins[link.0]?;
-        Some(match level {
-            Level::Velocity => motion.v + r.perp() * motion.omega,
-            _ => {
-                let (a, alpha) = motion.second?;
-                a + r.perp() * alpha - r * (motion.omega * motion.omega)
-            }
-        })
+        self.of_place(level, link, (*self.points.get(p.0)?)?)
     }
 
     fn turning(&self, level: Level, link: LinkId) -> Option<f64> {

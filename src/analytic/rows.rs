@@ -181,49 +181,13 @@ impl Layout {
                     return;
                 }
                 // n·(P − Q) = const, n and Q fixed in the carrier.
-                rows.push(self.projection(runner, carrier, direction.perp(), place - through, [0.0; 2], Pair::Guide(g)));
+                rows.push(projection(runner, carrier, direction.perp(), (place - through) * self.scale, [0.0; 2], Pair::Guide(g)));
             }
             Path::Arc { centre, .. } => {
                 let Some(carrier) = self.body(scene, guide.on, centre) else { return };
-                rows.push(self.distance(runner, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
+                rows.push(distance(runner, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
             }
         }
-    }
-
-    /// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
-    fn projection(&self, p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2], of: Pair) -> Row {
-        let arm = arm * self.scale;
-        let mut c = Vec::new();
-        p.add(&mut c, k);
-        q.add(&mut c, -k);
-        if let (Some(i), true) = (q.first, q.turns) {
-            c.push((i + 2, k.perp().dot(arm)));
-        }
-        Row { coefficients: c, rate: drive[0], relation: Relation::Along { p, q, k, arm, drive }, of }
-    }
-
-    /// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
-    fn distance(&self, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
-        let d = d * self.scale;
-        let u = d * (1.0 / d.norm());
-        let mut c = Vec::new();
-        p.add(&mut c, u);
-        q.add(&mut c, -u);
-        Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
-    }
-
-    /// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
-    /// (ω_body + ψ̇) l² = d × (v_P − v_Q).
-    fn along_line(&self, body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
-        let d = d * self.scale;
-        let k = d.perp() * (1.0 / d.norm2());
-        let mut c = Vec::new();
-        p.add(&mut c, k);
-        q.add(&mut c, -k);
-        if let Some(i) = body.first {
-            c.push((i + 2, -1.0));
-        }
-        Row { coefficients: c, rate: drive[0], relation: Relation::Line { body, p, q, d, drive }, of }
     }
 
     fn block_on_arc(&self, scene: &Scene, at: &Configuration, (s, g): (LinkId, GuideId), p: PointId, path: Path, rows: &mut Vec<Row>) {
@@ -233,7 +197,7 @@ impl Layout {
             (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, scene.guides[g.0].on, centre))
             && self.links.contains(&s)
         {
-            rows.push(self.along_line(body, pin, carrier, place - centre, [0.0; 2], Pair::Guide(g)));
+            rows.push(along_line(body, pin, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
         }
     }
 
@@ -261,7 +225,7 @@ impl Layout {
                     Path::Line { through, direction } => {
                         let Some(carrier) = self.body(scene, g.on, through) else { return };
                         if runner.first.is_some() || carrier.first.is_some() {
-                            rows.push(self.projection(runner, carrier, direction, place - through, [rate, acceleration], Pair::Driver(d)));
+                            rows.push(projection(runner, carrier, direction, (place - through) * self.scale, [rate, acceleration], Pair::Driver(d)));
                         }
                     }
                     Path::Arc { centre, radius } => {
@@ -269,7 +233,7 @@ impl Layout {
                         let Some(carrier) = self.body(scene, g.on, centre) else { return };
                         let rho = radius * self.scale;
                         let drive = [rate / rho, acceleration / rho];
-                        rows.push(self.along_line(carrier, runner, carrier, place - centre, drive, Pair::Driver(d)));
+                        rows.push(along_line(carrier, runner, carrier, (place - centre) * self.scale, drive, Pair::Driver(d)));
                     }
                 }
             }
@@ -277,7 +241,7 @@ impl Layout {
                 let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
                 let (Some(ha), Some(hb)) = (self.pin(scene, *a, pa), self.pin(scene, *b, pb)) else { return };
                 let drive = [rate * self.scale, acceleration * self.scale];
-                rows.push(self.distance(hb, ha, pb - pa, drive, Pair::Driver(d)));
+                rows.push(distance(hb, ha, (pb - pa) * self.scale, drive, Pair::Driver(d)));
                 for (i, l) in links.iter().enumerate() {
                     // Barrel and rod: each sits on its end and turns with the line.
                     let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
@@ -293,7 +257,7 @@ impl Layout {
                                 rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
                             }
                         }
-                        rows.push(self.along_line(body, hb, ha, pb - pa, [0.0; 2], Pair::Driver(d)));
+                        rows.push(along_line(body, hb, ha, (pb - pa) * self.scale, [0.0; 2], Pair::Driver(d)));
                     }
                 }
             }
@@ -347,4 +311,37 @@ impl Layout {
 /// Whether a group is wanted up to its acceleration, or not in motion at all.
 fn deepest(demand: &Demand, group: usize) -> bool {
     demand.wants(group, Level::Acceleration) || !demand.wants(group, Level::Velocity)
+}
+
+/// k·(P − Q) = s(t) with k fixed in the body of Q: k·(v_P − v_Q) + ω k⊥·(P − Q) = ṡ.
+pub(super) fn projection(p: Handle, q: Handle, k: Vec2, arm: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let mut c = Vec::new();
+    p.add(&mut c, k);
+    q.add(&mut c, -k);
+    if let (Some(i), true) = (q.first, q.turns) {
+        c.push((i + 2, k.perp().dot(arm)));
+    }
+    Row { coefficients: c, rate: drive[0], relation: Relation::Along { p, q, k, arm, drive }, of }
+}
+
+/// |P − Q|² = l(t)², halved: d·(v_P − v_Q) = l l̇; divided by l.
+pub(super) fn distance(p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let u = d * (1.0 / d.norm());
+    let mut c = Vec::new();
+    p.add(&mut c, u);
+    q.add(&mut c, -u);
+    Row { coefficients: c, rate: drive[0], relation: Relation::Distance { p, q, d, drive }, of }
+}
+
+/// Turning of the line Q→P against which a body is held, or from which its turning differs by what is given:
+/// (ω_body + ψ̇) l² = d × (v_P − v_Q).
+pub(super) fn along_line(body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2], of: Pair) -> Row {
+    let k = d.perp() * (1.0 / d.norm2());
+    let mut c = Vec::new();
+    p.add(&mut c, k);
+    q.add(&mut c, -k);
+    if let Some(i) = body.first {
+        c.push((i + 2, -1.0));
+    }
+    Row { coefficients: c, rate: drive[0], relation: Relation::Line { body, p, q, d, drive }, of }
 }

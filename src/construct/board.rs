@@ -3,12 +3,12 @@
 use super::choices::SPECIAL_LEGS;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateReading};
+use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateMeasured, RateReading};
 use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Body, By, Chain, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
+use crate::plan::{Between, Body, By, Chain, GroupSteps, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
 use crate::position::{Configuration, Path};
 use crate::scene::exact::Inputs;
 use crate::scene::{DriverKind, Scene};
@@ -63,6 +63,12 @@ pub(super) struct Board<'a, N, P> {
 
 /// A line on paper: a point of it, and its direction.
 type Line<N> = (Point<N>, Vec2<N>);
+
+/// The mark in which a part ends.
+fn part_mark<N>(p: &Polygon<N>, term: &Term) -> Mark {
+    let taken = |m: &Mark| matches!(m, Mark::Part(t) if t.is_same(term) == Some(false));
+    if p.edges.iter().any(|e| taken(&e.to.0)) { Mark::Again(*term) } else { Mark::Part(*term) }
+}
 
 /// A crossing is called parallel when its sine is no larger than what rounding makes of the two directions: each is a
 /// difference of places known to half a unit in the last place of the mechanism's size, divided by its length. Eight
@@ -195,18 +201,34 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
-            for (body, rate) in &steps.rates {
-                self.turning(&mut polygon, *body, *rate);
-            }
+            let mut open: Vec<&Between> = steps.between.iter().collect();
+            self.read_off(&mut polygon, steps, &mut open)?;
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
                 // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-                for (body, rate) in &steps.rates {
-                    self.turning(&mut polygon, *body, *rate);
-                }
+                self.read_off(&mut polygon, steps, &mut open)?;
             }
         }
         Ok(polygon)
+    }
+
+    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn.
+    fn read_off(&mut self, p: &mut Polygon<N>, steps: &GroupSteps, open: &mut Vec<&Between>) -> Result<(), Faults> {
+        loop {
+            for (body, rate) in &steps.rates {
+                self.turning(p, *body, *rate);
+            }
+            let there = |b: &&Between| {
+                let (of, to) = b.ends();
+                p.images[of.0].is_some() && p.images[to.0].is_some() && self.knows_turnings(b)
+            };
+            let Some(next) = open.iter().position(there) else { return Ok(()) };
+            let between = open.remove(next);
+            // The alternative of the group that was drawn may show it.
+            if !between.terms().iter().all(|t| p.edge_of(&[*t]).is_some()) {
+                self.between(p, between)?;
+            }
+        }
     }
 
     fn step(&mut self, p: &mut Polygon<N>, step: &Step) -> Result<(), Faults> {
@@ -250,27 +272,14 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     fn equation(&mut self, p: &mut Polygon<N>, target: VertexId, chains: &[Chain]) -> Result<(), Faults> {
-        let mu: N = scale::number(p.mu);
         let mut ends: Vec<(Mark, Point<N>, Option<Line<N>>)> = Vec::new();
         let before = p.edges.len();
         for chain in chains {
-            let mut at = (self.mark(chain.start), self.image(p, chain.start));
+            let start = (self.mark(chain.start), self.image(p, chain.start));
+            // The last known vector of a chain without unknowns ends in the target itself.
+            let leads = chain.unknown.is_empty() && chains.len() == 1;
+            let at = self.lay_off(p, start, &chain.known, leads.then_some(target))?;
             let vanishes = |t: &Term| self.plan.vanishes(self.scene, p.level, t);
-            let last_drawn = chain.known.iter().rposition(|t| !vanishes(t));
-            for (i, term) in chain.known.iter().enumerate() {
-                if vanishes(term) {
-                    p.actions.push(Action::Nothing { term: *term, at: at.1 });
-                    continue;
-                }
-                let end = at.1 + self.known_vector(p, term)? * (N::from_f64(1.0) / mu);
-                let end = self.pencil.mark(p.level, end);
-                // The last known vector of a chain without unknowns ends in the target itself.
-                let last = chain.unknown.is_empty() && Some(i) == last_drawn && chains.len() == 1;
-                let mark = if last { Mark::Image(target) } else { Mark::Part(*term) };
-                p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true });
-                p.actions.push(Action::LayOff(p.edges.len() - 1));
-                at = (mark, end);
-            }
             let line = match chain.unknown.first() {
                 Some(term) if vanishes(term) => {
                     p.actions.extend(chain.unknown.iter().map(|t| Action::Nothing { term: *t, at: at.1 }));
@@ -326,12 +335,97 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         Ok(())
     }
 
+    /// Whether the turning rates that a vector between two images is laid off with are read already.
+    fn knows_turnings(&self, between: &Between) -> bool {
+        let Between::LayOff { known, .. } = between else { return true };
+        let by_omega = |t: &&Term| matches!(t.kind, TermKind::Normal | TermKind::Coriolis);
+        let body = |t: &Term| match t.by {
+            By::Turning(body) => Some(body),
+            By::Guide { guide, .. } => Some(Body::Link(self.scene.guides[guide.0].on)),
+            By::Cylinder(d) => Some(Body::Cylinder(d)),
+            By::Apart => None,
+        };
+        known.iter().filter(by_omega).filter_map(body).all(|b| {
+            let still = matches!(b, Body::Link(l) if self.m.never_turns[l.0]);
+            still || self.done.rate(Level::Velocity, b).is_some()
+        })
+    }
+
+    /// Draws a vector, or the parts of one, between two images.
+    fn between(&mut self, p: &mut Polygon<N>, between: &Between) -> Result<(), Faults> {
+        if self.stands(p.level) {
+            return Ok(());
+        }
+        let (of, to) = between.ends();
+        let from = (self.mark(to), self.image(p, to));
+        let end = (self.mark(of), self.image(p, of));
+        let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known };
+        match between {
+            Between::Join(t) => {
+                p.edges.push(edge(vec![*t], from, end, false));
+                p.actions.push(Action::Join(p.edges.len() - 1));
+            }
+            Between::Perpendicular { normal, tangential } => {
+                // Where a chain has laid aⁿ off from the same image, its end is the foot.
+                if let Some(foot) = p.end_of(&from.0, normal) {
+                    p.edges.push(edge(vec![*tangential], foot, end, false));
+                    p.actions.push(Action::Join(p.edges.len() - 1));
+                    return Ok(());
+                }
+                let u = self.arm(of, to).unit().ok_or_else(|| Faults::from(self.coincide(of, to)))?;
+                let apart = self.drawn_length(normal);
+                let u = self.pencil.ruler(p.level, u, apart);
+                let foot = self.pencil.mark(p.level, from.1 + u * u.dot(end.1 - from.1));
+                let foot = (part_mark(p, normal), foot);
+                p.edges.push(edge(vec![*normal], from, foot, false));
+                p.edges.push(edge(vec![*tangential], foot, end, false));
+                p.actions.push(Action::Perpendicular { edges: [p.edges.len() - 2, p.edges.len() - 1], direction: u });
+            }
+            Between::LayOff { known, rest } => {
+                // What a chain has laid off from the same image stands already.
+                let (mut at, mut open) = (from, &known[..]);
+                while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((p.end_of(&at.0, t)?, later))) {
+                    (at, open) = (end, later);
+                }
+                let at = self.lay_off(p, at, open, None)?;
+                if !rest.is_empty() {
+                    p.edges.push(edge(rest.clone(), at, end, false));
+                    p.actions.push(Action::Join(p.edges.len() - 1));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Lays known terms off one after another; the last ends in the image of `target`, if one is given.
+    fn lay_off(&mut self, p: &mut Polygon<N>, from: (Mark, Point<N>), known: &[Term], target: Option<VertexId>) -> Result<(Mark, Point<N>), Faults> {
+        let mu: N = scale::number(p.mu);
+        let mut at = from;
+        let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.level, t));
+        for (i, term) in known.iter().enumerate() {
+            if self.plan.vanishes(self.scene, p.level, term) {
+                p.actions.push(Action::Nothing { term: *term, at: at.1 });
+                continue;
+            }
+            let end = at.1 + self.known_vector(p, term)? * (N::from_f64(1.0) / mu);
+            let end = self.pencil.mark(p.level, end);
+            let mark = match target {
+                Some(target) if Some(i) == last_drawn => Mark::Image(target),
+                Some(_) | None => part_mark(p, term),
+            };
+            p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true });
+            p.actions.push(Action::LayOff(p.edges.len() - 1));
+            at = (mark, end);
+        }
+        Ok(at)
+    }
+
     /// Size of the mechanism over the length from which a direction is taken: how rounding of places acts on it.
     fn rounding(&self, chain: &Chain) -> f64 {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
             By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
-            By::Guide { .. } => 1.0,
+            By::Guide { .. } | By::Apart => 1.0,
         }
     }
 
@@ -349,6 +443,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let u = match term.by {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
+            By::Apart => None,
         };
         u.ok_or_else(|| self.coincide(term.of, term.to).into())
     }
@@ -392,10 +487,11 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             return;
         }
         let zero = N::from_f64(0.0);
+        let known = |value| RateReading { level, body, value, measured: None };
         let reading = match rate {
-            _ if self.stands(level) => RateReading { level, body, value: zero, measured: None, line: None },
-            Rate::Zero => RateReading { level, body, value: zero, measured: None, line: None },
-            Rate::Same(other) => RateReading { level, body, value: self.rate(level, Body::Link(other)), measured: None, line: None },
+            _ if self.stands(level) => known(zero),
+            Rate::Zero => known(zero),
+            Rate::Same(other) => known(self.rate(level, Body::Link(other))),
             Rate::Given { driver, against } => {
                 let own = self.given(level, driver);
                 // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
@@ -403,32 +499,34 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                     DriverKind::Turn { link, .. } if Body::Link(link) == body => own,
                     _ => -own,
                 };
-                RateReading { level, body, value: self.rate(level, Body::Link(against)) + own, measured: None, line: None }
+                known(self.rate(level, Body::Link(against)) + own)
             }
-            Rate::Measured { of, to } if p.images[of.0].is_none() || p.images[to.0].is_none() => return,
             Rate::Measured { of, to } => {
+                let Some([from, end]) = self.measured_between(p, body, of, to) else { return };
                 let mu: N = scale::number(p.mu);
                 let r = self.arm_of(body, of, to);
                 let l = r.norm();
-                let drawn = self.pencil.read(level, self.image(p, of) - self.image(p, to));
+                let drawn = self.pencil.read(level, end.1 - from.1);
                 // Carried back to the link: the part square to the arm turns it.
-                let mut square = (r * (N::from_f64(1.0) / l)).cross(drawn);
-                if let (Level::Acceleration, Body::Cylinder(d)) = (level, body) {
-                    // A cylinder's square part is aᵗ and Coriolis together; on paper aᵗ is measured from k′.
-                    let omega = self.rate(Level::Velocity, body);
-                    square = square - N::from_f64(2.0) * omega * self.given(Level::Velocity, d) / mu;
-                }
-                RateReading {
-                    level,
-                    body,
-                    value: square * mu / l,
-                    measured: Some((if square.approx() < 0.0 { -square } else { square }, l)),
-                    line: Some((of, to)),
-                }
+                let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
+                let length = if square.approx() < 0.0 { -square } else { square };
+                RateReading { level, body, value: square * mu / l, measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }) }
             }
         };
         self.done.rates.push(reading);
         p.actions.push(Action::Rate(self.done.rates.len() - 1));
+    }
+
+    /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
+    /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
+    fn measured_between(&self, p: &Polygon<N>, body: Body, of: VertexId, to: VertexId) -> Option<[(Mark, Point<N>); 2]> {
+        let kind = match (p.level, body) {
+            (Level::Acceleration, _) => TermKind::Tangential,
+            (_, Body::Cylinder(_)) => TermKind::Relative,
+            (_, Body::Link(_)) => return Some([(self.mark(to), p.images[to.0]?), (self.mark(of), p.images[of.0]?)]),
+        };
+        let wanted = Term { kind, of, to, by: By::Turning(body), known: false };
+        p.edge_of(&[wanted]).map(|(marks, _)| marks)
     }
 
     /// A known term as a vector in SI.

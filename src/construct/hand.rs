@@ -136,6 +136,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             _ if P::EXACT => 0.0,
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu_l,
             By::Guide { guide, .. } => self.guide_length(guide),
+            By::Apart => 0.0,
         }
     }
 

@@ -14,12 +14,12 @@ pub mod scale;
 
 pub use board::construct;
 pub use hand::{Layout, by_hand};
-pub use readings::{Answer, Measured, read, read_by_hand};
+pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::number::Real;
-use crate::plan::{Body, Term, VertexId};
+use crate::plan::{Body, Plan, Term, VertexId};
 
 /// The mechanism drawn to scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +43,8 @@ pub enum Mark {
     Image(VertexId),
     /// The end of a part of an equation: n′, k′ and the like, told by the term that ends there.
     Part(Term),
+    /// The end of the same part drawn once more, between two images.
+    Again(Term),
 }
 
 /// A vector drawn on the board.
@@ -113,8 +115,34 @@ pub enum Action<N = f64> {
         /// The other.
         from: VertexId,
     },
+    /// Two marks joined by a vector: index of the edge.
+    Join(usize),
+    /// A relative vector resolved by the perpendicular from its end on a line through its start: indices of the part along the line and
+    /// of the one square to it.
+    Perpendicular {
+        /// Along the line, and square to it.
+        edges: [usize; 2],
+        /// Unit direction of the line.
+        direction: Vec2<N>,
+    },
     /// A turning rate found (index into [`Construction::rates`]).
     Rate(usize),
+}
+
+impl<N> Action<N> {
+    /// Whether the action finds no image, but draws and measures between images that are there.
+    pub fn reads(&self) -> bool {
+        match self {
+            Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => true,
+            Action::LayOff(_)
+            | Action::Nothing { .. }
+            | Action::Line { .. }
+            | Action::Cross { .. }
+            | Action::Reach(_)
+            | Action::Copy { .. }
+            | Action::Same { .. } => false,
+        }
+    }
 }
 
 /// A polygon.
@@ -130,6 +158,35 @@ pub struct Polygon<N = f64> {
     pub edges: Vec<Edge<N>>,
     /// What was done.
     pub actions: Vec<Action<N>>,
+}
+
+/// The marks of a vector, from the first to the second, and whether the drawing shows the opposite one.
+type Vector<N> = ([(Mark, Point<N>); 2], bool);
+
+impl<N: Copy> Polygon<N> {
+    /// The mark of a vertex: its image, the pole for a fixed one.
+    pub fn mark(&self, plan: &Plan, v: VertexId) -> Mark {
+        if plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
+    }
+
+    /// Where a term that was drawn from a mark ends.
+    pub fn end_of(&self, from: &Mark, term: &Term) -> Option<(Mark, Point<N>)> {
+        let drawn = |e: &&Edge<N>| e.from.0 == *from && matches!(&e.terms[..], [t] if t.is_same(term) == Some(false));
+        self.edges.iter().find(drawn).map(|e| e.to)
+    }
+
+    /// The two marks between which a vector of these terms is drawn, one edge or consecutive ones; and whether the drawing shows the
+    /// opposite vector: the marks are exchanged then.
+    pub fn edge_of(&self, terms: &[Term]) -> Option<Vector<N>> {
+        let shows = |e: &Edge<N>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
+        let edges = |t: &Term| self.edges.iter().filter_map(|e| Some((e, shows(e, t)?))).collect::<Vec<_>>();
+        // What vanishes has no edge: the others are all there is.
+        let mut drawn = terms.iter().map(edges).filter(|all| !all.is_empty());
+        let (first, reversed) = *drawn.next()?.first()?;
+        let last = drawn.try_fold(first, |before, all| all.iter().map(|e| e.0).find(|e| e.from.0 == before.to.0))?;
+        let marks = if reversed { [last.to, first.from] } else { [first.from, last.to] };
+        Some((marks, reversed))
+    }
 }
 
 impl Polygon {
@@ -159,10 +216,21 @@ pub struct RateReading<N = f64> {
     pub body: Body,
     /// rad/s or rad/s².
     pub value: N,
-    /// Length measured (mm of polygon), the link's length (m) by which its value was divided; `None` where it was given.
-    pub measured: Option<(N, N)>,
+    /// What was measured; `None` where it was given.
+    pub measured: Option<RateMeasured<N>>,
+}
+
+/// The vector from which a turning rate was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RateMeasured<N = f64> {
+    /// Its length, square to the arm (mm of polygon).
+    pub length: N,
+    /// The arm, by which the product with μ was divided (m).
+    pub arm: N,
     /// The line on which it was measured: of the first vertex, seen from the second.
-    pub line: Option<(VertexId, VertexId)>,
+    pub line: (VertexId, VertexId),
+    /// The marks between which it lies.
+    pub marks: [(Mark, Point<N>); 2],
 }
 
 /// Everything on the board.

@@ -1,13 +1,17 @@
-//! Answers read off the paper: measured length × μ, with sense.
+//! Answers read off the paper: the distance of two marks × μ, with sense.
+//!
+//! A question of motion is an edge of a polygon, consecutive ones, or a vector from the pole ([`asking`]); a turning rate was measured when
+//! it was first needed. What a question means is not written here as a formula: where no edge shows it, nothing is measured.
 
-use super::Construction;
 use super::pencil::Pencil;
-use crate::answer::{Source, Value, evaluate, level_of};
-use crate::geom::Vec2;
+use super::{Construction, Mark};
+use crate::answer::{Value, level_of, place};
+use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism, Passive};
-use crate::plan::{Body, Plan, Spot, VertexId};
+use crate::number::Real;
+use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
 use crate::position::Configuration;
-use crate::scene::{Asked, Find, LinkId, PointId, Scene};
+use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,12 +20,13 @@ pub struct Answer {
     pub find: usize,
     /// The value.
     pub value: Value,
-    /// What the ruler gave; `None` for given values and positions.
+    /// What the ruler gave; `None` for given values, for positions, and where the drawing shows nothing because the quantity vanishes for
+    /// topological reasons or because a driver is at rest.
     pub measured: Option<Measured>,
 }
 
-/// A length measured on paper, and what it was multiplied with.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The distance of two marks measured on paper, and what it was multiplied with.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
     /// The length (mm).
     pub length_mm: f64,
@@ -31,57 +36,118 @@ pub struct Measured {
     pub arm_m: Option<f64>,
     /// The two points whose distance the arm is, where it is one.
     pub arm_of: Option<(PointId, PointId)>,
+    /// The marks between which the length lies, with their places in the polygon (mm from its pole); a vector points from the first to the
+    /// second.
+    pub marks: [(Mark, Point); 2],
+    /// The vector as the drawing names it; `None` for a turning rate.
+    pub shown: Option<Shown>,
 }
 
-struct OnPaper<'a> {
+/// The vector of the drawing that a question reads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shown {
+    /// The image of a vertex from the pole, or the terms of consecutive edges.
+    pub vector: ShownAs,
+    /// Whether the question asks for the opposite vector.
+    pub reversed: bool,
+}
+
+/// See [`Shown`].
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShownAs {
+    /// From the pole to an image.
+    Image(VertexId),
+    /// Edges, as the drawing has them.
+    Edges(Vec<Term>),
+}
+
+/// A vector found on paper: where it lies, and what it is there.
+struct Found<N> {
+    marks: [(Mark, Point<N>); 2],
+    shown: Shown,
+}
+
+struct OnPaper<'a, N> {
     scene: &'a Scene,
     m: &'a Mechanism,
     plan: &'a Plan,
-    paper: &'a Construction,
+    paper: &'a Construction<N>,
 }
 
-impl OnPaper<'_> {
-    fn vertex(&self, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
-        self.plan.find_vertex(self.scene, p, on)
+impl<N: Real> OnPaper<'_, N> {
+    /// The image of a point, the pole for a fixed one; `None` where it is not drawn.
+    fn image(&self, level: Level, p: &OnLink) -> Option<Point<N>> {
+        let ground = self.scene.ground;
+        if p.link.map_or_else(|| self.scene.links[ground.0].points.contains(&p.point), |l| l == ground) {
+            return Some(Point::origin());
+        }
+        self.paper.polygon(level)?.images[self.plan.find_vertex(self.scene, p.point, p.link)?.0]
+    }
+
+    /// Whether all points of a question have their images, at every level that it is made of.
+    fn is_drawn(&self, what: &Asked) -> bool {
+        what.points().iter().all(|p| self.image(level_of(what), p).is_some())
+    }
+
+    /// Where a question lies on paper; `None` where no edge shows it.
+    fn find(&self, what: &Asked) -> Option<Found<N>> {
+        let polygon = self.paper.polygon(level_of(what))?;
+        match asking(self.scene, self.m, self.plan, what)? {
+            Asking::Vector { of, reversed } => {
+                let (pole, tip) = ((Mark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
+                let marks = if reversed { [tip, pole] } else { [pole, tip] };
+                Some(Found { marks, shown: Shown { vector: ShownAs::Image(of), reversed } })
+            }
+            Asking::Terms(terms) => {
+                let (marks, reversed) = polygon.edge_of(&terms)?;
+                let drawn = |t: &Term| if reversed { Term { of: t.to, to: t.of, ..*t } } else { *t };
+                Some(Found { marks, shown: Shown { vector: ShownAs::Edges(terms.iter().map(drawn).collect()), reversed } })
+            }
+        }
     }
 
     /// The body with which a link turns.
     fn body(&self, link: LinkId) -> Body {
         match self.m.passive[link.0] {
             Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-            _ => Body::Link(self.m.turns_as(self.scene, link)),
+            Some(Passive::Block(_)) | None => Body::Link(self.m.turns_as(self.scene, link)),
         }
     }
-}
 
-impl Source for OnPaper<'_> {
-    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2> {
-        // Fixed points lie in the pole, whether or not the plan had a use for them.
-        let ground = self.scene.ground;
-        if on == Some(ground) || (on.is_none() && self.scene.links[ground.0].points.contains(&p)) {
-            return Some(Vec2::ZERO);
-        }
-        self.paper.vector(level, self.vertex(p, on)?)
-    }
-
-    fn turning(&self, level: Level, link: LinkId) -> Option<f64> {
-        if self.m.never_turns[link.0] {
-            return Some(0.0);
-        }
+    fn turning(&self, level: Level, link: LinkId) -> Option<N> {
         let body = self.body(link);
-        if let Body::Link(l) = body
-            && self.m.never_turns[l.0]
-        {
-            return Some(0.0);
+        let still = |l: LinkId| self.m.never_turns[l.0];
+        if still(link) || matches!(body, Body::Link(l) if still(l)) {
+            return Some(N::from_f64(0.0));
         }
         self.paper.rate(level, body)
+    }
+
+    /// The turning rate that a question asks for; `None` where it was not read, or where it asks for something else.
+    fn rate(&self, what: &Asked) -> Option<N> {
+        let level = level_of(what);
+        match *what {
+            Asked::Omega(l) | Asked::Alpha(l) => self.turning(level, l),
+            Asked::RelativeOmega(a, b) | Asked::RelativeAlpha(a, b) => Some(self.turning(level, a)? - self.turning(level, b)?),
+            Asked::Coordinate(..)
+            | Asked::LinkAngle(_)
+            | Asked::Distance(..)
+            | Asked::Velocity(_)
+            | Asked::Acceleration(_)
+            | Asked::RelativeVelocity(..)
+            | Asked::RelativeAcceleration(..)
+            | Asked::NormalAcceleration(..)
+            | Asked::TangentialAcceleration(..)
+            | Asked::SlidingVelocity(..)
+            | Asked::SlidingAcceleration(..)
+            | Asked::Coriolis(..) => None,
+        }
     }
 }
 
 /// The points at the ends of a line, if the arm is their distance (a special point is no point of the scene, and some arms
 /// begin in a centre of curvature).
-fn points_of(at: &Configuration, plan: &Plan, line: Option<(VertexId, VertexId)>, arm: f64) -> Option<(PointId, PointId)> {
-    let (of, to) = line?;
+fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), arm: f64) -> Option<(PointId, PointId)> {
     let (Spot::Point(a), Spot::Point(b)) = (plan.vertex(of).spot, plan.vertex(to).spot) else { return None };
     let off = at.points[a.0]?.distance(at.points[b.0]?) - arm;
     // Both are the same distance but for rounding, or another one altogether.
@@ -91,30 +157,36 @@ fn points_of(at: &Configuration, plan: &Plan, line: Option<(VertexId, VertexId)>
 /// The answers from the drawing board; `None` for what was not drawn (a group higher than class III).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
-    scene
-        .find
-        .iter()
-        .enumerate()
-        .map(|(find, f)| {
-            let value = evaluate(scene, at, &source, &f.what)?;
-            let level = level_of(&f.what);
-            let measured = match (value, paper.polygon(level)) {
-                (Value::Vector(v), Some(p)) => Some(Measured { length_mm: v.norm() / p.mu, mu: p.mu, arm_m: None, arm_of: None }),
-                (Value::Scalar(_), Some(p)) => {
-                    let body = match f.what {
-                        Asked::Omega(l) | Asked::Alpha(l) => Some(source.body(l)),
-                        _ => None,
-                    };
-                    paper.rates.iter().find(|r| r.level == level && Some(r.body) == body).and_then(|r| {
-                        let (length_mm, arm) = r.measured?;
-                        Some(Measured { length_mm, mu: p.mu, arm_m: Some(arm), arm_of: points_of(at, plan, r.line, arm) })
-                    })
-                }
-                _ => None,
-            };
-            Some(Answer { find, value, measured })
+    let one = |(find, f): (usize, &Find)| {
+        let level = level_of(&f.what);
+        if level == Level::Position {
+            return Some(Answer { find, value: place(scene, at, &f.what)?, measured: None });
+        }
+        if let Asked::Omega(l) | Asked::Alpha(l) | Asked::RelativeOmega(l, _) | Asked::RelativeAlpha(l, _) = f.what {
+            let value = Value::Scalar(source.rate(&f.what)?);
+            let own = matches!(f.what, Asked::Omega(_) | Asked::Alpha(_)).then(|| source.body(l));
+            let reading = paper.rates.iter().find(|r| r.level == level && Some(r.body) == own);
+            let measured = reading.zip(paper.polygon(level)).and_then(|(r, p)| {
+                let m = r.measured?;
+                let arm_of = points_of(at, plan, m.line, m.arm);
+                Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
+            });
+            return Some(Answer { find, value, measured });
+        }
+        if !source.is_drawn(&f.what) {
+            return None;
+        }
+        Some(match (source.find(&f.what), paper.polygon(level)) {
+            (Some(Found { marks, shown }), Some(p)) => {
+                let drawn = marks[1].1 - marks[0].1;
+                let measured = Measured { length_mm: drawn.norm(), mu: p.mu, arm_m: None, arm_of: None, marks, shown: Some(shown) };
+                Answer { find, value: Value::Vector(drawn * p.mu), measured: Some(measured) }
+            }
+            // Both images are there, and no edge between them: this part vanishes.
+            _ => Answer { find, value: Value::Vector(Vec2::ZERO), measured: None },
         })
-        .collect()
+    };
+    scene.find.iter().enumerate().map(one).collect()
 }
 
 /// What a pencil's owner reads: the answers from a drawing made [`by_hand`](super::by_hand), each length read with the same
@@ -127,15 +199,14 @@ pub fn read_by_hand<P: Pencil>(
     paper: &Construction,
     pencil: &mut P,
 ) -> Vec<Option<Value>> {
-    let source = OnPaper { scene, m, plan, paper };
     let mu_l = paper.diagram.mu_l;
-    let mut read = |find: &Find| -> Option<Value> {
-        let value = evaluate(scene, shown, &source, &find.what)?;
+    let drawn = read(scene, m, shown, plan, paper);
+    let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
         let level = level_of(&find.what);
-        Some(match (value, paper.polygon(level)) {
+        Some(match (answer?.value, paper.polygon(level)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
             // Rates were read when they were first needed; a difference of two is reckoned.
-            (Value::Scalar(_), Some(_)) | (Value::Vector(_), None) => value,
+            (value @ Value::Scalar(_), Some(_)) | (value @ Value::Vector(_), None) => value,
             (Value::Scalar(s), None) => Value::Scalar(match find.what {
                 Asked::LinkAngle(l) => {
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu_l;
@@ -145,5 +216,5 @@ pub fn read_by_hand<P: Pencil>(
             }),
         })
     };
-    scene.find.iter().map(&mut read).collect()
+    scene.find.iter().zip(drawn).map(|(find, answer)| measure(find, answer)).collect()
 }

@@ -116,6 +116,13 @@ impl Drawing {
         self.items.push(item);
     }
 
+    /// Names a place without ink, for programs that measure on the drawing: a circle of no radius, which labels do not keep off.
+    pub fn mark(&mut self, name: &str, at: Point) {
+        let shape = Shape::Circle { centre: at, radius_mm: 0.0, stroke: None, fill: None };
+        let id = self.name(&format!("mark-{name}"));
+        self.items.push(Item::new(format!("{} mark", self.kind), shape).with_id(id));
+    }
+
     /// Asks for a label; it is placed when the drawing is finished. Returns its name.
     pub fn label(&mut self, name: &str, class: &str, mut request: LabelRequest) -> String {
         request.label = request.label.in_fonts(&self.style.fonts);
@@ -138,7 +145,7 @@ impl Drawing {
 
     /// A name not used before: `velocity-edge-v_CB`, then `velocity-edge-v_CB-2`.
     fn name(&mut self, wish: &str) -> String {
-        let base = format!("{}-{}", self.kind, plain(wish));
+        let base = id(self.kind, wish);
         let free = (1..).map(|k| if k == 1 { base.clone() } else { format!("{base}-{k}") }).find(|n| !self.names.contains(n));
         let free = free.expect("numbers do not run out");
         self.names.insert(free.clone());
@@ -177,6 +184,11 @@ impl Drawing {
         part.placements = placed.into_iter().flatten().collect();
         part
     }
+}
+
+/// The name in a document of a thing of a drawing: `id("velocity", "mark-b_3")`; a second one of the same name bears a number behind it.
+pub fn id(kind: &str, name: &str) -> String {
+    format!("{kind}-{}", plain(name))
 }
 
 /// A symbol as a name in a document: no braces, no backslashes, no spaces.

@@ -4,8 +4,9 @@
 use crate::accuracy::ladder::{Certified, Number, Part as Kind, READING_DIGITS, Why};
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
+use crate::construct::ShownAs;
 use crate::plan::notation::Notation;
-use crate::plan::text::point_label;
+use crate::plan::text::{Writer, point_label};
 use crate::quantity::{direction_degrees, inked, significant};
 use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
 use crate::report::drafting;
@@ -47,6 +48,12 @@ pub struct Answers<'a> {
     pub words: &'static Words,
     /// Significant digits asked for.
     pub digits: usize,
+}
+
+impl<'a> Answers<'a> {
+    fn writer(&self) -> Writer<'a> {
+        Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation, lang: self.words.lang() }
+    }
 }
 
 /// The block of results.
@@ -108,7 +115,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         let second = equals.or_else(|| sign("is"));
         rows.push(Row {
             cells: vec![
-                cell(Label::math(symbol(find, notation)), Anchor::Start, "symbol"),
+                cell(Label::math(named(&answers.writer(), find, r)), Anchor::Start, "symbol"),
                 first,
                 from,
                 second,
@@ -154,11 +161,29 @@ pub fn sentence(answers: &Answers) -> String {
         };
         let find = &scene.find[r.find];
         let value = r.value();
-        let plain = format!("{} = {} ", symbol(find, notation), amount(find, value, c, digits));
+        let plain = format!("{} = {} ", named(&answers.writer(), find, r), amount(find, value, c, digits));
         let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
     each.collect::<Vec<_>>().join("; ")
+}
+
+/// The symbol of an answer: the question's, and where the drawing names the vector otherwise, as it is named there: `v_{CB} = v_C`,
+/// `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
+pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
+    let asked = symbol(find, w.notation);
+    let level = level_of(&find.what);
+    let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
+    let drawn = match &shown.vector {
+        ShownAs::Image(v) => w.vector(level, *v),
+        ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + "),
+    };
+    match (drawn == asked, shown.reversed) {
+        (true, false) => asked,
+        (_, false) => format!("{asked} = {drawn}"),
+        (_, true) if drawn.contains(" + ") => format!("{asked} = −({drawn})"),
+        (_, true) => format!("{asked} = −{drawn}"),
+    }
 }
 
 /// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
@@ -204,7 +229,7 @@ pub fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Optio
     let Some(drawn) = &r.drawn else {
         return Some(Label::text(if r.longer.is_some() { words.longer } else { words.computed }));
     };
-    let measured = drawn.measured?;
+    let measured = drawn.measured.as_ref()?;
     let mm = measured.length_mm;
     let scale = if level == Level::Acceleration { "\\mu_a" } else { "\\mu_v" };
     // Less than a thousandth of a millimetre is nothing that a ruler gives.

@@ -2,7 +2,7 @@
 //! ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
 
 use crate::accuracy;
-use crate::construct::{Action, Polygon};
+use crate::construct::Polygon;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::report::construction::sentences;
@@ -86,11 +86,11 @@ impl Steps {
         let polygon = maker.captioned(maker.polygon(p), "", Single::Polygon(p.level));
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
-        // The pole has no equation; an action belongs to the first equation that is solved at it or after it. A rate is
-        // measured when all is done.
+        // The pole has no equation; an action belongs to the first equation that is solved at it or after it. What is
+        // only read off belongs to none.
         let equation = |k: usize| {
             let action = k.checked_sub(1)?;
-            if matches!(p.actions[action], Action::Rate(_)) {
+            if p.actions[action].reads() {
                 return None;
             }
             written.iter().find(|part| finds(part).is_some_and(|step| step >= action)).cloned()

@@ -68,6 +68,8 @@ fn drawn(p: &Polygon, action: usize) -> Vec<Term> {
         Action::Cross { edges, .. } => of_edges(edges),
         Action::Nothing { term, .. } => vec![*term],
         Action::Line { terms, .. } => terms.clone(),
+        Action::Join(edge) => of_edges(&[*edge]),
+        Action::Perpendicular { edges, .. } => of_edges(edges),
         Action::Reach(_) | Action::Copy { .. } | Action::Same { .. } | Action::Rate(_) => Vec::new(),
     }
 }
@@ -118,9 +120,9 @@ impl Book {
     }
 }
 
-/// An action belongs to the first equation that is solved at it or after it; a rate is measured when all is done.
+/// An action belongs to the first equation that is solved at it or after it; what is only read off belongs to none.
 fn of_action(polygon: &Polygon, action: usize, all: &[Solved]) -> Value {
-    if matches!(polygon.actions[action], Action::Rate(_)) {
+    if polygon.actions[action].reads() {
         return json!(0);
     }
     let Some((found, Some(index), columns)) = all.iter().find(|(found, ..)| *found >= action) else { return json!(0) };

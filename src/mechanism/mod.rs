@@ -6,11 +6,13 @@
 
 mod demand;
 mod groups;
+mod joined;
 mod mobility;
 
 pub(crate) use demand::nodes_of;
 pub use demand::{Demand, Level, Need};
 pub use groups::{Core, Group, Leg};
+pub use joined::{Joined, joined};
 pub use mobility::Mobility;
 
 use crate::diag::{Diagnostic, Faults, Warned};
@@ -84,6 +86,7 @@ impl Mechanism {
         let passive = find_passive(scene);
         let mut faults = curved_sliders(scene, &passive);
         cylinder_parts(scene, &passive, &mut faults);
+        faults.list.extend(joined::check(scene).list);
         if faults.has_errors() {
             return Err(faults);
         }

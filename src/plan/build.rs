@@ -1,7 +1,8 @@
 //! Walks the groups and writes their equations.
 
+use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need, Passive};
+use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need};
 use crate::scene::{LinkId, PointId, Scene};
 
 /// The plan of a scene's demand.
@@ -33,6 +34,10 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
             b.walk(level);
         }
     }
+    // From the last level down: what accelerations lay off may need a turning of the velocity level.
+    for level in Level::RATES.into_iter().rev() {
+        b.draw_between(level);
+    }
     let mut plan = Plan {
         vertices: b.vertices,
         velocity: b.velocity,
@@ -50,12 +55,12 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
 pub(super) struct Builder<'a> {
     pub scene: &'a Scene,
     pub m: &'a Mechanism,
-    demand: &'a Demand,
-    vertices: Vec<Vertex>,
-    velocity: Vec<GroupSteps>,
-    acceleration: Vec<GroupSteps>,
+    pub(super) demand: &'a Demand,
+    pub(super) vertices: Vec<Vertex>,
+    pub(super) velocity: Vec<GroupSteps>,
+    pub(super) acceleration: Vec<GroupSteps>,
     /// Known vertices at each level.
-    known: [Vec<VertexId>; 2],
+    pub(super) known: [Vec<VertexId>; 2],
     /// How each body's turning can be found at each level, once its group is done.
     sources: [Vec<(Body, Rate)>; 2],
     /// Steps of the group being written.
@@ -65,7 +70,7 @@ pub(super) struct Builder<'a> {
     due: Vec<Vec<(Need, Level)>>,
 }
 
-fn slot(level: Level) -> usize {
+pub(super) fn slot(level: Level) -> usize {
     match level {
         Level::Acceleration => 1,
         _ => 0,
@@ -73,7 +78,7 @@ fn slot(level: Level) -> usize {
 }
 
 impl Builder<'_> {
-    fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
+    pub(super) fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
         if let Some(i) = self.vertices.iter().position(|v| v.spot == spot && v.on == on) {
             return VertexId(i);
         }
@@ -82,7 +87,7 @@ impl Builder<'_> {
             (_, Some(l)) => (Some(l), l == ground),
             (Spot::Point(p), None) => {
                 let fixed = self.scene.links[ground.0].points.contains(&p);
-                (if fixed { None } else { self.number_of_pin(p) }, fixed)
+                (self.number_of_pin(p), fixed)
             }
             (Spot::Special { .. }, None) => (None, false),
         };
@@ -115,10 +120,6 @@ impl Builder<'_> {
             Spot::Point(p) => self.coincident(p, l),
             special @ Spot::Special { .. } => self.intern(special, Some(l)),
         }
-    }
-
-    fn is_known(&self, level: Level, v: VertexId) -> bool {
-        self.vertices[v.0].fixed || self.known[slot(level)].contains(&v)
     }
 
     fn learn(&mut self, level: Level, v: VertexId) {
@@ -184,10 +185,7 @@ impl Builder<'_> {
                 _ => None,
             },
         };
-        let list = match level {
-            Level::Acceleration => &mut self.acceleration,
-            _ => &mut self.velocity,
-        };
+        let list = self.list(level);
         // The group under way has its entry already; rates without a group (ground) belong to the first.
         let entry = match group {
             Some(g) => list.iter_mut().find(|s| s.group == g),
@@ -282,27 +280,16 @@ impl Builder<'_> {
                 }
                 continue;
             }
-            let list = match level {
-                Level::Acceleration => &mut self.acceleration,
-                _ => &mut self.velocity,
-            };
-            list.push(GroupSteps { group: g, alternatives: Vec::new(), rates: Vec::new(), further: Vec::new() });
+            self.list(level).push(GroupSteps { group: g, alternatives: Vec::new(), between: Vec::new(), rates: Vec::new(), further: Vec::new() });
             let alternatives = self.group(level, g);
-            let list = match level {
-                Level::Acceleration => &mut self.acceleration,
-                _ => &mut self.velocity,
-            };
-            list.last_mut().expect("just pushed").alternatives = alternatives;
+            self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
         }
     }
 
     /// The body with which a link turns.
     fn body(&self, l: LinkId) -> Body {
-        match self.m.passive[l.0] {
-            Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-            _ => Body::Link(self.m.turns_as(self.scene, l)),
-        }
+        body_of(self.scene, self.m, l)
     }
 
     /// A block on a curved guide turns as a bar from the centre of curvature to its pin would: that is its source.
@@ -343,11 +330,7 @@ impl Builder<'_> {
             }
         }
         let steps = std::mem::take(&mut self.pending);
-        let list = match level {
-            Level::Acceleration => &mut self.acceleration,
-            _ => &mut self.velocity,
-        };
-        list.last_mut().expect("called for a group under way").further = steps;
+        self.list(level).last_mut().expect("called for a group under way").further = steps;
     }
 
     /// The alternatives of one group; leaves its results known.
@@ -377,7 +360,12 @@ impl Builder<'_> {
                     Leg::Ram { .. } => true,
                     _ => false,
                 });
-                self.equation(level, target, chains, if moving_guide { Method::Coincident } else { Method::SameLink });
+                let method = match () {
+                    () if moving_guide => Method::Coincident,
+                    () if legs.iter().any(|l| matches!(l, Leg::Cylinder { .. })) => Method::Cylinder,
+                    () => Method::SameLink,
+                };
+                self.equation(level, target, chains, method);
             }
         }
         for leg in legs {

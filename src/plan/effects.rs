@@ -23,12 +23,11 @@ pub(super) fn considered(scene: &Scene, m: &Mechanism, demand: &Demand, plan: &P
         for (i, g) in scene.guides.iter().enumerate() {
             let id = GuideId(i);
             let steps = || plan.acceleration.iter().flat_map(|s| s.alternatives.iter().flatten().chain(&s.further));
-            let moves = |s: &Step| match s {
-                Step::Equation { chains, .. } => chains.iter().flat_map(|c| &c.known).any(|t| {
+            let moves = |s: &Step| {
+                s.chains().iter().flat_map(|c| &c.known).any(|t| {
                     let here = matches!(t.by, By::Guide { guide, .. } if guide == id) && t.kind == TermKind::Coriolis;
                     here && !plan.vanishes(scene, Level::Acceleration, t)
-                }),
-                Step::Image { .. } | Step::Same { .. } => false,
+                })
             };
             let (on, reason) = if m.never_turns[g.on.0] {
                 (false, Reason::GuideDoesNotTurn)

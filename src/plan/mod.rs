@@ -7,6 +7,7 @@
 //! Each group is entered by its legs ([`crate::mechanism::Leg`]); [`locus`] turns a leg into a chain of terms with one
 //! unknown magnitude, two chains for one point make an equation, and further points follow by images.
 
+mod between;
 mod build;
 mod effects;
 mod locus;
@@ -14,6 +15,7 @@ pub mod notation;
 mod rest;
 pub mod text;
 
+pub use between::{Asking, asking};
 pub use build::{plan, plan_without};
 pub use rest::Rest;
 
@@ -74,7 +76,7 @@ pub enum Body {
 /// What makes a term.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TermKind {
-    /// v_BA = ω × r, square to AB.
+    /// v_BA = ω × r, square to AB; at the acceleration level the whole of a_BA, which only a joined line shows.
     Relative,
     /// aⁿ_BA = ω² l, from B to A.
     Normal,
@@ -104,6 +106,8 @@ pub enum By {
     },
     /// A cylinder (driver index).
     Cylinder(usize),
+    /// Nothing: two points of different links, of which the difference alone is asked.
+    Apart,
 }
 
 /// One vector of an equation: of `of` relative to `to`.
@@ -139,6 +143,8 @@ pub enum Method {
     Driven,
     /// Two points of one link, two loci.
     SameLink,
+    /// The two ends of a cylinder, on barrel and rod, whose distance is driven.
+    Cylinder,
     /// Coincident points of two links.
     Coincident,
     /// The special point of a triad.
@@ -178,15 +184,59 @@ pub enum Step {
 }
 
 impl Step {
+    /// The chains of an equation; none of other steps.
+    pub fn chains(&self) -> &[Chain] {
+        match self {
+            Step::Equation { chains, .. } => chains,
+            Step::Image { .. } | Step::Same { .. } => &[],
+        }
+    }
+
     /// Whether a term of the step slides along a guide.
     pub fn slides_along(&self, guide: GuideId) -> bool {
+        let mut terms = self.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown));
+        terms.any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide))
+    }
+}
+
+/// A vector between two images that no equation draws, and that is asked or needed for a turning: it is drawn between them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Between {
+    /// The two images are joined: the whole relative vector.
+    Join(Term),
+    /// The perpendicular from the image of the first point on the line through the image of the second along the arm: aⁿ and aᵗ.
+    Perpendicular {
+        /// aⁿ, from the image of the second point to the foot.
+        normal: Term,
+        /// aᵗ, from the foot to the image of the first.
+        tangential: Term,
+    },
+    /// The known parts are laid off from the image of the second point; the rest is what joins them to the image of the first.
+    LayOff {
+        /// Known terms, in drawing order.
+        known: Vec<Term>,
+        /// Terms along one line.
+        rest: Vec<Term>,
+    },
+}
+
+impl Between {
+    /// Its terms, each of which is an edge; of several in `rest` together one.
+    pub fn terms(&self) -> Vec<Term> {
         match self {
-            Step::Equation { chains, .. } => chains
-                .iter()
-                .flat_map(|c| c.known.iter().chain(&c.unknown))
-                .any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide)),
-            Step::Image { .. } | Step::Same { .. } => false,
+            Between::Join(t) => vec![*t],
+            Between::Perpendicular { normal, tangential } => vec![*normal, *tangential],
+            Between::LayOff { known, rest } => known.iter().chain(rest).copied().collect(),
         }
+    }
+
+    /// The two points: of the first relative to the second.
+    pub fn ends(&self) -> (VertexId, VertexId) {
+        let t = match self {
+            Between::Join(t) | Between::Perpendicular { normal: t, .. } => t,
+            Between::LayOff { known, rest } => known.iter().chain(rest).next().expect("something is laid off or joined"),
+        };
+        (t.of, t.to)
     }
 }
 
@@ -220,6 +270,8 @@ pub struct GroupSteps {
     pub group: usize,
     /// The alternatives, equal in result: one for most groups; for a triad one for each pair of legs.
     pub alternatives: Vec<Vec<Step>>,
+    /// Vectors drawn between two images, each as soon as both are there.
+    pub between: Vec<Between>,
     /// Turning rates that are asked for or needed later, found after the steps.
     pub rates: Vec<(Body, Rate)>,
     /// Further points that are asked for, found last: by images and by the turning rates.
@@ -314,8 +366,16 @@ impl Plan {
 
     /// The vertex of a point (of a link), if the plan has it.
     pub fn find_vertex(&self, scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
-        let on = canonical(scene, p, on);
-        self.vertices.iter().position(|v| v.spot == Spot::Point(p) && v.on == on).map(VertexId)
+        between::find_vertex(&self.vertices, scene, p, on)
+    }
+
+    /// The terms of all chains and of all vectors drawn between images at a level, alternatives included.
+    pub fn terms(&self, level: Level) -> impl Iterator<Item = Term> + '_ {
+        self.steps(level).iter().flat_map(|g| {
+            let chains = g.alternatives.iter().flatten().chain(&g.further).flat_map(Step::chains);
+            let of_chains = chains.flat_map(|c| c.known.iter().chain(&c.unknown)).copied();
+            of_chains.chain(g.between.iter().flat_map(Between::terms))
+        })
     }
 
     /// Number of vector equations (with two chains) written at a level, in the first alternatives.

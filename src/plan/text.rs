@@ -68,6 +68,7 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> String {
         By::Turning(Body::Link(l)) => format!("link {} ({})", scene.link_name(l), line()),
         By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
         By::Guide { guide, .. } => format!("the guide on link {}", scene.link_name(scene.guides[guide.0].on)),
+        By::Apart => line(),
     }
 }
 
@@ -127,18 +128,37 @@ impl Writer<'_> {
 
     /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
     /// their equation may start at a fixed point as well.
-    fn is_absolute(&self, t: &Term) -> bool {
-        let cylinder = matches!(t.by, By::Cylinder(_) | By::Turning(Body::Cylinder(_)));
-        self.plan.vertex(t.to).fixed && !cylinder
+    fn is_absolute(&self, level: Level, t: &Term) -> bool {
+        let whole = match t.by {
+            By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
+            // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
+            // the acceleration.
+            By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
+            By::Turning(Body::Link(_)) | By::Apart => true,
+        };
+        whole && self.plan.vertex(t.to).fixed
     }
 
-    fn subscript(&self, t: &Term) -> String {
-        if self.is_absolute(t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+    fn subscript(&self, level: Level, t: &Term) -> String {
+        if self.is_absolute(level, t) { self.name(t.of) } else { format!("{}{}", self.name(t.of), self.name(t.to)) }
+    }
+
+    /// The sliding velocity that makes a Coriolis or normal part of sliding.
+    fn sliding(&self, t: &Term) -> String {
+        self.symbol(Level::Velocity, &Term { kind: TermKind::Slide, ..*t })
+    }
+
+    /// The vector from which the turning of a body is measured: `v_{CB}`, `a^t_{CB}`.
+    pub fn measured(&self, level: Level, body: Body, of: VertexId, to: VertexId) -> String {
+        let kind = if level == Level::Acceleration { TermKind::Tangential } else { TermKind::Relative };
+        self.symbol(level, &Term { kind, of, to, by: By::Turning(body), known: false })
     }
 
     fn superscript(&self, level: Level, t: &Term) -> String {
-        let fixed_guide = self.is_absolute(t);
+        let fixed_guide = self.is_absolute(level, t);
         match (t.kind, t.by) {
+            // The part square to the line: the whole has the part along it too.
+            (TermKind::Relative, By::Turning(Body::Cylinder(_))) => "t".into(),
             (TermKind::Relative, _) => String::new(),
             (TermKind::Normal, _) => "n".into(),
             (TermKind::Tangential, _) => "t".into(),
@@ -167,7 +187,7 @@ impl Writer<'_> {
 
     /// Symbol of a term: `v_{CB}`, `a^t_{CB}`, `a^k_{B3B2}`.
     pub fn symbol(&self, level: Level, t: &Term) -> String {
-        let (q, sub, sup) = (Self::quantity(level), self.subscript(t), self.superscript(level, t));
+        let (q, sub, sup) = (Self::quantity(level), self.subscript(level, t), self.superscript(level, t));
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
@@ -207,13 +227,8 @@ impl Writer<'_> {
     pub fn part(&self, level: Level, t: &Term) -> String {
         let letter = Self::part_letter(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
-        let shared = self.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).any(|s| match s {
-            Step::Equation { chains, .. } => {
-                chains.iter().flat_map(|c| &c.known).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to)
-            }
-            Step::Image { .. } | Step::Same { .. } => false,
-        });
-        let to = if shared && !self.is_absolute(t) { self.name(t.to).to_lowercase() } else { String::new() };
+        let shared = self.plan.terms(level).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to);
+        let to = if shared && !self.is_absolute(level, t) { self.name(t.to).to_lowercase() } else { String::new() };
         format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
     }
 
@@ -308,16 +323,16 @@ impl Writer<'_> {
             (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(Level::Acceleration, b), length()),
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
                 let omega = self.turning(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
-                format!("2{omega} v^{{{}}}_{{{}}}", self.notation.sliding, self.subscript(t))
+                format!("2{omega} {}", self.sliding(t))
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
-                format!("2{} v^{{{}}}_{{{}}}", self.turning(Level::Velocity, Body::Cylinder(d)), self.notation.sliding, self.subscript(t))
+                let v = self.symbol(Level::Velocity, &Term { kind: TermKind::Extension, ..*t });
+                format!("2{} {v}", self.turning(Level::Velocity, Body::Cylinder(d)))
             }
             (TermKind::SlideNormal, _) => {
-                let sup = if self.plan.vertex(t.to).fixed { String::new() } else { format!("^{{{}}}", self.notation.sliding) };
-                let v =
-                    if sup.is_empty() { format!("v^2_{{{}}}", self.subscript(t)) } else { format!("(v{sup}_{{{}}})^2", self.subscript(t)) };
-                format!("{v}/\\rho")
+                let v = self.sliding(t);
+                let squared = if v.contains('^') { format!("({v})^2") } else { v.replacen('_', "^2_", 1) };
+                format!("{squared}/\\rho")
             }
             _ => self.notation.known.clone(),
         }

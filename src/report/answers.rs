@@ -1,11 +1,16 @@
 //! The answers: as text for people, as JSON for programs.
 
 use super::drafting;
-use super::phrase::{sense, tr};
+use super::construction;
+use super::phrase::{formula, sense, tr};
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
 use crate::answer::{Value, level_of};
+use crate::construct::Measured;
 use crate::diag::{Diagnostic, Severity};
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
 use crate::quantity::{direction_degrees, shortest, significant};
 use crate::scene::{Asked, Find, Lang, Scene};
 use crate::worked::{Outcome, Unanswered, Worked};
@@ -29,6 +34,8 @@ pub const DIGITS: usize = 6;
 
 /// Everything `solve` prints: one line a question, each number to `digits` significant digits as far as they are certain.
 pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, lang: Lang) -> String {
+    let notation = Notation::of_language(lang);
+    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
     let mut rows: Vec<[String; 5]> = Vec::new();
     for line in lines(worked, certified) {
         let (r, c) = match line {
@@ -44,7 +51,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         let value = value_words(find, r.value(), c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
-        rows.push([find.text.clone(), value, tolerance, measured_words(worked, find, r, c, digits, lang), remarks.join("  ")]);
+        rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
     }
     // A line without an answer is as long as it is.
     let width = |i: usize| rows.iter().filter(|r| i == 0 || !r[3..].iter().all(String::is_empty)).map(|r| r[i].width()).max().unwrap_or(0);
@@ -170,7 +177,8 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
     }
 }
 
-fn measured_words(worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize, lang: Lang) -> String {
+fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
+    let lang = w.lang;
     let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, c, digits, lang)).collect();
     match &r.drawn {
         None if !others.is_empty() => match lang {
@@ -179,7 +187,7 @@ fn measured_words(worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digi
         },
         None if r.longer.is_some() => tr(lang, "(longer numbers)", "（高精度数）").into(),
         None => tr(lang, "(loop equations)", "（解析）").into(),
-        Some(a) => match a.measured {
+        Some(a) => match &a.measured {
             // Where nothing moves there is no polygon and no scale.
             Some(_) if worked.construction.is_empty(level_of(&find.what)) => String::new(),
             Some(m) => {
@@ -188,11 +196,19 @@ fn measured_words(worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digi
                 let arm = m.arm_m.map(|l| format!(" / {} m", arm.unwrap_or_else(|| significant(l, READING_DIGITS)))).unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
                 let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
-                format!("({length} mm · μ {}{arm})", shortest(m.mu))
+                format!("({} {length} mm · μ {}{arm})", between(w, level_of(&find.what), m), shortest(m.mu))
             }
             None => String::new(),
         },
     }
+}
+
+/// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.
+fn between(w: &Writer, level: Level, m: &Measured) -> String {
+    let [from, to] = m.marks.map(|(mark, _)| formula(&construction::mark(w, level, &mark)));
+    // After a subscript the next letter would read as a part of it.
+    let apart = if from.contains('_') { "–" } else { "" };
+    format!("{from}{apart}{to}")
 }
 
 fn agreement_words(r: &Outcome, lang: Lang) -> String {
@@ -206,6 +222,8 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 
 /// The answers for programs: SI values, components, the measured length, both ways and their difference.
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
+    let notation = Notation::of_language(Lang::En);
+    let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
     let value = |v: Value| match v {
         Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
         Value::Scalar(s) => json!({"value": s}),
@@ -227,8 +245,9 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": r.longer.is_none().then(|| value(r.computed)),
                 "longer_numbers": r.longer.map(|rung| rung.name()),
-                "measured_mm": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.length_mm),
-                "scale": r.drawn.as_ref().and_then(|a| a.measured).map(|m| m.mu),
+                "measured_mm": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.length_mm),
+                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, level_of(&find.what), &mark)))),
+                "scale": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
                 "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),

@@ -72,11 +72,13 @@ fn amid_words(text: &str) -> String {
     if text.contains('e') { format!("${}$", inked(text)) } else { text.into() }
 }
 
-fn mark(w: &Writer, level: Level, m: &Mark) -> String {
+/// The letters of a mark: the pole, the image of a point, the end of a part.
+pub fn mark(w: &Writer, level: Level, m: &Mark) -> String {
     match m {
         Mark::Pole => w.pole(level),
         Mark::Image(v) => w.image(level, *v),
         Mark::Part(t) => w.part(level, t),
+        Mark::Again(t) => w.part(level, t).replacen('_', "'_", 1),
     }
 }
 
@@ -157,6 +159,32 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 ),
             }
         }
+        Action::Join(i) => {
+            let e = &p.edges[*i];
+            let (from, to) = (mark(w, level, &e.from.0), mark(w, level, &e.to.0));
+            let symbol = symbols(w, level, &e.terms);
+            match w.lang {
+                Lang::En => format!("Join ${from}$ and ${to}$: ${symbol}$ = {}.", edge(0, *i)),
+                Lang::Zh => format!("连接 ${from}$、${to}$：${symbol}$ = {}。", edge(0, *i)),
+            }
+        }
+        Action::Perpendicular { edges: [along, across], .. } => {
+            let (n, t) = (&p.edges[*along], &p.edges[*across]);
+            let [from, foot, to] = [&n.from.0, &n.to.0, &t.to.0].map(|m| mark(w, level, m));
+            let line = w.line(n.terms[0].of, n.terms[0].to);
+            let [normal, tangential] = [n, t].map(|e| symbols(w, level, &e.terms));
+            let lengths = [edge(0, *along), edge(1, *across)];
+            match w.lang {
+                Lang::En => format!(
+                    "From ${to}$ drop the perpendicular on the parallel to ${line}$ through ${from}$; its foot is ${foot}$: ${normal}$ = {}, ${tangential}$ = {}.",
+                    lengths[0], lengths[1]
+                ),
+                Lang::Zh => format!(
+                    "自 ${to}$ 向过 ${from}$ 且平行于 ${line}$ 的直线作垂线，垂足为 ${foot}$：${normal}$ = {}，${tangential}$ = {}。",
+                    lengths[0], lengths[1]
+                ),
+            }
+        }
         Action::Same { target, from } => {
             let (image, other) = (w.image(level, *target), w.image(level, *from));
             match w.lang {
@@ -172,11 +200,11 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let value = format!("{} {unit}", inked(value.trim_start_matches('-')));
             let sense = sense(w.lang, steps.number(level, action, What::Rate).map_or(r.value, Number::sign));
             match r.measured {
-                Some((mm, l)) => format!(
+                Some(m) => format!(
                     "${symbol}$ = {} · {} / {} m = ${value}${}{}",
-                    millimetres(0, mm),
+                    millimetres(0, m.length),
                     amid_words(&shortest(p.mu)),
-                    tell(What::Arm, l),
+                    tell(What::Arm, m.arm),
                     tr(w.lang, ", ", "，"),
                     sense
                 ),

@@ -4,7 +4,7 @@ use super::phrase::{formula, tr};
 use crate::effort::is_carried;
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
-use crate::plan::{Body, Effect, GroupSteps, Method, Rate, Reason, Spot, Step};
+use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 
@@ -223,7 +223,34 @@ fn group_lines(w: &Writer, level: Level, group: &GroupSteps, equation: &mut usiz
     for step in &group.further {
         out.extend(step_lines(w, level, step, equation));
     }
+    out.extend(group.between.iter().map(|b| between_words(w, level, b)));
     out
+}
+
+/// What is drawn between two images, because no equation shows it.
+pub(super) fn between_words(w: &Writer, level: Level, between: &Between) -> String {
+    let (of, to) = between.ends();
+    let (from, end) = (formula(&w.image(level, to)), formula(&w.image(level, of)));
+    let symbols = |terms: &[Term]| terms.iter().map(|t| formula(&w.symbol(level, t))).collect::<Vec<_>>().join(" + ");
+    match (between, w.lang) {
+        (Between::Join(t), Lang::En) => format!("{}: join {from} and {end}", symbols(&[*t])),
+        (Between::Join(t), Lang::Zh) => format!("{}：连接 {from}、{end}", symbols(&[*t])),
+        (Between::Perpendicular { normal, tangential }, lang) => {
+            let (parts, line) = ([*normal, *tangential].map(|t| symbols(&[t])), formula(&w.line(of, to)));
+            match lang {
+                Lang::En => format!("{}, {}: perpendicular from {end} on the parallel to {line} through {from}", parts[0], parts[1]),
+                Lang::Zh => format!("{}、{}：自 {end} 向过 {from} 且平行于 {line} 的直线作垂线", parts[0], parts[1]),
+            }
+        }
+        (Between::LayOff { known, rest }, Lang::En) => {
+            let joined = if rest.is_empty() { String::new() } else { format!(", then join to {end}: {}", symbols(rest)) };
+            format!("lay off {} from {from}{joined}", symbols(known))
+        }
+        (Between::LayOff { known, rest }, Lang::Zh) => {
+            let joined = if rest.is_empty() { String::new() } else { format!("，再连至 {end}：{}", symbols(rest)) };
+            format!("自 {from} 作 {}{joined}", symbols(known))
+        }
+    }
 }
 
 /// How a turning rate is found; nothing is said of a link that does not turn.
@@ -234,9 +261,7 @@ pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Op
         Rate::Given { .. } => format!("{symbol}: {}", tr(w.lang, "given by the driver", "由原动件给定")),
         Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, Body::Link(l)))),
         Rate::Measured { of, to } => {
-            let v = if level == Level::Acceleration { "a^t" } else { "v" };
-            let sub = if w.plan.vertex(to).fixed { w.name(of) } else { format!("{}{}", w.name(of), w.name(to)) };
-            formula(&format!("{symbol} = {v}_{{{sub}}} / {}", w.length(of, to)))
+            formula(&format!("{symbol} = {} / {}", w.measured(level, body, of, to), w.length(of, to)))
         }
     })
 }
@@ -288,6 +313,7 @@ pub(super) fn method_words(method: Method, lang: Lang) -> &'static str {
     match method {
         Method::Driven => tr(lang, "known", "已知"),
         Method::SameLink => tr(lang, "points of one link", "基点法"),
+        Method::Cylinder => tr(lang, "ends of a cylinder, on barrel and rod", "液压缸两端（缸筒与活塞杆上的点）"),
         Method::Coincident => tr(lang, "coincident points", "重合点法"),
         Method::Special => tr(lang, "special point", "特殊点法"),
     }

@@ -6,12 +6,12 @@
 
 use super::answers::diagnostic;
 use super::phrase::formula;
-use super::plan::{effect_words, group_words, method_words, rate_words, reason_words};
+use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use crate::diag::Diagnostic;
 use crate::effort::{Motion, Work, is_carried};
 use crate::mechanism::{Constraint, Demand, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
-use crate::plan::{Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
+use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
 use crate::scene::{DriverKind, GuidePath, LinkId, PointId, Scene};
 use crate::worked::Worked;
 use serde_json::{Value as Json, json};
@@ -185,11 +185,23 @@ impl Reporter<'_> {
                 "group": g.group,
                 "alternatives": alternatives,
                 "drawn": self.worked.map(|d| g.drawn(d.construction.chosen[g.group])),
+                "between": g.between.iter().map(|b| self.between(level, b)).collect::<Vec<_>>(),
                 "rates": self.rates(level, g),
                 "further": further,
             }));
         }
         out
+    }
+
+    fn between(&self, level: Level, between: &Between) -> Json {
+        let (of, to) = between.ends();
+        let kind = match between {
+            Between::Join(_) => "join",
+            Between::Perpendicular { .. } => "perpendicular",
+            Between::LayOff { .. } => "lay-off",
+        };
+        let symbols: Vec<Json> = between.terms().iter().map(|t| both(&self.w.symbol(level, t))).collect();
+        json!({"kind": kind, "of": of.0, "to": to.0, "symbols": symbols, "text": between_words(self.w, level, between)})
     }
 
     fn rates(&self, level: Level, g: &GroupSteps) -> Vec<Json> {
@@ -259,6 +271,7 @@ impl Reporter<'_> {
             "method": match method {
                 Method::Driven => "driven",
                 Method::SameLink => "same-link",
+                Method::Cylinder => "cylinder",
                 Method::Coincident => "coincident",
                 Method::Special => "special",
             },
@@ -299,6 +312,7 @@ impl Reporter<'_> {
             By::Turning(body) => self.body(body),
             By::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
             By::Cylinder(d) => json!({"cylinder": d}),
+            By::Apart => Json::Null,
         }
     }
 
@@ -326,6 +340,7 @@ impl Reporter<'_> {
                 By::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
                 By::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
                 By::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
+                By::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {

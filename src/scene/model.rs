@@ -338,6 +338,29 @@ pub enum Asked {
     RelativeAlpha(LinkId, LinkId),
 }
 
+impl Asked {
+    /// The points of whose motion it is asked, the one from which the other is seen last.
+    pub fn points(&self) -> Vec<OnLink> {
+        match *self {
+            Asked::Velocity(p) | Asked::Acceleration(p) => vec![p],
+            Asked::RelativeVelocity(a, b)
+            | Asked::RelativeAcceleration(a, b)
+            | Asked::NormalAcceleration(a, b)
+            | Asked::TangentialAcceleration(a, b)
+            | Asked::SlidingVelocity(a, b)
+            | Asked::SlidingAcceleration(a, b)
+            | Asked::Coriolis(a, b) => vec![a, b],
+            Asked::Coordinate(..)
+            | Asked::LinkAngle(_)
+            | Asked::Distance(..)
+            | Asked::Omega(_)
+            | Asked::Alpha(_)
+            | Asked::RelativeOmega(..)
+            | Asked::RelativeAlpha(..) => Vec::new(),
+        }
+    }
+}
+
 /// Paper and scales. A fixed scale is in SI per millimetre of paper.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paper {

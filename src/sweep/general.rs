@@ -5,7 +5,7 @@ use super::limit::Event;
 use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
-use crate::answer::{Value, evaluate};
+use crate::answer::Value;
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration};
 use crate::quantity::{metres, significant};
@@ -49,7 +49,8 @@ impl<'a> General<'a> {
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         for f in &scene.find {
-            let value = evaluate(scene, at, solution, &f.what)
+            let value = solution
+                .answer(scene, at, &f.what)
                 .ok_or_else(|| Diagnostic::error("cannot-answer", format!("{} cannot be answered here", f.text)).at(f.span))?;
             match value {
                 Value::Scalar(s) => row.push(s),

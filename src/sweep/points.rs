@@ -7,7 +7,7 @@
 use super::follow::{Follower, Pose, Sweep, scene_at};
 use super::station::position_now;
 use crate::analytic;
-use crate::answer::{Value, evaluate};
+use crate::answer::Value;
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::Configuration;
@@ -156,7 +156,7 @@ impl Tracer<'_> {
         let scene = scene_at(&self.scene, self.driver, pose.travel);
         let at = &pose.configuration;
         let solution = analytic::solve(&scene, self.mechanism, at, &self.demand).ok();
-        let vector = |find: &Find| match evaluate(&scene, at, solution.as_ref()?, &find.what)? {
+        let vector = |find: &Find| match solution.as_ref()?.answer(&scene, at, &find.what)? {
             Value::Vector(v) => v.is_finite().then_some(v),
             Value::Scalar(_) => None,
         };

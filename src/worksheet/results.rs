@@ -5,7 +5,7 @@ use crate::accuracy::ladder::Why;
 use crate::answer::Value;
 use crate::figure::label::Label;
 use crate::figure::remarks::remarks;
-use crate::figure::results::{Answers, amount, measured, number, sense, symbol};
+use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
 use crate::report::answers::{Line, lines, reason, verdict, worst};
 use crate::report::math::Math;
 use crate::report::phrase::Phrase;
@@ -42,7 +42,7 @@ impl Maker<'_> {
                 said.push(Phrase::new(&words.uncertain.replace("{}", &format!("${name}$")).replace("{why}", &why.words(self.lang()))));
             }
             rows.push(vec![
-                math(&name),
+                math(&named(&self.writer(), find, r)),
                 measured(r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
                 math(&amount(find, value, c, digits)),
                 of_label(&sense(find, value, c, words, digits)),

@@ -151,6 +151,8 @@ impl Maker<'_> {
         let why = match (method, self.lang()) {
             (Method::SameLink, Lang::En) => "two points of one link",
             (Method::SameLink, Lang::Zh) => "基点法",
+            (Method::Cylinder, Lang::En) => "the ends of a cylinder, on barrel and rod",
+            (Method::Cylinder, Lang::Zh) => "液压缸两端，分别为缸筒与活塞杆上的点",
             (Method::Coincident, Lang::En) => "coincident points of two links",
             (Method::Coincident, Lang::Zh) => "重合点法",
             (Method::Special, Lang::En) => "special point",
@@ -186,10 +188,7 @@ impl Maker<'_> {
             let symbol = w.turning(level, *body);
             match rate {
                 Rate::Measured { of, to } => {
-                    let absolute = w.plan.vertex(*to).fixed;
-                    let sub = if absolute { w.name(*of) } else { format!("{}{}", w.name(*of), w.name(*to)) };
-                    let over = if level == Level::Acceleration { format!("a^t_{{{sub}}}") } else { format!("v_{{{sub}}}") };
-                    Some((format!("{symbol} ="), Some((over, w.length(*of, *to)))))
+                    Some((format!("{symbol} ="), Some((w.measured(level, *body, *of, *to), w.length(*of, *to)))))
                 }
                 Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(level, Body::Link(*l))), None)),
                 Rate::Given { .. } | Rate::Zero => None,

@@ -16,6 +16,7 @@ mod long;
 mod mech;
 mod near_singular;
 mod properties;
+mod readings;
 mod regressions;
 mod rng;
 mod singular;

@@ -78,7 +78,7 @@ impl Oracle<'_> {
             Action::Rate(r) => {
                 let r = &self.w.construction.rates[*r];
                 let value = self.turning(level, r.body);
-                match r.line.filter(|_| r.measured.is_some()) {
+                match r.measured.map(|m| m.line) {
                     Some((of, to)) => {
                         let arm = (self.place(of) - self.place(to)).norm();
                         let length = absolute(value) * arm / mu;
@@ -91,6 +91,8 @@ impl Oracle<'_> {
                     }
                 }
             }
+            Action::Join(i) => vec![edge(0, *i)],
+            Action::Perpendicular { edges, .. } => edges.iter().enumerate().map(|(k, i)| edge(k, *i)).collect(),
             Action::Nothing { .. } | Action::Line { .. } | Action::Same { .. } => Vec::new(),
         }
     }

@@ -62,7 +62,7 @@ fn marks_are_told_apart() {
                 let Some(p) = worked.construction.polygon(level) else { continue };
                 let mut parts: Vec<(String, Term)> = Vec::new();
                 for edge in &p.edges {
-                    if let Mark::Part(term) = edge.to.0 {
+                    if let Mark::Part(term) | Mark::Again(term) = edge.to.0 {
                         let name = w.part(level, &term);
                         let clash = parts.iter().find(|(n, other)| *n == name && *other != term);
                         assert!(clash.is_none(), "{}: {name} names {term:?} and {clash:?}", t.name);

@@ -11,6 +11,7 @@ use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
+use crate::report::construction::mark as mark_name;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
 use crate::scene::{Asked, DriverKind};
 
@@ -69,10 +70,26 @@ const MANY_ARROWS: usize = 16;
 /// Draws a polygon; its pole lies in the origin. A cluster too small for its names gets an inset.
 pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let (draft, style) = Draft::new(style, w, p, false);
+    let finished = |mut drawing: Drawing| {
+        marks(w, p).iter().for_each(|(mark, at)| drawing.mark(&mark_name(w, p.level, mark), *at));
+        drawing.finish()
+    };
     let (drawing, names) = draft.draw(&style, &[]);
-    let part = drawing.finish();
+    let part = finished(drawing);
     let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
-    if insets.is_empty() { part } else { draft.draw(&style, &insets).0.finish() }
+    if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
+}
+
+/// All marks of a polygon between which something can be measured, each once: the pole, images, ends of parts.
+fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
+    let images = p.images.iter().enumerate().filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
+    let mut all = vec![(Mark::Pole, Point::ORIGIN)];
+    for mark in p.edges.iter().flat_map(|e| [e.from, e.to]).chain(images) {
+        if !all.iter().any(|m| m.0 == mark.0) {
+            all.push(mark);
+        }
+    }
+    all
 }
 
 /// The same without insets and before its labels are placed, for series of drawings: those of which one is `full` ([`is_full`]) are
@@ -119,10 +136,8 @@ impl Draft<'_> {
             }
             _ => None,
         });
-        let starts = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further)).flat_map(|s| match s {
-            Step::Equation { chains, .. } => chains.iter().map(|c| c.start).collect(),
-            Step::Image { .. } | Step::Same { .. } => Vec::new(),
-        });
+        let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
+        let starts = steps.flat_map(Step::chains).map(|c| c.start);
         asked.chain(starts).map(|v| w.vector(level, v)).collect()
     }
 
@@ -151,6 +166,14 @@ impl Draft<'_> {
                     self.image(*target, step);
                     self.copies.push(([from.0, from.1, *target], step));
                 }
+                Action::Join(e) => self.edge(*e, step),
+                Action::Perpendicular { edges, direction } => {
+                    // The line on which the perpendicular is dropped goes on past its foot.
+                    let [along, _] = edges.map(|e| &p.edges[e]);
+                    let out = (along.to.1 - along.from.1).unit().unwrap_or(*direction);
+                    self.lines.push((along.from.1, along.to.1 + out * BEYOND_MM, step));
+                    edges.iter().for_each(|e| self.edge(*e, step));
+                }
                 Action::Rate(_) => {}
             }
         }
@@ -169,11 +192,11 @@ impl Draft<'_> {
         }
         match edge.to.0 {
             Mark::Image(v) if edge.known => self.image(v, step),
-            Mark::Part(t)
+            Mark::Part(t) | Mark::Again(t)
                 if matches!(t.kind, TermKind::Normal | TermKind::SlideNormal | TermKind::Coriolis)
                     && edge.from.1.distance(edge.to.1) >= ZERO_MM =>
             {
-                self.letter(edge.to.1, self.w.part(self.p.level, &t), step);
+                self.letter(edge.to.1, mark_name(self.w, self.p.level, &edge.to.0), step);
             }
             _ => {}
         }
@@ -192,6 +215,7 @@ impl Draft<'_> {
                 let g = &scene.guides[guide.0];
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
             }
+            By::Apart => None,
         }
     }
 

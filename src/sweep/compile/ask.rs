@@ -1,9 +1,8 @@
 //! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`].
 
 use super::{Compiler, NoKernel, Spot};
-use crate::answer::guide_between;
 use crate::diag::Diagnostic;
-use crate::mechanism::Level;
+use crate::mechanism::{Joined, Level, joined};
 use crate::report::answers;
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
@@ -47,7 +46,12 @@ impl Compiler<'_> {
                 let v = self.vector(&p, A)?;
                 vector(self, A, v)
             }
-            RelativeVelocity(a, b) | SlidingVelocity(a, b) => {
+            RelativeVelocity(a, b) => {
+                let v = self.relative(&a, &b, V)?;
+                vector(self, V, v)
+            }
+            SlidingVelocity(a, b) => {
+                self.no_cylinder(&a, &b, find)?;
                 let v = self.relative(&a, &b, V)?;
                 vector(self, V, v)
             }
@@ -56,11 +60,13 @@ impl Compiler<'_> {
                 vector(self, A, v)
             }
             NormalAcceleration(a, b) => {
+                self.no_cylinder(&a, &b, find)?;
                 let (u, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
                 let part = self.emit_pair(A, Part { u, v });
                 vector(self, A, part)
             }
             TangentialAcceleration(a, b) => {
+                self.no_cylinder(&a, &b, find)?;
                 let (d, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
                 let u = self.emit_pair(P, Twist { d, k: [0.0, 1.0] });
                 let part = self.emit_pair(A, Part { u, v });
@@ -170,11 +176,22 @@ impl Compiler<'_> {
     /// 2 ω × v_r, ω that of the link that carries the guide between the two points.
     fn coriolis(&mut self, a: &OnLink, b: &OnLink, find: &Find) -> Result<Pair, NoKernel> {
         let v = self.relative(a, b, V)?;
-        let carrier = guide_between(self.scene, a, b).map(|g| self.scene.guides[g.0].on).or(b.link);
-        let carrier = carrier.ok_or_else(|| Diagnostic::note("no-kernel", format!("{} has no guide", find.text)).at(find.span))?;
-        let omega = self.turning(carrier, V)?;
+        let Some(Joined::Guide(g)) = joined(self.scene, a, b) else { return Err(no_kernel(find)) };
+        let omega = self.turning(self.scene.guides[g.0].on, V)?;
         Ok(self.emit_pair(V, Coriolis { v, omega }))
     }
+
+    /// Parts of the motion of a cylinder's ends have no kernel: the loop equations answer them.
+    fn no_cylinder(&self, a: &OnLink, b: &OnLink, find: &Find) -> Result<(), NoKernel> {
+        match joined(self.scene, a, b) {
+            Some(Joined::Cylinder(_)) => Err(no_kernel(find)),
+            Some(Joined::Link(_) | Joined::Guide(_)) | None => Ok(()),
+        }
+    }
+}
+
+fn no_kernel(find: &Find) -> NoKernel {
+    Diagnostic::note("no-kernel", format!("{} has no kernel", find.text)).at(find.span)
 }
 
 /// The SI unit of a column.

@@ -1,0 +1,144 @@
+//! What the analysis says of a question: vectors and rates from its unknowns, the parts of a relative motion from rows.
+//!
+//! A relative motion is taken apart by equations between positions of the same kinds as those that were solved, now for coordinates that
+//! are not given: how far a point stands along and across a line of the carrying link ([`Along`](super::relation::Relation::Along)), how long a line is
+//! ([`Distance`](super::relation::Relation::Distance)), how it turns ([`Line`](super::relation::Relation::Line)). Their first and second derivatives at the solution are v_r, aʳ, aⁿ and aᵗ; the
+//! Coriolis part is what these leave of the whole.
+
+use super::Solution;
+use super::relation::{Handle, Pair, Row};
+use super::rows::{along_line, distance, projection};
+use crate::answer::{Source, Value, place};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Joined, Level, joined};
+use crate::position::{Configuration, Path};
+use crate::scene::{Asked, GuideId, LinkId, OnLink, Scene};
+use nalgebra::DVector;
+
+/// Unknowns of a small system of its own: three of a body that turns, two of a point, two of another.
+type Unknowns = [f64; 7];
+const BODY: Handle = Handle { first: Some(0), turns: true, r: Vec2::ZERO };
+const POINT: Handle = Handle { first: Some(3), turns: false, r: Vec2::ZERO };
+const OTHER: Handle = Handle { first: Some(5), turns: false, r: Vec2::ZERO };
+
+/// The first derivative of the coordinate that a row is of, where nothing is given for it.
+fn first(row: &Row, x: &Unknowns) -> f64 {
+    row.coefficients.iter().map(|(k, c)| c * x[*k]).sum()
+}
+
+/// Its second derivative.
+fn second(row: &Row, x: &Unknowns, xx: &Unknowns) -> f64 {
+    first(row, xx) - row.acceleration(&DVector::from_column_slice(x))
+}
+
+/// The parts of the motion of one end of a line against the other.
+struct Parts {
+    normal: Vec2,
+    tangential: Vec2,
+    sliding: [Vec2; 2],
+    coriolis: Vec2,
+}
+
+impl Solution {
+    /// What the loop equations answer to a question; `None` where they have no answer.
+    pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
+        use Level::{Acceleration, Velocity};
+        let vector = |level, p: &OnLink| self.vector(level, p.point, p.link);
+        let relative = |level, a: &OnLink, b: &OnLink| Some(Value::Vector(vector(level, a)? - vector(level, b)?));
+        match what {
+            Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => place(scene, at, what),
+            Asked::Velocity(p) => vector(Velocity, p).map(Value::Vector),
+            Asked::Acceleration(p) => vector(Acceleration, p).map(Value::Vector),
+            Asked::RelativeVelocity(a, b) => relative(Velocity, a, b),
+            Asked::RelativeAcceleration(a, b) => relative(Acceleration, a, b),
+            Asked::NormalAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.normal)),
+            Asked::TangentialAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.tangential)),
+            Asked::SlidingVelocity(a, b) => self.sliding_velocity(scene, at, a, b).map(Value::Vector),
+            Asked::SlidingAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.sliding[1])),
+            Asked::Coriolis(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.coriolis)),
+            Asked::Omega(l) => self.turning(Velocity, *l).map(Value::Scalar),
+            Asked::Alpha(l) => self.turning(Acceleration, *l).map(Value::Scalar),
+            Asked::RelativeOmega(a, b) => Some(Value::Scalar(self.turning(Velocity, *a)? - self.turning(Velocity, *b)?)),
+            Asked::RelativeAlpha(a, b) => Some(Value::Scalar(self.turning(Acceleration, *a)? - self.turning(Acceleration, *b)?)),
+        }
+    }
+
+    /// v_r alone, which asks for no acceleration.
+    fn sliding_velocity(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Vec2> {
+        match joined(scene, a, b)? {
+            Joined::Guide(g) => Some(self.seen_from_guide(scene, at, g, a, b, Level::Velocity)?[0]),
+            Joined::Cylinder(_) => Some(self.along_line(at, a, b, Level::Velocity)?.sliding[0]),
+            Joined::Link(_) => None,
+        }
+    }
+
+    fn parts(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink) -> Option<Parts> {
+        match joined(scene, a, b)? {
+            Joined::Guide(g) => {
+                let sliding = self.seen_from_guide(scene, at, g, a, b, Level::Acceleration)?;
+                let whole = self.vector(Level::Acceleration, a.point, a.link)? - self.vector(Level::Acceleration, b.point, b.link)?;
+                Some(Parts { normal: Vec2::ZERO, tangential: Vec2::ZERO, sliding, coriolis: whole - sliding[1] })
+            }
+            Joined::Link(_) | Joined::Cylinder(_) => self.along_line(at, a, b, Level::Acceleration),
+        }
+    }
+
+    /// Velocity and acceleration of one coincident point against the other as the link that carries the guide sees them: from the
+    /// derivatives of two coordinates in that link.
+    fn seen_from_guide(&self, scene: &Scene, at: &Configuration, g: GuideId, a: &OnLink, b: &OnLink, level: Level) -> Option<[Vec2; 2]> {
+        let carrier = scene.guides[g.0].on;
+        let (through, along) = match at.guides[g.0]? {
+            Path::Line { through, direction } => (through, direction),
+            Path::Arc { centre, .. } => (centre, Vec2::new(1.0, 0.0)),
+        };
+        let of_carrier = |p: &OnLink| p.link.map_or_else(|| scene.links[carrier.0].points.contains(&p.point), |l| l == carrier);
+        let (runner, sign) = if of_carrier(b) { (a, 1.0) } else { (b, -1.0) };
+        let place = at.points[runner.point.0]?;
+        // The origin of the carrier lies in `through`, so that its arm is none.
+        let unknowns = |level| -> Option<Unknowns> {
+            let (q, turning) = (self.at_place(level, carrier, through)?, self.turning(level, carrier)?);
+            let p = self.vector(level, runner.point, runner.link)?;
+            Some([q.x, q.y, turning, p.x, p.y, 0.0, 0.0])
+        };
+        let x = unknowns(Level::Velocity)?;
+        let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
+        let mut seen = [Vec2::ZERO; 2];
+        for k in [along, along.perp()] {
+            let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Guide(g));
+            seen[0] = seen[0] + k * (sign * first(&row, &x));
+            seen[1] = seen[1] + k * (sign * second(&row, &x, &xx));
+        }
+        Some(seen)
+    }
+
+    /// The motion of one end of a line against the other, taken apart along and across the line: its length and its direction are the
+    /// coordinates.
+    fn along_line(&self, at: &Configuration, a: &OnLink, b: &OnLink, level: Level) -> Option<Parts> {
+        let d = at.points[a.point.0]? - at.points[b.point.0]?;
+        let u = d.unit()?;
+        let unknowns = |level| -> Option<Unknowns> {
+            let (q, p) = (self.vector(level, b.point, b.link)?, self.vector(level, a.point, a.link)?);
+            Some([0.0, 0.0, 0.0, p.x, p.y, q.x, q.y])
+        };
+        let mut x = unknowns(Level::Velocity)?;
+        let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
+        let pair = Pair::Pin(a.point);
+        // A body that turns with the line, so that the line keeps its angle against it; and a length that changes as it does.
+        let turning = along_line(BODY, POINT, OTHER, d, [0.0; 2], pair);
+        x[2] = first(&turning, &x);
+        let stretch = first(&distance(POINT, OTHER, d, [0.0; 2], pair), &x);
+        let length = distance(POINT, OTHER, d, [stretch, 0.0], pair);
+        let sliding = [u * stretch, u * second(&length, &x, &xx)];
+        let (normal, tangential) = (d * -(x[2] * x[2]), d.perp() * second(&turning, &x, &xx));
+        let whole = Vec2::new(xx[3] - xx[5], xx[4] - xx[6]);
+        Some(Parts { normal, tangential, sliding, coriolis: whole - sliding[1] - normal - tangential })
+    }
+
+    /// The vector of a link's point that lies at a place.
+    fn at_place(&self, level: Level, link: LinkId, place: Point) -> Option<Vec2> {
+        if link == self.ground {
+            return Some(Vec2::ZERO);
+        }
+        self.of_place(level, link, place)
+    }
+}

@@ -1,0 +1,239 @@
+//! What is read between two images: which vector a question means on paper, and what has to be drawn for it.
+//!
+//! A reading is an edge of the drawing or the distance of two of its marks. Most of what is asked stands in an equation; what does not
+//! (v_EA of two points that no chain joins, aⁿ of points found by an image, aʳ where its edge is merged with another) is drawn between
+//! the two images afterwards ([`Between`]), and so is aᵗ where a turning is measured from it.
+
+use super::build::{Builder, slot};
+use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
+use crate::answer::level_of;
+use crate::mechanism::{Joined, Leg, Level, Mechanism, Need, Passive, joined, nodes_of};
+use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
+
+/// What a question of motion means on paper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Asking {
+    /// The vector from the pole to an image; `reversed`: from the image to the pole.
+    Vector {
+        /// Whose image.
+        of: VertexId,
+        /// Whether a fixed point is seen from it.
+        reversed: bool,
+    },
+    /// One edge, or consecutive ones, of these terms.
+    Terms(Vec<Term>),
+}
+
+/// What a question means on a plan's paper; `None` for turnings and positions, and for points that the plan does not have.
+pub fn asking(scene: &Scene, m: &Mechanism, plan: &Plan, what: &Asked) -> Option<Asking> {
+    asking_of(scene, m, &plan.vertices, what)
+}
+
+/// The vertex of a point (of a link).
+pub(super) fn find_vertex(vertices: &[Vertex], scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
+    let on = canonical(scene, p, on);
+    vertices.iter().position(|v| v.spot == Spot::Point(p) && v.on == on).map(VertexId)
+}
+
+/// The body with which a link turns.
+pub(super) fn body_of(scene: &Scene, m: &Mechanism, l: LinkId) -> Body {
+    match m.passive[l.0] {
+        Some(Passive::Cylinder(d)) => Body::Cylinder(d),
+        Some(Passive::Block(_)) | None => Body::Link(m.turns_as(scene, l)),
+    }
+}
+
+fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) -> Option<Asking> {
+    use TermKind::{Coriolis, Extension, Normal, Relative, Slide, SlideNormal, Tangential};
+    let vertex = |p: &OnLink| find_vertex(vertices, scene, p.point, p.link);
+    let fixed = |p: &OnLink| p.link.map_or_else(|| scene.links[scene.ground.0].points.contains(&p.point), |l| l == scene.ground);
+    let whole = |p: &OnLink, reversed| Some(Asking::Vector { of: vertex(p)?, reversed });
+    let terms = |a: &OnLink, b: &OnLink, kinds: &[TermKind], by: By| {
+        let (of, to) = (vertex(a)?, vertex(b)?);
+        Some(Asking::Terms(kinds.iter().map(|kind| Term { kind: *kind, of, to, by, known: false }).collect()))
+    };
+    let arc = |g: crate::scene::GuideId| matches!(scene.guides[g.0].path, GuidePath::Arc { .. });
+    let still = |g: crate::scene::GuideId| m.never_turns[scene.guides[g.0].on.0];
+    let guide = |guide| By::Guide { guide, driver: None };
+    let even = |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
+    match what {
+        Asked::Velocity(p) | Asked::Acceleration(p) => whole(p, false),
+        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(b) => whole(a, false),
+        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(a) => whole(b, true),
+        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) => match joined(scene, a, b) {
+            Some(Joined::Guide(g)) if matches!(what, Asked::RelativeVelocity(..)) || (still(g) && !arc(g)) => terms(a, b, &[Slide], guide(g)),
+            Some(Joined::Guide(g)) => terms(a, b, &[Relative], guide(g)),
+            Some(Joined::Cylinder(d)) => terms(a, b, &[Relative], By::Cylinder(d)),
+            Some(Joined::Link(l)) => terms(a, b, &[Relative], By::Turning(body_of(scene, m, l))),
+            None => terms(a, b, &[Relative], By::Apart),
+        },
+        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
+            let kind = if matches!(what, Asked::NormalAcceleration(..)) { Normal } else { Tangential };
+            match joined(scene, a, b)? {
+                Joined::Link(l) => terms(a, b, &[kind], By::Turning(body_of(scene, m, l))),
+                Joined::Cylinder(d) => terms(a, b, &[kind], By::Turning(Body::Cylinder(d))),
+                Joined::Guide(_) => None,
+            }
+        }
+        Asked::SlidingVelocity(a, b) => match joined(scene, a, b)? {
+            Joined::Guide(g) => terms(a, b, &[Slide], guide(g)),
+            Joined::Cylinder(d) => terms(a, b, &[Extension], By::Cylinder(d)),
+            Joined::Link(_) => None,
+        },
+        Asked::SlidingAcceleration(a, b) => match joined(scene, a, b)? {
+            // What is driven at a constant rate has no acceleration along its way.
+            Joined::Guide(g) => match (arc(g), even(g)) {
+                (true, true) => terms(a, b, &[SlideNormal], guide(g)),
+                (true, false) => terms(a, b, &[SlideNormal, Slide], guide(g)),
+                (false, true) => None,
+                (false, false) => terms(a, b, &[Slide], guide(g)),
+            },
+            Joined::Cylinder(d) if scene.drivers[d].acceleration.is_none() => None,
+            Joined::Cylinder(d) => terms(a, b, &[Extension], By::Cylinder(d)),
+            Joined::Link(_) => None,
+        },
+        Asked::Coriolis(a, b) => match joined(scene, a, b)? {
+            Joined::Guide(g) => terms(a, b, &[Coriolis], guide(g)),
+            Joined::Cylinder(d) => terms(a, b, &[Coriolis], By::Cylinder(d)),
+            Joined::Link(_) => None,
+        },
+        Asked::Coordinate(..)
+        | Asked::LinkAngle(_)
+        | Asked::Distance(..)
+        | Asked::Omega(_)
+        | Asked::Alpha(_)
+        | Asked::RelativeOmega(..)
+        | Asked::RelativeAlpha(..) => None,
+    }
+}
+
+impl Term {
+    /// Whether two terms are one vector, or opposite ones: `Some(true)` where their points are exchanged. Who gives a sliding does not matter.
+    pub fn is_same(&self, other: &Term) -> Option<bool> {
+        let by = match (self.by, other.by) {
+            (By::Guide { guide: g, .. }, By::Guide { guide: h, .. }) => g == h,
+            (a, b) => a == b,
+        };
+        match () {
+            () if self.kind != other.kind || !by => None,
+            () if (self.of, self.to) == (other.of, other.to) => Some(false),
+            () if (self.of, self.to) == (other.to, other.of) => Some(true),
+            () => None,
+        }
+    }
+}
+
+/// Whether a row of drawn terms holds these, one after another.
+fn holds(drawn: &[Term], wanted: &[Term]) -> bool {
+    drawn.windows(wanted.len()).any(|w| {
+        let same: Vec<Option<bool>> = w.iter().zip(wanted).map(|(t, u)| t.is_same(u)).collect();
+        same[0].is_some() && same.iter().all(|s| *s == same[0])
+    })
+}
+
+/// The edges that a step draws, chain by chain: unknown terms along one line are one edge together, and none by itself.
+fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
+    step.chains().iter().map(|c| {
+        let alone = if c.unknown.len() == 1 { &c.unknown[..] } else { &[] };
+        c.known.iter().chain(alone).copied().collect()
+    })
+}
+
+impl Builder<'_> {
+    /// Writes what is drawn between images at a level: for turnings that are measured from a part, and for questions.
+    pub(super) fn draw_between(&mut self, level: Level) {
+        let measured: Vec<(usize, Body, VertexId, VertexId)> = self
+            .list(level)
+            .iter()
+            .flat_map(|g| {
+                g.rates.iter().filter_map(|(body, rate)| match rate {
+                    Rate::Measured { of, to } => Some((g.group, *body, *of, *to)),
+                    Rate::Given { .. } | Rate::Same(_) | Rate::Zero => None,
+                })
+            })
+            .collect();
+        for (group, body, of, to) in measured {
+            let kind = match (level, body) {
+                (Level::Acceleration, _) => TermKind::Tangential,
+                // The line of a cylinder turns by the part square to it; that of a link by the whole.
+                (_, Body::Cylinder(_)) => TermKind::Relative,
+                (_, Body::Link(_)) => continue,
+            };
+            self.between(level, group, &[Term { kind, of, to, by: By::Turning(body), known: false }]);
+        }
+        let scene = self.scene;
+        for find in scene.find.iter().filter(|f| level_of(&f.what) == level) {
+            for p in find.what.points() {
+                // A fixed point may not have been met yet.
+                if p.link.map_or_else(|| scene.links[scene.ground.0].points.contains(&p.point), |l| l == scene.ground) {
+                    self.vertex_of(&p);
+                }
+            }
+            let Some(Asking::Terms(terms)) = asking_of(scene, self.m, &self.vertices, &find.what) else { continue };
+            let nodes = find.what.points().into_iter().flat_map(|p| nodes_of(scene, self.m, Need::Point(p.point, p.link)));
+            let Some(group) = nodes.filter_map(|n| self.m.group_of(n)).max() else { continue };
+            self.between(level, group, &terms);
+        }
+    }
+
+    fn vertex_of(&mut self, p: &OnLink) -> VertexId {
+        self.intern(Spot::Point(p.point), canonical(self.scene, p.point, p.link))
+    }
+
+    pub(super) fn list(&mut self, level: Level) -> &mut Vec<super::GroupSteps> {
+        match level {
+            Level::Acceleration => &mut self.acceleration,
+            Level::Velocity | Level::Position => &mut self.velocity,
+        }
+    }
+
+    /// Draws terms between their two images behind a group, unless an edge shows them already.
+    fn between(&mut self, level: Level, group: usize, terms: &[Term]) {
+        let Term { of, to, .. } = terms[0];
+        let drawn = |g: &super::GroupSteps| {
+            let in_all = !g.alternatives.is_empty() && g.alternatives.iter().all(|a| a.iter().flat_map(rows).any(|r| holds(&r, terms)));
+            in_all || g.further.iter().flat_map(rows).any(|r| holds(&r, terms)) || g.between.iter().any(|b| holds(&b.terms(), terms))
+        };
+        if !self.is_known(level, of) || !self.is_known(level, to) || self.list(level).iter().any(drawn) {
+            return;
+        }
+        let term = |kind, by| Term { kind, of, to, by, known: false };
+        let between = match (terms[0].kind, terms[0].by) {
+            (TermKind::Relative, By::Turning(Body::Cylinder(d))) if self.are_ends(d, of, to) => self.along_cylinder(level, d, of, to),
+            (TermKind::Relative, by) => Some(Between::Join(term(TermKind::Relative, by))),
+            (_, By::Turning(Body::Cylinder(d))) if self.are_ends(d, of, to) => self.along_cylinder(level, d, of, to),
+            (_, By::Turning(Body::Link(l))) if self.m.never_turns[l.0] => None,
+            (_, by @ By::Turning(_)) => {
+                Some(Between::Perpendicular { normal: term(TermKind::Normal, by), tangential: term(TermKind::Tangential, by) })
+            }
+            (_, By::Cylinder(d)) => self.along_cylinder(level, d, of, to),
+            (_, By::Guide { guide, .. }) => {
+                let (known, rest) = self.sliding(level, guide, of, to, None);
+                Some(Between::LayOff { known, rest })
+            }
+            (_, By::Apart) => None,
+        };
+        let Some(between) = between else { return };
+        let entry = self.list(level).iter_mut().find(|s| s.group == group);
+        if let Some(entry) = entry {
+            entry.between.push(between);
+        }
+    }
+
+    fn are_ends(&self, driver: usize, of: VertexId, to: VertexId) -> bool {
+        let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[driver].kind else { return false };
+        let spots = [self.vertices[of.0].spot, self.vertices[to.0].spot];
+        spots == [a, b].map(Spot::Point) || spots == [b, a].map(Spot::Point)
+    }
+
+    fn along_cylinder(&mut self, level: Level, driver: usize, of: VertexId, to: VertexId) -> Option<Between> {
+        let (Spot::Point(near), Spot::Point(far)) = (self.vertices[of.0].spot, self.vertices[to.0].spot) else { return None };
+        let chain = self.chain(level, None, &Leg::Cylinder { driver, near, far }, None);
+        Some(Between::LayOff { known: chain.known, rest: chain.unknown })
+    }
+
+    /// Whether a vertex has its image at a level.
+    pub(super) fn is_known(&self, level: Level, v: VertexId) -> bool {
+        self.vertices[v.0].fixed || self.known[slot(level)].contains(&v)
+    }
+}

@@ -1,0 +1,281 @@
+//! What the paper says is what was drawn: every reading is the distance of two marks, every name one vector, and three ways that share
+//! no definition of a part (edges, rows of the loop equations, formulas of relative motion) say the same of it.
+
+use crate::properties::{mechanism, seeds, style};
+use crate::emit;
+use hodograph::answer::{Value, evaluate, level_of};
+use hodograph::construct::{Mark, ShownAs};
+use hodograph::figure::results::named;
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::geom::Vec2;
+use hodograph::mechanism::{Level, joined};
+use hodograph::plan::notation::Notation;
+use hodograph::plan::text::Writer;
+use hodograph::plan::{Spot, VertexId};
+use hodograph::render::svg;
+use hodograph::report::construction::mark;
+use hodograph::scene::{self, Asked, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
+use hodograph::worked::{Scope, Worked, work};
+use std::collections::BTreeMap;
+
+/// Everything relative that can be asked: on each link, at each guide in both senses, along each cylinder, across links.
+fn relative_questions(scene: &Scene) -> Vec<Asked> {
+    let pin = |point| OnLink { point, link: None };
+    let moving = |p: &OnLink| !scene.links[scene.ground.0].points.contains(&p.point);
+    let mut all: Vec<Asked> = Vec::new();
+    let parts = |a: OnLink, b: OnLink| {
+        let whole = [Asked::RelativeVelocity(a, b), Asked::RelativeAcceleration(a, b)];
+        whole.into_iter().chain([Asked::NormalAcceleration(a, b), Asked::TangentialAcceleration(a, b)])
+    };
+    for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| *l != scene.ground.0) {
+        for (i, p) in link.points.iter().enumerate().take(3) {
+            for q in &link.points[i + 1..] {
+                let (a, b) = if (l + i) % 2 == 0 { (*p, *q) } else { (*q, *p) };
+                all.extend(parts(pin(a), pin(b)));
+            }
+        }
+    }
+    for driver in &scene.drivers {
+        if let DriverKind::Cylinder { a, b, .. } = driver.kind {
+            all.extend(parts(pin(a), pin(b)));
+            all.extend([Asked::SlidingVelocity(pin(b), pin(a)), Asked::SlidingAcceleration(pin(b), pin(a)), Asked::Coriolis(pin(b), pin(a))]);
+        }
+    }
+    for guide in &scene.guides {
+        let runner = match (guide.pin, guide.slider) {
+            (Some(p), _) => Some(pin(p)),
+            (None, Some(s)) => scene.links[s.0].points.first().map(|p| OnLink { point: *p, link: Some(s) }),
+            (None, None) => None,
+        };
+        let Some(a) = runner else { continue };
+        let b = OnLink { point: a.point, link: Some(guide.on) };
+        for (a, b) in [(a, b), (b, a)] {
+            all.extend([Asked::SlidingVelocity(a, b), Asked::SlidingAcceleration(a, b), Asked::Coriolis(a, b)]);
+            all.extend([Asked::RelativeVelocity(a, b), Asked::RelativeAcceleration(a, b)]);
+        }
+    }
+    let movers: Vec<OnLink> = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p))).filter(moving).collect();
+    if let [first, .., last] = movers[..] {
+        all.extend([Asked::RelativeVelocity(first, last), Asked::RelativeAcceleration(last, first)]);
+    }
+    for (l, _) in scene.links.iter().enumerate().filter(|(l, link)| *l != scene.ground.0 && link.points.len() > 1) {
+        all.extend([Asked::Omega(LinkId(l)), Asked::Alpha(LinkId(l))]);
+    }
+    all.retain(|what| match what {
+        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
+            a.point != b.point && joined(scene, a, b).is_some()
+        }
+        Asked::SlidingVelocity(a, b) | Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => joined(scene, a, b).is_some(),
+        _ => true,
+    });
+    all
+}
+
+/// As a question is written.
+fn text(scene: &Scene, what: &Asked) -> String {
+    let name = |p: &OnLink| format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)));
+    let pair = |symbol: &str, a: &OnLink, b: &OnLink| format!("{symbol}_{}{}", name(a), name(b));
+    match what {
+        Asked::RelativeVelocity(a, b) => pair("v", a, b),
+        Asked::RelativeAcceleration(a, b) => pair("a", a, b),
+        Asked::NormalAcceleration(a, b) => pair("an", a, b),
+        Asked::TangentialAcceleration(a, b) => pair("at", a, b),
+        Asked::SlidingVelocity(a, b) => pair("vr", a, b),
+        Asked::SlidingAcceleration(a, b) => pair("ar", a, b),
+        Asked::Coriolis(a, b) => pair("ak", a, b),
+        Asked::Omega(l) => format!("omega_{}", scene.link_name(*l)),
+        Asked::Alpha(l) => format!("alpha_{}", scene.link_name(*l)),
+        other => panic!("{other:?} is not asked here"),
+    }
+}
+
+/// The scene with everything relative asked besides.
+fn asking_all(mut scene: Scene) -> Scene {
+    for what in relative_questions(&scene) {
+        let text = text(&scene, &what);
+        if !scene.find.iter().any(|f| f.text == text) {
+            scene.find.push(Find { what, text, span: Default::default() });
+        }
+    }
+    scene
+}
+
+fn scale(worked: &Worked, level: Level) -> f64 {
+    let largest = |level| worked.construction.polygon(level).map_or(0.0, |p| p.largest());
+    let v = largest(Level::Velocity);
+    match level {
+        Level::Acceleration => largest(level).max(v * v / worked.configuration.extent().max(1e-300)),
+        _ => v,
+    }
+}
+
+/// Edges, rows and formulas agree; every length is the distance of two marks that are there.
+fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
+    let mut read = 0;
+    for r in &worked.results {
+        let find = &scene.find[r.find];
+        let (level, what) = (level_of(&find.what), format!("{name}: {}", find.text));
+        let (Some(drawn), true) = (&r.drawn, level > Level::Position) else { continue };
+        let size = if matches!(drawn.value, Value::Scalar(_)) { r.scale } else { scale(worked, level) };
+        let off = |a: Value, b: Value| match (a, b) {
+            (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
+            (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
+            _ => f64::INFINITY,
+        };
+        let worst = worked.construction.magnification[usize::from(level == Level::Acceleration)];
+        let near = 1e-12 * worst.max(1e3) * size;
+        assert!(off(drawn.value, r.computed) <= near, "{what}: edge {:?}, rows {:?}, size {size}", drawn.value, r.computed);
+        let formula = evaluate(scene, &worked.configuration, &worked.solution, &find.what).expect("the analysis reaches what is drawn");
+        assert!(off(r.computed, formula) <= near, "{what}: rows {:?}, formula {formula:?}, size {size}", r.computed);
+        let Some(m) = &drawn.measured else {
+            assert!(matches!(drawn.value, Value::Scalar(_)) || drawn.value.magnitude() <= near, "{what}: no edge shows {:?}", drawn.value);
+            continue;
+        };
+        read += 1;
+        let polygon = worked.construction.polygon(level).expect("what is measured is drawn");
+        let [from, to] = m.marks;
+        let distance = (to.1 - from.1).norm();
+        assert!((distance - m.length_mm).abs() <= near / polygon.mu, "{what}: {} mm between marks {distance} mm apart", m.length_mm);
+        for (mark, at) in m.marks {
+            let there = match mark {
+                Mark::Pole => at.to_vec2().norm() == 0.0,
+                Mark::Image(v) => polygon.images[v.0] == Some(at),
+                Mark::Part(_) | Mark::Again(_) => polygon.edges.iter().any(|e| e.to == (mark, at)),
+            };
+            assert!(there, "{what}: {mark:?} is not at {at:?}");
+        }
+        if let Value::Vector(v) = drawn.value {
+            assert!(((to.1 - from.1) * polygon.mu - v).norm() <= near, "{what}: the marks do not show {v:?}");
+        }
+    }
+    read
+}
+
+/// No two vectors bear one name, and an answer is called as the drawing calls it.
+fn check_names(name: &str, scene: &Scene, worked: &Worked) {
+    for lang in [Lang::En, Lang::Zh] {
+        let notation = Notation::of_language(lang);
+        let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
+        for level in Level::RATES {
+            let Some(p) = worked.construction.polygon(level) else { continue };
+            let size = p.largest() / p.mu;
+            let mut called: BTreeMap<String, Vec2> = BTreeMap::new();
+            let mut call = |symbol: String, v: Vec2| {
+                let before = *called.entry(symbol.clone()).or_insert(v);
+                assert!((before - v).norm() <= 1e-6 * size, "{name}: {symbol} is {before:?} and {v:?} mm");
+            };
+            for e in &p.edges {
+                if let [t] = e.terms[..] {
+                    call(w.symbol(level, &t), e.to.1 - e.from.1);
+                }
+            }
+            for (v, at) in p.images.iter().enumerate() {
+                let (v, vertex) = (VertexId(v), worked.plan.vertex(VertexId(v)));
+                if let (Some(at), false, Spot::Point(_)) = (at, vertex.fixed, vertex.spot) {
+                    call(w.vector(level, v), at.to_vec2());
+                }
+            }
+            for r in worked.results.iter().filter(|r| level_of(&scene.find[r.find].what) == level) {
+                let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
+                let Some(shown) = &m.shown else { continue };
+                let drawn = match &shown.vector {
+                    ShownAs::Image(v) => w.vector(level, *v),
+                    ShownAs::Edges(terms) => terms.iter().map(|t| w.symbol(level, t)).collect::<Vec<_>>().join(" + "),
+                };
+                let told = named(&w, &scene.find[r.find], r);
+                assert!(told.ends_with(&drawn) || told.ends_with(&format!("({drawn})")), "{name}: {told} is drawn as {drawn}");
+                for symbol in told.split(" = ").filter(|s| !s.starts_with('−') && !s.contains(" + ")) {
+                    call(symbol.to_string(), m.marks[1].1 - m.marks[0].1);
+                }
+            }
+            // Marks are told apart, too.
+            let mut letters: BTreeMap<String, Mark> = BTreeMap::new();
+            for (m, _) in p.edges.iter().flat_map(|e| [e.from, e.to]) {
+                let letter = mark(&w, level, &m);
+                let before = *letters.entry(letter.clone()).or_insert(m);
+                assert_eq!(before, m, "{name}: two marks {letter}");
+            }
+        }
+    }
+}
+
+fn with_angle(name: &str, degrees: Option<f64>) -> Option<Scene> {
+    let text = match degrees {
+        None => templates::get(name).unwrap().to_string(),
+        Some(d) => templates::instantiate(name, &[("phi_1", &format!("{d} deg"))]).ok()?,
+    };
+    Some(scene::read(&text).ok()?.value)
+}
+
+#[test]
+fn readings_of_all_templates_are_edges() {
+    let mut read = 0;
+    for name in templates::list().iter().map(|t| t.name) {
+        for degrees in [None, Some(37.0), Some(118.0), Some(251.0)] {
+            let Some(scene) = with_angle(name, degrees).map(asking_all) else { continue };
+            let Ok(worked) = work(&scene, Scope::Questions) else { continue };
+            let what = format!("{name} {degrees:?}");
+            read += check_readings(&what, &scene, &worked.value);
+            check_names(&what, &scene, &worked.value);
+        }
+    }
+    assert!(read > 2000, "only {read} readings were checked");
+}
+
+#[test]
+fn readings_of_random_mechanisms_are_edges() {
+    let mut read = 0;
+    for seed in seeds(150) {
+        let Some(m) = mechanism(seed) else { continue };
+        let pose = if m.coordinates_only || seed % 2 == 0 { emit::Pose::Coordinates } else { emit::Pose::Lengths };
+        let text = emit::scene(&m, &style(pose, emit::Ask::Velocities, seed));
+        let scene = asking_all(scene::read(&text).unwrap().value);
+        let Ok(worked) = work(&scene, Scope::Questions) else { continue };
+        read += check_readings(&format!("seed {seed}\n{text}"), &scene, &worked.value);
+        check_names(&format!("seed {seed}"), &scene, &worked.value);
+    }
+    assert!(read > 3000, "only {read} readings were checked");
+}
+
+/// Every length that a sheet prints is the distance of two marks in its SVG, found there by their names.
+#[test]
+fn printed_lengths_are_distances_in_the_svg() {
+    let mut found = 0;
+    for name in templates::list().iter().map(|t| t.name) {
+        let scene = asking_all(with_angle(name, None).unwrap());
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for lang in [Lang::En, Lang::Zh] {
+            let options = Options::of_language(lang);
+            let figure = sheet(&scene, &worked, &options).unwrap();
+            let drawn = svg::write_editable(&figure).unwrap().value;
+            let document = roxmltree::Document::parse(&drawn).unwrap();
+            let by_id = |id: &str| document.descendants().find(|n| n.attribute("id") == Some(id));
+            let w = Writer { scene: &scene, plan: &worked.plan, notation: &options.notation, lang };
+            for r in &worked.results {
+                let find = &scene.find[r.find];
+                let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
+                if worked.construction.is_empty(level_of(&find.what)) {
+                    continue;
+                }
+                let level = level_of(&find.what);
+                let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
+                let place = |k: usize| {
+                    let id = hodograph::figure::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));
+                    let node = by_id(&id).unwrap_or_else(|| panic!("{name}: no mark {id} for {}", find.text));
+                    assert!(node.attribute("class").unwrap().split(' ').any(|c| c == "mark"));
+                    let number = |key: &str| node.attribute(key).unwrap().parse::<f64>().unwrap();
+                    Vec2::new(number("cx"), number("cy"))
+                };
+                let distance = (place(1) - place(0)).norm();
+                let cell = by_id(&format!("result-{}-measured", find.text)).unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
+                let printed: String = cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
+                let printed = printed.split("mm").next().unwrap().trim().replace('−', "-").replace(['\u{a0}', '\u{2009}', ' '], "");
+                let printed: f64 = printed.parse().unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));
+                // Places are written to 0.001 mm, lengths to four digits.
+                assert!((printed - distance).abs() <= 2e-3 + 5.1e-4 * distance, "{name}: {} prints {printed} mm between marks {distance} mm apart", find.text);
+                found += 1;
+            }
+        }
+    }
+    assert!(found > 1000, "only {found} lengths were found");
+}
