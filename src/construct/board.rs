@@ -225,7 +225,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             let Some(next) = open.iter().position(there) else { return Ok(()) };
             let between = open.remove(next);
             // The alternative of the group that was drawn may show it.
-            if !between.terms().iter().all(|t| p.edge_of(&[*t]).is_some()) {
+            let terms = between.terms();
+            let shown = match between {
+                Between::Join(_) | Between::Perpendicular { .. } => terms.iter().all(|t| p.edge_of(&[*t]).is_some()),
+                Between::LayOff { .. } => p.edge_of(&terms).is_some(),
+            };
+            if !shown {
                 self.between(p, between)?;
             }
         }

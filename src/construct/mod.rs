@@ -179,13 +179,17 @@ impl<N: Copy> Polygon<N> {
     /// opposite vector: the marks are exchanged then.
     pub fn edge_of(&self, terms: &[Term]) -> Option<Vector<N>> {
         let shows = |e: &Edge<N>, t: &Term| if let [u] = &e.terms[..] { u.is_same(t) } else { None };
-        let edges = |t: &Term| self.edges.iter().filter_map(|e| Some((e, shows(e, t)?))).collect::<Vec<_>>();
         // What vanishes has no edge: the others are all there is.
-        let mut drawn = terms.iter().map(edges).filter(|all| !all.is_empty());
-        let (first, reversed) = *drawn.next()?.first()?;
-        let last = drawn.try_fold(first, |before, all| all.iter().map(|e| e.0).find(|e| e.from.0 == before.to.0))?;
-        let marks = if reversed { [last.to, first.from] } else { [first.from, last.to] };
-        Some((marks, reversed))
+        let drawn: Vec<&Term> = terms.iter().filter(|t| self.edges.iter().any(|e| shows(e, t).is_some())).collect();
+        let (head, rest) = drawn.split_first()?;
+        let row = |reversed: bool| {
+            let is = |e: &&Edge<N>, t: &Term| shows(e, t) == Some(reversed);
+            let after = |before: &Edge<N>, t: &Term| self.edges.iter().find(|e| is(e, t) && e.from.0 == before.to.0);
+            let whole = |first| Some((first, rest.iter().try_fold(first, |before, t| after(before, t))?));
+            self.edges.iter().filter(|e| is(e, head)).find_map(whole)
+        };
+        let marks = |(first, last): (&Edge<N>, &Edge<N>), reversed| if reversed { [last.to, first.from] } else { [first.from, last.to] };
+        [false, true].into_iter().find_map(|reversed| Some((marks(row(reversed)?, reversed), reversed)))
     }
 }
 

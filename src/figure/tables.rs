@@ -4,7 +4,7 @@
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
-use crate::plan::text::Writer;
+use crate::plan::text::{Writer, point_label, special_name};
 use crate::plan::{Chain, Spot, Step, VertexId};
 use crate::quantity::inked;
 use crate::report::phrase::Phrase;
@@ -187,7 +187,8 @@ impl Tables<'_> {
         let Core::Link { link, legs: all } = &self.mechanism.groups[group].core else { return None };
         let lines = [legs.0, legs.1].map(|k| all.get(k).map(|leg| self.constraint_line(leg)));
         let [Some(a), Some(b)] = lines else { return None };
-        let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.writer.scene.link_name(*link));
+        let name = point_label(&special_name(self.writer.scene, self.writer.plan, group));
+        let text = self.words().special_point.replace("{S}", &name).replace("{1}", &a).replace("{2}", &b).replace("{}", self.writer.scene.link_name(*link));
         let class = format!("{} statement special {step}", kind(level));
         let cells = vec![Some(self.cell(
             Phrase::new(&text).label(),

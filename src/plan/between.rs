@@ -209,7 +209,10 @@ impl Builder<'_> {
             (_, By::Cylinder(d)) => self.along_cylinder(level, d, of, to),
             (_, By::Guide { guide, .. }) => {
                 let (known, rest) = self.sliding(level, guide, of, to, None);
-                Some(Between::LayOff { known, rest })
+                Some(match (&known[..], &rest[..]) {
+                    ([], [slide]) => Between::Join(*slide),
+                    _ => Between::LayOff { known, rest },
+                })
             }
             (_, By::Apart) => None,
         };

@@ -40,7 +40,7 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let mut name = match vertex.spot {
         Spot::Point(p) => scene.point_name(p).to_string(),
-        Spot::Special { .. } => "S".to_string(),
+        Spot::Special { group, .. } => special_name(scene, plan, group),
     };
     if let Some(n) = vertex.number {
         if name.ends_with(|c: char| c.is_ascii_digit()) {
@@ -51,12 +51,25 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     name
 }
 
+/// Name of the special point of a group: S, or the next letter that no point of the scene bears; numbered where several groups have one.
+pub fn special_name(scene: &Scene, plan: &Plan, group: usize) -> String {
+    let taken = |letter: char| scene.points.iter().any(|p| p.name.chars().next().is_some_and(|c| c.eq_ignore_ascii_case(&letter)));
+    let letter = ['S', 'W', 'U', 'X', 'Y', 'Z'].into_iter().find(|l| !taken(*l)).unwrap_or('S');
+    let mut groups: Vec<usize> = plan.vertices.iter().filter_map(|v| if let Spot::Special { group, .. } = v.spot { Some(group) } else { None }).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    match groups[..] {
+        [] | [_] => letter.to_string(),
+        _ => format!("{letter}{}", groups.iter().position(|g| *g == group).map_or(0, |k| k + 1)),
+    }
+}
+
 /// Name of a line in plain letters, its ends in the order of the scene: `AB`.
 pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String {
     let (a, b) = ordered(plan, a, b);
     let plain = |v: VertexId| match plan.vertex(v).spot {
-        Spot::Point(p) => scene.point_name(p),
-        Spot::Special { .. } => "S",
+        Spot::Point(p) => scene.point_name(p).to_string(),
+        Spot::Special { group, .. } => special_name(scene, plan, group),
     };
     format!("{}{}", plain(a), plain(b))
 }
@@ -102,7 +115,7 @@ impl Writer<'_> {
     pub fn spot(&self, v: VertexId) -> String {
         match self.plan.vertex(v).spot {
             Spot::Point(p) => point_label(self.scene.point_name(p)),
-            Spot::Special { .. } => "S".into(),
+            Spot::Special { group, .. } => point_label(&special_name(self.scene, self.plan, group)),
         }
     }
 
@@ -129,14 +142,16 @@ impl Writer<'_> {
     /// From a fixed point a vector is absolute; a cylinder's parts are always told as relative, for the other chain of
     /// their equation may start at a fixed point as well.
     fn is_absolute(&self, level: Level, t: &Term) -> bool {
-        let whole = match t.by {
+        let whole = |t: &Term| match t.by {
             By::Cylinder(_) | By::Turning(Body::Cylinder(_)) => false,
             // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
             // the acceleration.
             By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
             By::Turning(Body::Link(_)) | By::Apart => true,
         };
-        whole && self.plan.vertex(t.to).fixed
+        let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
+        // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
+        absolute(t) && !self.plan.terms(level).any(|u| u.of == t.of && u.to != t.to && absolute(&u))
     }
 
     fn subscript(&self, level: Level, t: &Term) -> String {
@@ -209,7 +224,7 @@ impl Writer<'_> {
         }
         let name = match vertex.spot {
             Spot::Point(p) => self.scene.point_name(p).to_lowercase(),
-            Spot::Special { .. } => "s".into(),
+            Spot::Special { group, .. } => special_name(self.scene, self.plan, group).to_lowercase(),
         };
         let head = name.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &name[head.len()..];
@@ -229,7 +244,10 @@ impl Writer<'_> {
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
         let shared = self.plan.terms(level).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to);
         let to = if shared && !self.is_absolute(level, t) { self.name(t.to).to_lowercase() } else { String::new() };
-        format!("{letter}{}_{{{}{to}}}", prime(level), self.name(t.of).to_lowercase())
+        // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
+        let twin = |u: &Term| Self::part_letter(u.kind) == letter && (u.of, u.to) == (t.of, t.to);
+        let before = self.plan.terms(level).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
+        format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.name(t.of).to_lowercase())
     }
 
     fn part_letter(kind: TermKind) -> &'static str {

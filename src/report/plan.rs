@@ -277,8 +277,8 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
                 out.push(format!(
                     "    {}",
                     match lang {
-                        Lang::En => format!("S: crossing of the constraint lines of legs {} and {}", legs.0 + 1, legs.1 + 1),
-                        Lang::Zh => format!("S：第 {} 与第 {} 条支链约束线的交点", legs.0 + 1, legs.1 + 1),
+                        Lang::En => format!("{}: crossing of the constraint lines of legs {} and {}", formula(&w.spot(*target)), legs.0 + 1, legs.1 + 1),
+                        Lang::Zh => format!("{}：第 {} 与第 {} 条支链约束线的交点", formula(&w.spot(*target)), legs.0 + 1, legs.1 + 1),
                     }
                 ));
             }

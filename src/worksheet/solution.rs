@@ -135,7 +135,7 @@ impl Maker<'_> {
             && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
         {
             let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
-            let text = self.words().special_point.replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
+            let text = self.words().special_point.replace("{S}", &w.spot(*target)).replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, level, step), step) {

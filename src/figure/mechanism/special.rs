@@ -6,6 +6,7 @@ use super::Draft;
 use crate::geom::Point;
 use crate::mechanism::{Core, Leg};
 use crate::plan::Spot;
+use crate::plan::text::{point_label, special_name};
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.
@@ -33,8 +34,9 @@ impl Draft<'_> {
                     self.d.shape("constraint-line", "special construction", shape);
                 }
             }
+            let name = point_label(&special_name(self.scene, &worked.plan, group));
             self.d.draw("special-point", "special point", sym::dot(self.style, at));
-            self.d.label_at("special-point-letter", "special letter", "S", at, self.style.dot_radius_mm, None);
+            self.d.label_at("special-point-letter", "special letter", &name, at, self.style.dot_radius_mm, None);
         }
     }
 
