@@ -10,6 +10,7 @@
 mod build;
 mod effects;
 mod locus;
+pub mod names;
 pub mod notation;
 mod rest;
 pub mod text;

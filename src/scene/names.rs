@@ -129,7 +129,7 @@ impl<'a> Names<'a> {
             }
             _ => {
                 let d = Diagnostic::error("unknown-point", format!("`{text}` does not name two points")).at(word.span);
-                let names: Vec<_> = self.points.iter().take(12).map(|p| p.name.as_str()).collect();
+                let names: Vec<_> = self.points.iter().map(|p| p.name.as_str()).collect();
                 d.help(format!("write two of the points one after the other or with a comma; the points are {}", names.join(", ")))
             }
         }

@@ -6,6 +6,7 @@ use super::Draft;
 use crate::geom::Point;
 use crate::mechanism::{Core, Leg};
 use crate::plan::Spot;
+use crate::plan::names::special_letter;
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.
@@ -34,7 +35,7 @@ impl Draft<'_> {
                 }
             }
             self.d.draw("special-point", "special point", sym::dot(self.style, at));
-            self.d.label_at("special-point-letter", "special letter", "S", at, self.style.dot_radius_mm, None);
+            self.d.label_at("special-point-letter", "special letter", special_letter(self.scene), at, self.style.dot_radius_mm, None);
         }
     }
 
