@@ -237,7 +237,7 @@ fn unit(level: Level) -> &'static str {
 }
 
 fn id_of(symbol: &str) -> String {
-    symbol.chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^')).collect()
+    symbol.replace('\'', "′").chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '′')).collect()
 }
 
 /// The vertex that a step finds.

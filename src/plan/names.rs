@@ -126,7 +126,9 @@ mod tests {
             ("滑块2", "滑块_{2}", "滑块2"),
         ] {
             assert_eq!((point_label(name).as_str(), name_label(name).as_str()), (alone, among), "{name}");
-            for label in [point_label(name), image_of(name, None, "'"), image_of(name, Some("_1"), "'"), format!("v_{{{}}}", name_label(name))] {
+            for label in
+                [point_label(name), image_of(name, None, "'"), image_of(name, Some("_1"), "'"), format!("v_{{{}}}", name_label(name))]
+            {
                 assert_eq!(Label::math(label.as_str()).faults(), [], "{name}: {label}");
             }
         }

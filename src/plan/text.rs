@@ -215,7 +215,9 @@ impl Writer<'_> {
         match body {
             Body::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
             Body::Cylinder(d) => match &self.scene.drivers[d].kind {
-                DriverKind::Cylinder { links, .. } if !links.is_empty() => format!("{letter}_{{{}}}", name_label(self.scene.link_name(links[0]))),
+                DriverKind::Cylinder { links, .. } if !links.is_empty() => {
+                    format!("{letter}_{{{}}}", name_label(self.scene.link_name(links[0])))
+                }
                 DriverKind::Cylinder { a, b, .. } => {
                     format!("{letter}_{{{}{}}}", name_label(self.scene.point_name(*a)), name_label(self.scene.point_name(*b)))
                 }
@@ -241,11 +243,13 @@ impl Writer<'_> {
     fn axis(&self, g: GuideId) -> Option<&'static str> {
         let guide = &self.scene.guides[g.0];
         match &guide.path {
-            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => match angle.value {
-                crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
-                crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
-                crate::scene::Angle::Deg(_) | crate::scene::Angle::Rad(_) => None,
-            },
+            GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => {
+                match angle.value {
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
+                    crate::scene::Angle::Deg(_) | crate::scene::Angle::Rad(_) => None,
+                }
+            }
             GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
         }
     }

@@ -17,7 +17,8 @@ use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, Poi
 /// poses that nothing fixes. All faults of independent groups are reported together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
     let first = Assembly::new(scene, mechanism, demand, None).go(demand);
-    if !first.faults.has_errors() || first.open.is_empty() {
+    let does_not_close = |d: &Diagnostic| DOES_NOT_CLOSE.contains(&d.code);
+    if first.open.is_empty() || !first.faults.list.iter().any(does_not_close) {
         return first.closed()?.finish();
     }
     // What one group leaves open may keep a later one from closing (in Peaucellier's inversor two dyads on the same pivots fall
@@ -32,12 +33,15 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
         let names: Vec<String> = first.open.iter().map(|(g, _)| format!("link{}", names_of(scene, &mechanism.groups[*g]))).collect();
         let hint = format!("or say with \"side\" or \"sketch\" which assembly of {} is meant", names.join(", of "));
         let mut faults = first.faults;
-        for d in &mut faults.list {
+        for d in faults.list.iter_mut().filter(|d| does_not_close(d)) {
             d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| format!("{h}; {hint}")));
         }
         faults
     })
 }
+
+/// What a group is told as that cannot be closed on the groups before it.
+const DOES_NOT_CLOSE: [&str; 3] = ["cannot-assemble", "coincident-points", "degenerate-guide"];
 
 /// Other assemblies that are tried where the first does not close: each costs as much as the first.
 const MOST_TRIED: usize = 32;

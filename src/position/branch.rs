@@ -85,7 +85,9 @@ pub(super) fn choose<N: Real>(
             )
             .at(side.span));
         }
-        if kept.len() == left.len() {
+        // Three points of one link say how the link is made, not where it lies.
+        let of_one_link = scene.links.iter().any(|l| [side.point, side.from, side.to].iter().all(|p| l.points.contains(p)));
+        if kept.len() == left.len() && !of_one_link {
             idle = Some(side);
         }
         left = kept;
@@ -109,6 +111,8 @@ pub(super) fn choose<N: Real>(
     if left.len() == 1 {
         return Ok(Choice { pick: left[0], open: 0, note: None });
     }
+    // An assembly that lays a joint on another one is hardly ever meant.
+    left.sort_by_key(|&i| falls_together(placed, &trials[i]));
     let (pick, other) = (left[instead % left.len()], left[(instead + 1) % left.len()]);
     let note = {
         let moved = trials[pick].points.iter().find_map(|(p, at)| {
@@ -135,6 +139,17 @@ pub(super) fn choose<N: Real>(
         }
     };
     Ok(Choice { pick, open: left.len(), note: Some(note) })
+}
+
+/// Whether a closure puts a point where another one is.
+fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> bool {
+    /// Part of the distances within which two places are one: the rounding of what a person types.
+    const SAME: f64 = 1e-9;
+    let size = |p: Point| p.to_vec2().norm();
+    let there = placed.iter().enumerate().filter_map(|(q, at)| Some((q, at.as_ref()?.approx())));
+    let there: Vec<(usize, Point)> = there.collect();
+    let largest = there.iter().map(|(_, at)| size(*at)).chain(trial.points.iter().map(|(_, at)| size(at.approx()))).fold(0.0, f64::max);
+    trial.points.iter().any(|(p, at)| there.iter().any(|(q, other)| *q != p.0 && at.approx().distance(*other) <= SAME * largest))
 }
 
 /// That a side is true of all the assemblies that are left.

@@ -354,7 +354,7 @@ mod tests {
             ("sin", "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)"),
             ("1/0", "division by zero"),
             ("r + phi", "a length cannot be added to an angle"),
-            ("1 m/s/r + 1 (m/s)/s", "an acceleration cannot be added to a quantity in 1/s"),
+            ("1 m/s/r + 1 (m/s)/s", "a quantity in 1/s cannot be added to an acceleration"),
             ("r - 1", "a pure number cannot be subtracted from a length"),
             ("sin(30)", "sin wants an angle, this is a pure number: write `deg` or `rad` after it"),
             ("sin(r)", "sin wants an angle, this is a length"),
