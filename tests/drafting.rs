@@ -194,7 +194,8 @@ fn no_help_is_invented() {
 /// The sheet itself says it, in both languages, and has a letter for everything it says.
 #[test]
 fn the_sheet_remarks_on_bad_angles() {
-    for (lang, words) in [(Lang::En, ["is found under only", "times as large", "the driver at 205°"]), (Lang::Zh, ["交角仅", "倍", "205°"])]
+    for (lang, words) in
+        [(Lang::En, ["is found under only", "times as large", "the pose at φ_1 = 205°"]), (Lang::Zh, ["交角仅", "倍", "取 φ_1 = 205°"])]
     {
         let (scene, w) = worked(&bad_four_bar());
         let w = w.with_drafting(&scene);

@@ -10,6 +10,7 @@ use crate::position::Configuration;
 use crate::position::newton::{driver_values, moved};
 use crate::quantity::{shortest, significant};
 use crate::scene::DriverKind;
+use crate::sweep::driver_name;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
 pub const BAD_DEG: f64 = 10.0;
@@ -212,9 +213,10 @@ impl BadAngle {
         }
         if let Some(p) = self.pose {
             let angle = significant(p.crossing_deg, 2);
+            let name = driver_name(drawn.scene, p.driver).0;
             help.push(match p.to_deg {
-                Some(to) => format!("take the pose at a driver angle of {} deg, where the lines cross under {angle}°", shortest(to)),
-                None => format!("turn the driver by {} deg, where the lines cross under {angle}°", shortest(p.turn_deg)),
+                Some(to) => format!("take the pose at {name} = {} deg, where the lines cross under {angle}°", shortest(to)),
+                None => format!("turn the driver {name} by {} deg, where the lines cross under {angle}°", shortest(p.turn_deg)),
             });
         }
         let d = Diagnostic::warning("bad-angle", message);

@@ -67,6 +67,9 @@ pub struct Common {
     /// Language of the output (default: the scene's, else en)
     #[arg(long, value_enum)]
     pub lang: Option<Language>,
+    /// Give a parameter of the scene another value: NAME=VALUE; a bare number keeps the unit
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
     /// Notation profile: en (pole o, superscripts c, rel) or cn (pole p, superscripts k, r)
     #[arg(long, value_parser = clap::builder::PossibleValuesParser::new(["en", "cn"]))]
     pub notation: Option<String>,
@@ -88,7 +91,7 @@ pub struct Look {
 pub struct Draw {
     #[command(flatten)]
     pub common: Common,
-    /// Folder for the files, or one file ending in .svg, .png or .pdf
+    /// Folder for the files, or one file ending in .svg, .png or .pdf; a folder that is not there yet and has a dot in its name ends in /
     #[arg(short, long, value_name = "PATH", default_value = ".")]
     pub output: String,
     /// Which files to write into a folder

@@ -22,7 +22,7 @@ use std::path::Path;
 const BLOCK: usize = 1 << 20;
 
 pub fn batch(a: Args) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
+    let mut input = Input::read(&a.common)?;
     ask(&mut input, a.range.find.as_deref())?;
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let ending = tables::ending(&a.output, &tables::BY_ROWS)?;

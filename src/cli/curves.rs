@@ -2,7 +2,7 @@
 
 use super::args::Curves;
 use super::draw::style_of;
-use super::sweep::{STEPS, ask, driver_of, stations};
+use super::sweep::{STEPS, ask, ask_each, driver_of, stations};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
@@ -15,12 +15,14 @@ use std::process::ExitCode;
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
-    let find = match &a.range.find {
-        Some(find) => find.clone(),
-        None => with_positions(&input)?.join(","),
-    };
-    ask(&mut input, Some(&find))?;
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    match &a.range.find {
+        Some(find) => ask(&mut input, Some(find))?,
+        None => {
+            let words = with_positions(&input)?;
+            ask_each(&mut input, &words)?;
+        }
+    }
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
     let driver = driver_of(&input.scene, a.range.over.as_deref()).map_err(failed)?;

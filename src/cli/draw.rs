@@ -20,8 +20,9 @@ use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
+    output(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     let mut worked = input.work(Scope::Figure)?;
     if drafting {
@@ -57,6 +58,18 @@ pub fn run(a: args::Draw) -> Run {
     }
     input.say_notes();
     Ok(verdict(&worked))
+}
+
+/// Refuses a file of a format that figures are not written in; it would become the name of a folder.
+fn output(path: &str) -> Result<(), Faults> {
+    let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir();
+    match files::ending(path) {
+        Some(ending) if !folder && Format::of(ending).is_none() => {
+            let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
+            Err(d.help(format!("write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/")).into())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The style of a look, with the fonts of the command line before its own.

@@ -27,7 +27,7 @@ use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price};
-use crate::scene::{self, Lang, Scene, templates};
+use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::Parser;
@@ -94,8 +94,26 @@ struct Input {
 }
 
 impl Input {
-    fn read(path: &str) -> Result<Input, Failure> {
-        let (name, bytes) = files::read(path).map_err(|d| Failure::Input(d.into(), path.into(), String::new()))?;
+    fn read(common: &Common) -> Result<Input, Failure> {
+        Input::read_as(common, |text| Ok(text.to_owned()))
+    }
+
+    /// The scene that the command line names, with its parameters, its text changed.
+    fn read_as(common: &Common, change: impl Fn(&str) -> Result<String, Faults>) -> Result<Input, Failure> {
+        let path = common.scene.as_str();
+        let (name, mut bytes) = files::read(path).map_err(|d| Failure::Input(d.into(), path.into(), String::new()))?;
+        if !common.set.is_empty() {
+            let values = values::assignments(&common.set).map_err(|f| Failure::Input(f, "--set".into(), String::new()))?;
+            // What is no text is told by the reader.
+            if let Ok(text) = std::str::from_utf8(&bytes) {
+                let text = edit::with_parameters(text, &values).map_err(|f| Failure::Input(f, name.clone(), String::new()))?;
+                bytes = text.into_bytes();
+            }
+        }
+        // A text that cannot be changed has a fault, which the reader tells with its place.
+        if let Some(changed) = std::str::from_utf8(&bytes).ok().and_then(|text| change(text).ok()) {
+            bytes = changed.into_bytes();
+        }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         match scene::read(&bytes) {
             Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default() }),
@@ -158,9 +176,16 @@ fn agrees(worked: &Worked) -> bool {
     worked.results.iter().all(|r| r.agreement.is_none_or(|a| a.holds()))
 }
 
+/// The endings that a lesson's file may have.
+const LESSONS: [&str; 2] = ["html", "htm"];
+
 fn lesson(a: args::Lesson) -> Run {
+    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e))) {
+        let d = Diagnostic::error("output", format!("{path} does not end in .html")).help("write -o lesson.html");
+        return Err(Failure::Input(d.into(), path.into(), String::new()));
+    }
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
@@ -183,7 +208,7 @@ fn lesson(a: args::Lesson) -> Run {
 }
 
 fn solve(a: args::Solve) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
+    let mut input = Input::read(&a.common)?;
     let drafting = input.pencil(a.drafting.as_deref())?;
     let mut worked = input.work(Scope::Questions)?;
     if drafting {
@@ -212,7 +237,7 @@ fn solve(a: args::Solve) -> Run {
 }
 
 fn plan(a: args::Plan) -> Run {
-    let input = Input::read(&a.common.scene)?;
+    let input = Input::read(&a.common)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     if a.json {
         return plan_for_programs(input, lang, &notation, a.figure);
@@ -266,7 +291,7 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
 
 fn accuracy(a: args::Accuracy) -> Run {
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let patience = Duration::from_millis(a.patience);
@@ -291,18 +316,7 @@ fn accuracy(a: args::Accuracy) -> Run {
 
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
     let bad = |faults: Faults| Failure::Input(faults, template.to_string(), String::new());
-    let mut values = Vec::new();
-    let mut faults = Faults::default();
-    for s in set {
-        match s.split_once('=') {
-            Some((name, value)) => values.push((name.trim(), value.trim())),
-            None => faults
-                .push(Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120")),
-        }
-    }
-    if faults.has_errors() {
-        return Err(bad(faults));
-    }
+    let values = values::assignments(set).map_err(bad)?;
     let text = templates::instantiate(template, &values).map_err(bad)?;
     match output {
         Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,

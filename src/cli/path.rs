@@ -13,7 +13,7 @@ use std::process::ExitCode;
 /// Runs the command.
 pub fn run(a: Path) -> Run {
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;

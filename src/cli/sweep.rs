@@ -18,7 +18,7 @@ use std::process::ExitCode;
 pub const STEPS: usize = 360;
 
 pub fn sweep(a: Sweep) -> Run {
-    let mut input = Input::read(&a.common.scene)?;
+    let mut input = Input::read(&a.common)?;
     if let Some(path) = a.output.as_deref() {
         tables::ending(path, &tables::ALL)?;
     }
@@ -57,7 +57,8 @@ fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<
 
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
-    let input = Input::read(&a.common.scene)?;
+    // How far it goes does not depend on how fast.
+    let input = Input::read_as(&a.common, edit::with_rates)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
@@ -82,10 +83,28 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Faults> {
     })
 }
 
-/// Puts other questions in the place of the scene's.
+/// Puts the questions of a list in the place of the scene's.
 pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
-    let words: Vec<&str> = find.split(',').map(str::trim).filter(|w| !w.is_empty()).collect();
+    ask_each(input, &questions(find))
+}
+
+/// The questions of a list that is parted by commas. Names of points may be parted by a comma too: what does not begin as a
+/// question does (`v_`, `omega_`) belongs to the one before.
+fn questions(list: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for piece in list.split(',').map(str::trim).filter(|w| !w.is_empty()) {
+        match words.last_mut() {
+            Some(last) if !scene::begins_a_question(piece) => *last += &format!(",{piece}"),
+            _ => words.push(piece.to_owned()),
+        }
+    }
+    words
+}
+
+/// Puts other questions in the place of the scene's.
+pub fn ask_each(input: &mut Input, words: &[String]) -> Result<(), Failure> {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let (name, source) = (input.name.clone(), input.source.clone());
     let text = edit::with_find(&source, &words).map_err(|f| Failure::Input(f, name, source))?;
     match scene::read(&text) {

@@ -14,7 +14,7 @@ use std::path::Path;
 pub fn run(a: args::Worksheet) -> Run {
     let write = writer(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common.scene)?.drawn_in(&style);
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let sides = match (a.problem_only, a.solution) {

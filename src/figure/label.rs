@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! v_{B3B2}^r   a^n_{CB}   \omega_1^2 l_{AB}   b'_2   \mu_l = 0.002 m/mm   \perp AB   B \to A
-//! \text{max}   \circled{3}   \checkmark   \sin\varphi   \,   \quad
+//! \text{max}   \circled{3}   \checkmark   \sin\varphi   \,   \quad   B\_1
 //! ```
+//! Names of a scene's points and links come in through [`crate::plan::names`], which lets their marks stand for themselves.
 //!
 //! Decided here: what is italic. Letters of quantities and points are; digits, operators and words are not; nor are
 //! units, which are what stands after a number **and a space** (`2 m/s` is two metres per second, `2l` twice a length).

@@ -8,8 +8,9 @@ use crate::construct::scale::{self, Boxes};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::plan::names::point_label;
 use crate::quantity::direction_degrees;
-use crate::report::phrase::{Phrase, tr};
+use crate::report::phrase::{Phrase, fill, tr};
 use crate::scene::{PointId, Scene};
 use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
 use crate::worked::{Worked, work_placed};
@@ -159,7 +160,7 @@ impl Page<'_> {
         let overlay = Overlay { poses, paths: self.moved.points.iter().map(track).collect(), ..Overlay::default() };
         let maker = &self.maker;
         let part = overlaid(&maker.options.style, maker.scene, maker.worked, &maker.writer(), &overlay);
-        let names: Vec<String> = self.moved.points.iter().map(|p| format!("${}$", self.scene().point_name(*p))).collect();
+        let names: Vec<String> = self.moved.points.iter().map(|p| format!("${}$", point_label(self.scene().point_name(*p)))).collect();
         let words = match (&names[..], self.maker.options.lang) {
             (names, crate::scene::Lang::Zh) => format!("点 {} 的轨迹", names.join("、")),
             ([one], _) => format!("Path of {one}"),
@@ -205,7 +206,7 @@ impl Page<'_> {
                     0 => ("Velocity hodograph of ${}$", "点 ${}$ 的速度矢端曲线", format!("mu_v-{name}")),
                     _ => ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("mu_a-{name}")),
                 };
-                let words = tr(self.maker.options.lang, en, zh).replace("{}", name);
+                let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
                 parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(level, mu), &id));
             }
         }
@@ -297,14 +298,9 @@ impl Page<'_> {
                 _ => tr(lang, "the travel", "行程"),
             };
             let plain = |v: f64| crate::quantity::significant(v, 3);
-            said.push(
-                words
-                    .replace("{}", name)
-                    .replace("{travel}", travel)
-                    .replace("{slow}", &plain(slow))
-                    .replace("{fast}", &if self.cut { "∞".to_owned() } else { plain(fast) })
-                    .replace("{first}", &first.map_or("—".to_owned(), plain)),
-            );
+            let fast = if self.cut { "∞".to_owned() } else { plain(fast) };
+            let first = first.map_or("—".to_owned(), plain);
+            said.push(fill(words, &[("", name), ("travel", travel), ("slow", &plain(slow)), ("fast", &fast), ("first", &first)]));
         }
         said.join(" ")
     }

@@ -6,11 +6,12 @@ use crate::analytic::SingularKind;
 use crate::mechanism::Core;
 use crate::plan::text::{point_label, vertex_name};
 use crate::quantity::{shortest, significant};
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, fill};
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
 
 use super::results::{Answers, amount, number, sense, symbol};
+use super::sheet::driver_symbol;
 use super::tables::constraint_line;
 use super::words::Words;
 
@@ -19,7 +20,7 @@ pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
     if let Some(d) = &worked.drafting {
-        lines.push(words.by_hand.replace("{}", &shortest(d.pencil_mm)));
+        lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))]));
     }
     for bad in &worked.bad_angles {
         lines.extend(bad_angle(scene, worked, words, bad));
@@ -38,14 +39,14 @@ fn singular(answers: &Answers) -> Vec<String> {
             SingularKind::Limit => words.driver_at_limit,
             SingularKind::Rest => words.at_rest,
         };
-        lines.push(text.replace("{}", &links.join(words.comma)));
+        lines.push(fill(text, &[("", &links.join(words.comma))]));
     }
     let differs = |r: &Outcome| r.others.first().copied().filter(|v| *v != r.value());
     if let Some((r, c, other)) = worked.results.iter().zip(certified).find_map(|(r, c)| Some((r, c, differs(r)?))) {
         let find = &scene.find[r.find];
         let sense = sense(find, other, c, words, digits).plain();
         let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(find, other, c, digits));
-        lines.push(words.other_motion.replace("{}", value.trim_end()));
+        lines.push(fill(words.other_motion, &[("", value.trim_end())]));
     }
     lines
 }
@@ -55,22 +56,21 @@ fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> V
     let two = |x: f64| significant(x, 2).replace('-', "−");
     let name = point_label(&vertex_name(scene, &worked.plan, bad.crossing.target));
     let angle = format!("{}\\degree", number(bad.crossing.angle_deg(), 2));
-    let moves = bad.crossing.moves_on_paper_mm().map_or(words.off_paper.into(), |mm| words.by_mm.replace("{}", &two(mm)));
-    let what = words.bad_angle.replace("{1}", &angle).replace("{2}", &shortest(bad.pencil_mm));
-    let mut lines = vec![what.replace("{3}", &moves).replace("{}", &name)];
+    let moves = bad.crossing.moves_on_paper_mm().map_or(words.off_paper.into(), |mm| fill(words.by_mm, &[("", &two(mm))]));
+    let mut lines = vec![fill(words.bad_angle, &[("1", &angle), ("2", &shortest(bad.pencil_mm)), ("3", &moves), ("", &name)])];
     if let Some(factor) = bad.larger {
-        lines.push(words.bad_larger.replace("{}", &shortest(factor)));
+        lines.push(fill(words.bad_larger, &[("", &shortest(factor))]));
     }
     if let Some(p) = bad.special
         && let Core::Link { link, legs } = &worked.mechanism.groups[p.group].core
     {
         let [a, b] = [p.legs.0, p.legs.1].map(|k| constraint_line(scene, words, &legs[k]));
-        let text = words.bad_special.replace("{1}", &a).replace("{2}", &b).replace("{3}", &two(p.worst_deg));
-        lines.push(text.replace("{}", scene.link_name(*link)));
+        lines.push(fill(words.bad_special, &[("1", &a), ("2", &b), ("3", &two(p.worst_deg)), ("", scene.link_name(*link))]));
     }
     if let Some(p) = bad.pose {
         let (text, turn) = p.to_deg.map_or((words.bad_turn, p.turn_deg), |to| (words.bad_pose, to));
-        lines.push(text.replace("{1}", &two(p.crossing_deg)).replace("{}", &shortest(turn).replace('-', "−")));
+        let (driver, turn) = (driver_symbol(scene, p.driver).0, shortest(turn).replace('-', "−"));
+        lines.push(fill(text, &[("driver", &driver), ("", &turn), ("1", &two(p.crossing_deg))]));
     }
     lines
 }

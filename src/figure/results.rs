@@ -5,12 +5,13 @@ use crate::accuracy::ladder::{Certified, Number, Part as Kind, READING_DIGITS, W
 use crate::answer::{Value, level_of};
 use crate::mechanism::Level;
 use crate::construct::ShownAs;
+use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
-use crate::plan::text::{Writer, point_label};
+use crate::plan::text::Writer;
 use crate::quantity::{direction_degrees, inked, significant};
 use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
 use crate::report::drafting;
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, fill};
 use crate::scene::{Asked, Axis, Find, Scene};
 use crate::worked::{Outcome, Worked};
 
@@ -96,7 +97,8 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         let find = &scene.find[r.find];
         // A singular pose is told once for all, below.
         if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
-            let text = words.uncertain.replace("{}", &format!("${}$", symbol(find, notation))).replace("{why}", &why.words(words.lang()));
+            let symbol = format!("${}$", symbol(find, notation));
+            let text = fill(words.uncertain, &[("", &symbol), ("why", &why.words(words.lang()))]);
             lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&text)));
         }
         let id = format!("result-{}", find.text);
@@ -129,7 +131,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     if let Some(worst) = worst(worked) {
-        let text = words.agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
+        let text = fill(words.agreement, &[("", &number(worst.max(f64::EPSILON / 2.0), 1))]);
         lines.push(("agreement", "agreement".into(), Phrase::new(&text)));
     }
     let others = remarks(answers).into_iter().enumerate();
@@ -188,7 +190,8 @@ pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
 
 /// A question's symbol: `vr_B2B3` → `v^{r}_{B2B3}`.
 pub fn symbol(find: &Find, notation: &Notation) -> String {
-    let sub = find.text.split_once('_').map_or("", |(_, s)| s);
+    // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus.
+    let sub = find.text.split_once('_').map_or("", |(_, s)| s).replace('-', ",");
     let (letter, sup) = match find.what {
         Asked::Coordinate(_, Axis::X) => ("x", ""),
         Asked::Coordinate(_, Axis::Y) => ("y", ""),
@@ -204,7 +207,7 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
         Asked::Omega(_) | Asked::RelativeOmega(..) => ("\\omega", ""),
         Asked::Alpha(_) | Asked::RelativeAlpha(..) => ("\\alpha", ""),
     };
-    let sub = if matches!(find.what, Asked::Coordinate(..)) { point_label(sub) } else { sub.to_owned() };
+    let sub = if matches!(find.what, Asked::Coordinate(..)) { point_label(sub.trim()) } else { name_label(&sub) };
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 

@@ -6,6 +6,7 @@ use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{inked, shortest};
@@ -259,8 +260,8 @@ pub fn scale(mu: f64) -> String {
 pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, &'static str) {
     let (name, unit) = driver_name(scene, driver);
     let symbol = match name.split_once('_') {
-        Some(("phi", link)) => format!("\\varphi_{{{link}}}"),
-        Some((letter, of)) => format!("{letter}_{{{of}}}"),
+        Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
+        Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),
         None => name,
     };
     (symbol, if unit == "rad" { "\\degree" } else { "\\text{mm}" })

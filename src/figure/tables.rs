@@ -4,10 +4,10 @@
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
-use crate::plan::text::{Writer, point_label, special_name};
+use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
 use crate::quantity::inked;
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, fill};
 use crate::scene::{PointId, Scene};
 
 use super::drawing::Part;
@@ -56,7 +56,7 @@ impl Tables<'_> {
                 match step {
                     Step::Equation { target, chains, .. } => {
                         if let Spot::Special { group, legs } = self.writer.plan.vertex(*target).spot {
-                            parts.extend(self.special(level, group, legs, &step_class));
+                            parts.extend(self.special(level, *target, (group, legs), &step_class));
                         }
                         parts.extend(self.equation(level, *target, chains, &step_class));
                     }
@@ -183,12 +183,12 @@ impl Tables<'_> {
     }
 
     /// What the special point of a triad is.
-    fn special(&self, level: Level, group: usize, legs: (usize, usize), step: &str) -> Option<Part> {
+    fn special(&self, level: Level, target: VertexId, (group, legs): (usize, (usize, usize)), step: &str) -> Option<Part> {
         let Core::Link { link, legs: all } = &self.mechanism.groups[group].core else { return None };
         let lines = [legs.0, legs.1].map(|k| all.get(k).map(|leg| self.constraint_line(leg)));
         let [Some(a), Some(b)] = lines else { return None };
-        let name = point_label(&special_name(self.writer.scene, self.writer.plan, group));
-        let text = self.words().special_point.replace("{S}", &name).replace("{1}", &a).replace("{2}", &b).replace("{}", self.writer.scene.link_name(*link));
+        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(*link));
+        let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
         let class = format!("{} statement special {step}", kind(level));
         let cells = vec![Some(self.cell(
             Phrase::new(&text).label(),
@@ -211,7 +211,7 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String
     match *leg {
         Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
         Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
-            words.square_to_guide.replace("{}", &name(pin))
+            fill(words.square_to_guide, &[("", &name(pin))])
         }
         _ => String::new(),
     }
@@ -237,7 +237,7 @@ fn unit(level: Level) -> &'static str {
 }
 
 fn id_of(symbol: &str) -> String {
-    symbol.chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^')).collect()
+    symbol.replace('\'', "′").chars().filter(|c| c.is_alphanumeric() || matches!(c, '_' | '^' | '′')).collect()
 }
 
 /// The vertex that a step finds.

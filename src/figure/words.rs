@@ -32,7 +32,7 @@ pub struct Words {
     pub image: &'static str,
     /// After a vector taken over; `{}` is the link.
     pub no_turning: &'static str,
-    /// What the special point of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
+    /// What the special point `{S}` of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
     pub special_point: &'static str,
     /// A line square to a guide; `{}` is the point.
     pub square_to_guide: &'static str,
@@ -52,7 +52,7 @@ pub struct Words {
     pub bad_larger: &'static str,
     /// Helps: another special point; as `special_point`, `{3}` is the angle.
     pub bad_special: &'static str,
-    /// Helps: another pose; `{}` is the driver's angle, `{1}` that of the crossing.
+    /// Helps: another pose; `{driver}` is the driver's symbol, `{}` its angle, `{1}` that of the crossing.
     pub bad_pose: &'static str,
     /// The same where the driver's angle has no name; `{}` is by how much it is turned.
     pub bad_turn: &'static str,
@@ -100,8 +100,8 @@ const EN: Words = Words {
     off_paper: "off the paper",
     bad_larger: "Better: {} times as large, where every result is within 1 %.",
     bad_special: "Better: the point of link {} where {1} and {2} meet; the lines cross under {3}° or more.",
-    bad_pose: "Better: the pose with the driver at {}°; the lines cross under {1}°.",
-    bad_turn: "Better: the pose with the driver turned by {}°; the lines cross under {1}°.",
+    bad_pose: "Better: the pose at ${driver} = {}\\degree$; the lines cross under {1}°.",
+    bad_turn: "Better: the pose with ${driver}$ turned by {}°; the lines cross under {1}°.",
     computed: "from the loop equations",
     longer: "from longer numbers",
     change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
@@ -137,8 +137,8 @@ const ZH: Words = Words {
     off_paper: "移出图纸",
     bad_larger: "改进：图形放大到 {} 倍，各结果的误差不超过 1%。",
     bad_special: "改进：改取构件 {}（扩大）上 {1} 与 {2} 的交点为特殊点，交角不小于 {3}°。",
-    bad_pose: "改进：原动件位置角取 {}° 时，交角为 {1}°。",
-    bad_turn: "改进：原动件转过 {}° 时，交角为 {1}°。",
+    bad_pose: "改进：取 ${driver} = {}\\degree$ 时，交角为 {1}°。",
+    bad_turn: "改进：${driver}$ 再转过 {}° 时，交角为 {1}°。",
     computed: "由解析法求得",
     longer: "由高精度计算求得",
     change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",

@@ -106,13 +106,7 @@ pub(crate) fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clon
         .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
     match near {
         Some((_, name)) => format!("did you mean `{name}`?"),
-        None => {
-            // More than a dozen names would bury the sentence they help to understand.
-            let mut names: Vec<&str> = known.take(13).collect();
-            if names.len() == 13 {
-                names[12] = "...";
-            }
-            format!("{otherwise} {}", names.join(", "))
-        }
+        // All of them: the one that is wanted may be the last.
+        None => format!("{otherwise} {}", known.collect::<Vec<_>>().join(", ")),
     }
 }

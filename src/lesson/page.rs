@@ -11,6 +11,7 @@ use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::plan::names::name_label;
 use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
@@ -178,14 +179,20 @@ fn statement(scene: &Scene, lang: Lang) -> String {
 fn driver(scene: &Scene, k: usize) -> Value {
     let driver = &scene.drivers[k];
     let (turns, symbol) = match &driver.kind {
-        DriverKind::Turn { link, against, .. } if *against == scene.ground => (true, format!("\\varphi_{{{}}}", scene.link_name(*link))),
-        DriverKind::Turn { link, against, .. } => (true, format!("\\varphi_{{{}/{}}}", scene.link_name(*link), scene.link_name(*against))),
+        DriverKind::Turn { link, against, .. } if *against == scene.ground => {
+            (true, format!("\\varphi_{{{}}}", name_label(scene.link_name(*link))))
+        }
+        DriverKind::Turn { link, against, .. } => {
+            (true, format!("\\varphi_{{{}/{}}}", name_label(scene.link_name(*link)), name_label(scene.link_name(*against))))
+        }
         DriverKind::Slide { guide, .. } => {
             let g = &scene.guides[guide.0];
             let name = g.pin.map(|p| scene.point_name(p)).or(g.slider.map(|s| scene.link_name(s))).unwrap_or_default();
-            (false, format!("s_{{{name}}}"))
+            (false, format!("s_{{{}}}", name_label(name)))
         }
-        DriverKind::Cylinder { a, b, .. } => (false, format!("l_{{{}{}}}", scene.point_name(*a), scene.point_name(*b))),
+        DriverKind::Cylinder { a, b, .. } => {
+            (false, format!("l_{{{}{}}}", name_label(scene.point_name(*a)), name_label(scene.point_name(*b))))
+        }
     };
     let factor = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
     let start = match &driver.kind {

@@ -11,6 +11,7 @@ mod between;
 mod build;
 mod effects;
 mod locus;
+pub mod names;
 pub mod notation;
 mod rest;
 pub mod text;

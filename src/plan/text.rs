@@ -2,6 +2,8 @@
 //!
 //! A vector that starts at a fixed point is written as an absolute one (v_C, not v_CD), as every textbook does.
 
+pub use super::names::point_label;
+use super::names::{image_label, image_of, name_label, numbered, pole_letter, small, special_name};
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::mechanism::Level;
@@ -38,30 +40,11 @@ pub struct Column {
 /// Name of a vertex in capitals, as diagnostics use it: `C`, `B3`, `S`.
 pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
-    let mut name = match vertex.spot {
-        Spot::Point(p) => scene.point_name(p).to_string(),
+    let name = match vertex.spot {
+        Spot::Point(p) => scene.point_name(p).to_owned(),
         Spot::Special { group, .. } => special_name(scene, plan, group),
     };
-    if let Some(n) = vertex.number {
-        if name.ends_with(|c: char| c.is_ascii_digit()) {
-            name.push(',');
-        }
-        name.push_str(scene.link_name(n));
-    }
-    name
-}
-
-/// Name of the special point of a group: S, or the next letter that no point of the scene bears; numbered where several groups have one.
-pub fn special_name(scene: &Scene, plan: &Plan, group: usize) -> String {
-    let taken = |letter: char| scene.points.iter().any(|p| p.name.chars().next().is_some_and(|c| c.eq_ignore_ascii_case(&letter)));
-    let letter = ['S', 'W', 'U', 'X', 'Y', 'Z'].into_iter().find(|l| !taken(*l)).unwrap_or('S');
-    let mut groups: Vec<usize> = plan.vertices.iter().filter_map(|v| if let Spot::Special { group, .. } = v.spot { Some(group) } else { None }).collect();
-    groups.sort_unstable();
-    groups.dedup();
-    match groups[..] {
-        [] | [_] => letter.to_string(),
-        _ => format!("{letter}{}", groups.iter().position(|g| *g == group).map_or(0, |k| k + 1)),
-    }
+    numbered(scene, name, vertex.number.map(|n| scene.link_name(n)))
 }
 
 /// Name of a line in plain letters, its ends in the order of the scene: `AB`.
@@ -94,21 +77,10 @@ fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     if rank(a) <= rank(b) { (a, b) } else { (b, a) }
 }
 
-/// A point's name in the label language: `O2` → `O_2`, `B` → `B`.
-pub fn point_label(name: &str) -> String {
-    let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
-    let head = &name[..name.len() - digits.len()];
-    if head.is_empty() || digits.is_empty() || !digits.chars().all(|c| c.is_ascii_digit()) {
-        name.to_string()
-    } else {
-        format!("{head}_{{{digits}}}")
-    }
-}
-
 impl Writer<'_> {
-    /// Name of a vertex in capitals.
+    /// Name of a vertex in capitals, in the label language.
     pub fn name(&self, v: VertexId) -> String {
-        vertex_name(self.scene, self.plan, v)
+        name_label(&vertex_name(self.scene, self.plan, v))
     }
 
     /// The place of a vertex: `B`, `O_2`, without the number that tells coincident points apart.
@@ -127,7 +99,7 @@ impl Writer<'_> {
 
     /// The length of a line: `l_{AB}`.
     pub fn length(&self, a: VertexId, b: VertexId) -> String {
-        format!("l_{{{}}}", line_name(self.scene, self.plan, a, b))
+        format!("l_{{{}}}", name_label(&line_name(self.scene, self.plan, a, b)))
     }
 
     fn quantity(level: Level) -> &'static str {
@@ -169,6 +141,16 @@ impl Writer<'_> {
         self.symbol(level, &Term { kind, of, to, by: By::Turning(body), known: false })
     }
 
+    /// Name of a vertex in the letters of images, in the label language.
+    fn small(&self, v: VertexId) -> String {
+        let vertex = self.plan.vertex(v);
+        let name = match vertex.spot {
+            Spot::Point(p) => small(self.scene, p),
+            Spot::Special { group, .. } => special_name(self.scene, self.plan, group).to_lowercase(),
+        };
+        name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))))
+    }
+
     fn superscript(&self, level: Level, t: &Term) -> String {
         let fixed_guide = self.is_absolute(level, t);
         match (t.kind, t.by) {
@@ -206,13 +188,9 @@ impl Writer<'_> {
         if sup.is_empty() { format!("{q}_{{{sub}}}") } else { format!("{q}^{{{sup}}}_{{{sub}}}") }
     }
 
-    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, the other one of `p` and `o`, else `q`.
+    /// The pole of a polygon: `p`, `p'`. Where a moving point has that letter, another one.
     pub fn pole(&self, level: Level) -> String {
-        let taken = |letter: &str| {
-            let named = |s: Spot| matches!(s, Spot::Point(p) if self.scene.point_name(p).to_lowercase() == letter);
-            self.plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
-        };
-        let letter = [self.notation.pole.as_str(), "p", "o"].into_iter().find(|l| !taken(l)).unwrap_or("q");
+        let letter = pole_letter(self.scene, self.plan, &self.notation.pole);
         format!("{letter}{}", prime(level))
     }
 
@@ -222,19 +200,11 @@ impl Writer<'_> {
         if vertex.fixed {
             return self.pole(level);
         }
-        let name = match vertex.spot {
-            Spot::Point(p) => self.scene.point_name(p).to_lowercase(),
-            Spot::Special { group, .. } => special_name(self.scene, self.plan, group).to_lowercase(),
-        };
-        let head = name.trim_end_matches(|c: char| c.is_ascii_digit());
-        let digits = &name[head.len()..];
-        let number = vertex.number.map(|l| self.scene.link_name(l)).unwrap_or_default();
-        let sub = match (digits.is_empty(), number.is_empty()) {
-            (true, true) => return format!("{head}{}", prime(level)),
-            (false, false) => format!("{digits},{number}"),
-            _ => format!("{digits}{number}"),
-        };
-        format!("{head}{}_{{{sub}}}", prime(level))
+        let link = vertex.number.map(|l| self.scene.link_name(l));
+        match vertex.spot {
+            Spot::Point(p) => image_label(self.scene, p, link, prime(level)),
+            Spot::Special { group, .. } => image_of(&special_name(self.scene, self.plan, group).to_lowercase(), link, prime(level)),
+        }
     }
 
     /// The end of a part of the acceleration of a point: `n'_B`, `k'`, written with the image letter of the point in
@@ -243,11 +213,11 @@ impl Writer<'_> {
         let letter = Self::part_letter(t.kind);
         // Two parts of one point, such as aⁿ_C and aⁿ_CB, are told apart by the point from which the second is seen.
         let shared = self.plan.terms(level).any(|u| Self::part_letter(u.kind) == letter && u.of == t.of && u.to != t.to);
-        let to = if shared && !self.is_absolute(level, t) { self.name(t.to).to_lowercase() } else { String::new() };
+        let to = if shared && !self.is_absolute(level, t) { self.small(t.to) } else { String::new() };
         // Over one pin in two slots of a link there are two parts of one name; the second has a prime more.
         let twin = |u: &Term| Self::part_letter(u.kind) == letter && (u.of, u.to) == (t.of, t.to);
         let before = self.plan.terms(level).filter(twin).take_while(|u| u.is_same(t).is_none()).count();
-        format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.name(t.of).to_lowercase())
+        format!("{letter}{}{}_{{{}{to}}}", prime(level), "'".repeat(before), self.small(t.of))
     }
 
     fn part_letter(kind: TermKind) -> &'static str {
@@ -263,41 +233,61 @@ impl Writer<'_> {
     pub fn turning(&self, level: Level, body: Body) -> String {
         let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
         match body {
-            Body::Link(l) => format!("{letter}_{{{}}}", self.scene.link_name(l)),
+            Body::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
             Body::Cylinder(d) => match &self.scene.drivers[d].kind {
-                DriverKind::Cylinder { links, .. } if !links.is_empty() => format!("{letter}_{{{}}}", self.scene.link_name(links[0])),
+                DriverKind::Cylinder { links, .. } if !links.is_empty() => {
+                    format!("{letter}_{{{}}}", name_label(self.scene.link_name(links[0])))
+                }
                 DriverKind::Cylinder { a, b, .. } => {
-                    format!("{letter}_{{{}{}}}", self.scene.point_name(*a), self.scene.point_name(*b))
+                    format!("{letter}_{{{}{}}}", name_label(self.scene.point_name(*a)), name_label(self.scene.point_name(*b)))
                 }
                 _ => letter.into(),
             },
         }
     }
 
-    /// The name of a guide's direction: the line of two points it runs along, else x–x, t–t.
-    pub fn guide_line(&self, g: GuideId) -> String {
+    /// The name of a guide's direction where it runs along no line of two points and no axis: t–t, that of link 3 t₃.
+    pub fn tangent(&self, g: GuideId) -> Option<String> {
+        use crate::scene::Direction::{Along, Instant, Own};
         let guide = &self.scene.guides[g.0];
-        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        let GuidePath::Line { through, direction, offset } = &guide.path else { return None };
+        match direction {
+            Along(_, _, None) => None,
+            Own if offset.is_none() && matches!(through, crate::scene::Through::Point(_)) => None,
+            Instant(_) if self.plan.still[guide.on.0] => self.axis(g).is_none().then(|| "t\\text{–}t".into()),
+            Along(..) | Own | Instant(_) => Some(format!("t_{{{}}}", name_label(self.scene.link_name(guide.on)))),
+        }
+    }
+
+    /// The axis along which a guide that stands still runs.
+    fn axis(&self, g: GuideId) -> Option<&'static str> {
+        let guide = &self.scene.guides[g.0];
         match &guide.path {
-            GuidePath::Line { direction: crate::scene::Direction::Along(a, b, None), .. } => format!("{}{}", p(*a), p(*b)),
-            GuidePath::Line { direction: crate::scene::Direction::Own, through: crate::scene::Through::Point(a), offset: None } => {
-                match guide.pin {
-                    Some(b) => format!("{}{}", p(*a), p(b)),
-                    None => p(*a),
-                }
-            }
             GuidePath::Line { direction: crate::scene::Direction::Instant(angle), .. } if self.plan.still[guide.on.0] => {
                 match angle.value {
-                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => "x".into(),
-                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => "y".into(),
-                    _ => "t\\text{–}t".into(),
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 0.0 => Some("x"),
+                    crate::scene::Angle::Deg(d) if d.rem_euclid(180.0) == 90.0 => Some("y"),
+                    crate::scene::Angle::Deg(_) | crate::scene::Angle::Rad(_) => None,
                 }
             }
-            GuidePath::Line { .. } => format!("t_{{{}}}", self.scene.link_name(guide.on)),
-            GuidePath::Arc { centre, .. } => match guide.pin {
-                Some(b) => format!("{}{}", p(*centre), p(b)),
-                None => p(*centre),
-            },
+            GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+        }
+    }
+
+    /// The name of a guide's direction: the line of two points it runs along, an axis, else t.
+    pub fn guide_line(&self, g: GuideId) -> String {
+        if let Some(own) = self.axis(g).map(str::to_owned).or_else(|| self.tangent(g)) {
+            return own;
+        }
+        let guide = &self.scene.guides[g.0];
+        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        let from = |start: crate::scene::PointId| format!("{}{}", p(start), guide.pin.map(p).unwrap_or_default());
+        match &guide.path {
+            GuidePath::Line { direction: crate::scene::Direction::Along(a, b, _), .. } => format!("{}{}", p(*a), p(*b)),
+            GuidePath::Line { through: crate::scene::Through::Point(a), .. } => from(*a),
+            // Without two points a guide has been named above.
+            GuidePath::Line { .. } => String::new(),
+            GuidePath::Arc { centre, .. } => from(*centre),
         }
     }
 

@@ -16,8 +16,35 @@ use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, Poi
 /// Missing and contradictory lengths, groups that cannot be assembled (with the links and the amount by which they miss),
 /// poses that nothing fixes. All faults of independent groups are reported together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
-    Assembly::new(scene, mechanism, demand, None).place(demand)?.finish()
+    let first = Assembly::new(scene, mechanism, demand, None).go(demand);
+    let does_not_close = |d: &Diagnostic| DOES_NOT_CLOSE.contains(&d.code);
+    if first.open.is_empty() || !first.faults.list.iter().any(does_not_close) {
+        return first.closed()?.finish();
+    }
+    // What one group leaves open may keep a later one from closing (in Peaucellier's inversor two dyads on the same pivots fall
+    // together): another assembly of one of the groups that nothing decided is tried, the last of them first.
+    let others = first.open.iter().rev().flat_map(|&(group, ways)| (1..ways).map(move |instead| (group, instead)));
+    let found = others.take(MOST_TRIED).find_map(|other| {
+        let mut a = Assembly::new(scene, mechanism, demand, None);
+        a.instead = Some(other);
+        a.go(demand).closed().and_then(Assembly::finish).ok()
+    });
+    found.ok_or_else(|| {
+        let names: Vec<String> = first.open.iter().map(|(g, _)| format!("link{}", names_of(scene, &mechanism.groups[*g]))).collect();
+        let hint = format!("or say with \"side\" or \"sketch\" which assembly of {} is meant", names.join(", of "));
+        let mut faults = first.faults;
+        for d in faults.list.iter_mut().filter(|d| does_not_close(d)) {
+            d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| format!("{h}; {hint}")));
+        }
+        faults
+    })
 }
+
+/// What a group is told as that cannot be closed on the groups before it.
+const DOES_NOT_CLOSE: [&str; 3] = ["cannot-assemble", "coincident-points", "degenerate-guide"];
+
+/// Other assemblies that are tried where the first does not close: each costs as much as the first.
+const MOST_TRIED: usize = 32;
 
 /// The same assembly in other numbers: nothing is chosen or checked again, only computed.
 ///
@@ -85,6 +112,10 @@ pub(super) struct Assembly<'a, N> {
     pub guides: Vec<Option<Path<N>>>,
     /// For each group the closure taken.
     pub closures: Vec<usize>,
+    /// Groups whose closure nothing in the scene decides, with the number of their closures.
+    pub open: Vec<(usize, usize)>,
+    /// One of them, and which of its closures is taken instead of the first.
+    pub instead: Option<(usize, usize)>,
     pub faults: Faults,
     pub notes: Vec<Diagnostic>,
 }
@@ -123,6 +154,8 @@ impl<'a, N: Real> Assembly<'a, N> {
             points: vec![None; scene.points.len()],
             poses: vec![None; scene.links.len()],
             guides,
+            open: Vec::new(),
+            instead: None,
             faults,
             notes: Vec::new(),
         };
@@ -134,9 +167,19 @@ impl<'a, N: Real> Assembly<'a, N> {
     }
 
     /// Group after group.
-    fn place(mut self, demand: &Demand) -> Result<Self, Faults> {
+    fn place(self, demand: &Demand) -> Result<Self, Faults> {
+        self.go(demand).closed()
+    }
+
+    /// Itself, where nothing went wrong.
+    fn closed(self) -> Result<Self, Faults> {
+        if self.faults.has_errors() { Err(self.faults) } else { Ok(self) }
+    }
+
+    /// Group after group, as far as it goes.
+    fn go(mut self, demand: &Demand) -> Self {
         if self.faults.has_errors() {
-            return Err(self.faults);
+            return self;
         }
         let m = self.m;
         let mut failed = vec![false; m.groups.len()];
@@ -151,7 +194,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                 failed[i] = true;
             }
         }
-        if self.faults.has_errors() { Err(self.faults) } else { Ok(self) }
+        self
     }
 
     /// The pose of a link in the assembly that is meant.
@@ -260,13 +303,15 @@ impl<'a, N: Real> Assembly<'a, N> {
             // Where `f64` could not see which closure is which, these numbers choose again, by the same rules.
             Some(meant) => {
                 let again = N::refines() && branch::alike(&trials, meant.extent());
-                let chosen = if again { branch::choose(self.scene, &self.points, &trials, &names).ok() } else { None };
-                chosen.map_or(meant.closures[index], |(pick, _)| pick)
+                let chosen = if again { branch::choose(self.scene, &self.points, &trials, 0, &names).ok() } else { None };
+                chosen.map_or(meant.closures[index], |choice| choice.pick)
             }
             None => {
-                let (pick, note) = branch::choose(self.scene, &self.points, &trials, &names)?;
-                self.notes.extend(note);
-                pick
+                let instead = self.instead.filter(|(group, _)| *group == index).map_or(0, |(_, instead)| instead);
+                let choice = branch::choose(self.scene, &self.points, &trials, instead, &names)?;
+                self.notes.extend(choice.note);
+                self.open.extend((choice.open > 0).then_some((index, choice.open)));
+                choice.pick
             }
         };
         self.closures[index] = pick;

@@ -5,7 +5,7 @@ use super::shape::given_at;
 use crate::diag::Diagnostic;
 use crate::geom::Point;
 use crate::number::Real;
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene, Side};
 
 /// One closure of a group: where its pins and links (and the points on them) would be.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,19 +30,32 @@ pub(super) fn alike<N: Real>(trials: &[Trial<N>], extent: f64) -> bool {
     trials.len() > 1 && trials.iter().all(near)
 }
 
-/// Picks one of several closures. `placed` are the points known before the group. The note tells when nothing in the
-/// scene decided.
+/// The closure that is taken.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Choice {
+    /// Its index.
+    pub pick: usize,
+    /// In how many ways it could have been chosen, where nothing in the scene decided; else 0.
+    pub open: usize,
+    /// What is to be known of it: that nothing decided, or that a side did not.
+    pub note: Option<Diagnostic>,
+}
+
+/// Picks one of several closures. `placed` are the points known before the group. Where nothing in the scene decides, the one
+/// numbered `instead` of those left is taken, and a note says so.
 pub(super) fn choose<N: Real>(
     scene: &Scene,
     placed: &[Option<Point<N>>],
     trials: &[Trial<N>],
+    instead: usize,
     link_names: &dyn Fn() -> String,
-) -> Result<(usize, Option<Diagnostic>), Diagnostic> {
+) -> Result<Choice, Diagnostic> {
     if trials.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
-        return Ok((0, None));
+        return Ok(Choice::default());
     }
     let mut left: Vec<usize> = (0..trials.len()).collect();
-    let mut decided = false;
+    // The last side that spoke of this group and ruled nothing out.
+    let mut idle: Option<&Side> = None;
     for side in &scene.sides {
         let mine = |t: &Trial<N>, p: PointId| t.at(p).or(placed[p.0]);
         let concerns = [side.point, side.from, side.to].iter().any(|p| trials[0].at(*p).is_some());
@@ -72,7 +85,11 @@ pub(super) fn choose<N: Real>(
             )
             .at(side.span));
         }
-        decided |= kept.len() < left.len();
+        // Three points of one link say how the link is made, not where it lies.
+        let of_one_link = scene.links.iter().any(|l| [side.point, side.from, side.to].iter().all(|p| l.points.contains(p)));
+        if kept.len() == left.len() && !of_one_link {
+            idle = Some(side);
+        }
         left = kept;
     }
     let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p));
@@ -83,31 +100,65 @@ pub(super) fn choose<N: Real>(
             off.fold(N::from_f64(0.0), |sum, x| sum + x)
         };
         if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
-            let best = left.iter().copied().min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0)).expect("at least two are left");
-            return Ok((best, None));
+            let pick = left.iter().copied().min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0)).expect("at least two are left");
+            let note = idle.map(|side| {
+                let message = format!("{}; \"sketch\" decides", fits_all(scene, side, left.len(), &link_names()));
+                Diagnostic::note("side-undecided", message).at(side.span)
+            });
+            return Ok(Choice { pick, open: 0, note });
         }
     }
-    let note = (!decided && left.len() > 1).then(|| {
-        let moved = trials[left[0]].points.iter().find_map(|(p, at)| {
-            let other = trials[left[1]].at(*p).map(Point::approx).filter(|o| *o != at.approx())?;
+    if left.len() == 1 {
+        return Ok(Choice { pick: left[0], open: 0, note: None });
+    }
+    // An assembly that lays a joint on another one is hardly ever meant.
+    left.sort_by_key(|&i| falls_together(placed, &trials[i]));
+    let (pick, other) = (left[instead % left.len()], left[(instead + 1) % left.len()]);
+    let note = {
+        let moved = trials[pick].points.iter().find_map(|(p, at)| {
+            let other = trials[other].at(*p).map(Point::approx).filter(|o| *o != at.approx())?;
             Some((scene.point_name(*p), at.approx(), other))
         });
         let (which, hint) = match moved {
             Some((p, at, other)) => (
-                format!("the one with {p} at {} was taken, not the one with {p} at {}", place(at), place(other)),
+                format!("the one with {p} at {} was taken, not the one with {p} at {}", place(scene, at), place(scene, other)),
                 format!("a rough place of {p} in \"sketch\""),
             ),
             None => ("the first was taken".to_string(), "rough places in \"sketch\"".to_string()),
         };
-        Diagnostic::note(
-            "assembly-by-default",
-            format!("link{} can be assembled in {} ways and the scene does not say which: {which}", link_names(), left.len()),
-        )
-        .help(format!("say it with \"side\" or {hint}"))
-    });
-    Ok((left[0], note))
+        match idle {
+            Some(side) => {
+                let message = format!("{}: {which}", fits_all(scene, side, left.len(), &link_names()));
+                Diagnostic::note("side-undecided", message).at(side.span).help(format!("name another line in \"side\", or {hint}"))
+            }
+            None => {
+                let all = format!("link{} can be assembled in {} ways", link_names(), left.len());
+                Diagnostic::note("assembly-by-default", format!("{all} and the scene does not say which: {which}"))
+                    .help(format!("say it with \"side\" or {hint}"))
+            }
+        }
+    };
+    Ok(Choice { pick, open: left.len(), note: Some(note) })
 }
 
-fn place(p: Point) -> String {
-    format!("({}, {})", crate::quantity::metres(p.x), crate::quantity::metres(p.y))
+/// Whether a closure puts a point where another one is.
+fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> bool {
+    /// Part of the distances within which two places are one: the rounding of what a person types.
+    const SAME: f64 = 1e-9;
+    let size = |p: Point| p.to_vec2().norm();
+    let there = placed.iter().enumerate().filter_map(|(q, at)| Some((q, at.as_ref()?.approx())));
+    let there: Vec<(usize, Point)> = there.collect();
+    let largest = there.iter().map(|(_, at)| size(*at)).chain(trial.points.iter().map(|(_, at)| size(at.approx()))).fold(0.0, f64::max);
+    trial.points.iter().any(|(p, at)| there.iter().any(|(q, other)| *q != p.0 && at.approx().distance(*other) <= SAME * largest))
+}
+
+/// That a side is true of all the assemblies that are left.
+fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &str) -> String {
+    let [point, from, to] = [side.point, side.from, side.to].map(|p| scene.point_name(p));
+    let turned = if side.left { "left" } else { "right" };
+    format!("{point} lies to the {turned} of {from}{to} in all {ways} assemblies of link{links}: this side does not decide")
+}
+
+fn place(scene: &Scene, p: Point) -> String {
+    format!("({}, {})", scene.length_words(p.x), scene.length_words(p.y))
 }

@@ -6,7 +6,6 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
 use crate::number::Real;
-use crate::quantity::metres;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
@@ -98,7 +97,7 @@ impl Assembly<'_, f64> {
                         format!(
                             "pin {} lies {} beside its guide on link {}",
                             self.scene.point_name(p),
-                            metres(off),
+                            self.scene.length_words(off),
                             self.scene.link_name(guide.on)
                         ),
                     )
@@ -119,7 +118,7 @@ impl Assembly<'_, f64> {
                             format!(
                                 "{} lies {} from where the data of link {} put it",
                                 self.scene.point_name(*p),
-                                metres(off),
+                                self.scene.length_words(off),
                                 self.scene.links[l].name
                             ),
                         )

@@ -10,7 +10,6 @@ use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Leg;
 use crate::number::Real;
-use crate::quantity::metres;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
@@ -171,7 +170,7 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn lever_miss(&self, link: LinkId, pivot: PointId, runner: PointId, miss: Miss) -> Diagnostic {
         let (p, r) = (self.scene.point_name(pivot), self.scene.point_name(runner));
         let by = match miss {
-            Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => metres(x),
+            Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => self.scene.length_words(x),
         };
         Diagnostic::error(
             "cannot-assemble",
@@ -214,7 +213,9 @@ impl<N: Real> Assembly<'_, N> {
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
                 Miss::Parallel(0.0) => "its two guides run parallel".to_string(),
-                Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => format!("its two joints miss each other by {}", metres(x)),
+                Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => {
+                    format!("its two joints miss each other by {}", self.scene.length_words(x))
+                }
             };
             Diagnostic::error("cannot-assemble", format!("link {} cannot be placed: {how}", self.scene.link_name(link)))
                 .at(self.scene.links[link.0].span)

@@ -7,7 +7,6 @@ use crate::diag::Diagnostic;
 use crate::geom::Point;
 use crate::mechanism::Leg;
 use crate::number::Real;
-use crate::quantity::metres;
 use crate::scene::{DriverKind, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
@@ -69,10 +68,10 @@ impl<N: Real> Assembly<'_, N> {
         let (wa, wb) = (self.leg_words(pin, a), self.leg_words(pin, b));
         let p = self.scene.point_name(pin);
         let how = match miss {
-            Miss::TooFar(x) => format!("they end {} apart", metres(x)),
-            Miss::TooNear(x) => format!("one is {} too long for the other", metres(x)),
+            Miss::TooFar(x) => format!("they end {} apart", self.scene.length_words(x)),
+            Miss::TooNear(x) => format!("one is {} too long for the other", self.scene.length_words(x)),
             Miss::Parallel(0.0) => "they coincide, so that the joint's place is undetermined".to_string(),
-            Miss::Parallel(x) => format!("they run parallel, {} apart", metres(x)),
+            Miss::Parallel(x) => format!("they run parallel, {} apart", self.scene.length_words(x)),
         };
         let d = Diagnostic::error("cannot-assemble", format!("{wa} and {wb} cannot meet at {p}: {how}")).at(self.scene.points[pin.0].span);
         d.help("change a length, the driver's position, or a pivot")
@@ -84,12 +83,12 @@ impl<N: Real> Assembly<'_, N> {
             Leg::Bar { link, far, .. } => {
                 let s = &self.shapes[link.0];
                 let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b).approx());
-                format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), metres(l))
+                format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), self.scene.length_words(l))
             }
             Leg::OnGuide { guide, .. } => format!("the guide on link {}", self.scene.link_name(self.scene.guides[guide.0].on)),
             Leg::Cylinder { driver, far, .. } => {
                 let l = self.cylinder_length(driver).map_or(0.0, Real::approx);
-                format!("the cylinder {}{p} ({})", self.scene.point_name(far), metres(l))
+                format!("the cylinder {}{p} ({})", self.scene.point_name(far), self.scene.length_words(l))
             }
             Leg::Ram { link, .. } => format!("link {}", self.scene.link_name(link)),
             _ => format!("the joint at {p}"),

@@ -171,8 +171,8 @@ fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
 fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: PointId, miss: Miss) -> Diagnostic {
     let (p, a, b) = (scene.point_name(p), scene.point_name(a), scene.point_name(b));
     let by = match miss {
-        Miss::TooFar(x) => format!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", crate::quantity::metres(x)),
-        Miss::TooNear(x) => format!("one of {a}{p}, {p}{b} is longer than the two other sides together by {}", crate::quantity::metres(x)),
+        Miss::TooFar(x) => format!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", scene.length_words(x)),
+        Miss::TooNear(x) => format!("one of {a}{p}, {p}{b} is longer than the two other sides together by {}", scene.length_words(x)),
         Miss::Parallel(_) => format!("{a} and {b} coincide"),
     };
     Diagnostic::error("impossible-triangle", format!("the lengths of link {} make no triangle {a}{b}{p}: {by}", scene.link_name(l)))
@@ -214,7 +214,7 @@ fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Po
                         scene.point_name(given.b),
                         given.value.text,
                         scene.link_name(l),
-                        crate::quantity::metres(d)
+                        scene.length_words(d)
                     ),
                 )
                 .at(given.value.span)

@@ -2,7 +2,7 @@
 
 use super::drafting;
 use super::construction;
-use super::phrase::{formula, sense, tr};
+use super::phrase::{fill, formula, sense, tr};
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
 use crate::answer::{Value, level_of};
@@ -70,9 +70,15 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     }
     if let Some(worst) = worst(worked) {
         out.push_str(&format!(
-            "{} {}\n",
-            tr(lang, "drawing and analysis differ by at most", "图解与解析结果的最大相对偏差为"),
-            significant(worst, 1)
+            "{}\n",
+            fill(
+                tr(
+                    lang,
+                    "drawing and analysis differ by at most {} of a value (of a thousandth of the largest of its kind, where that is more)",
+                    "图解与解析结果之差不超过该值的 {} 倍（该值小于同类最大值的千分之一时，以后者为准）",
+                ),
+                &[("", &significant(worst, 1))],
+            )
         ));
     }
     out
@@ -233,7 +239,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         .map(|line| {
             let (r, c) = match line {
                 Line::Answer(r, c) => (r, c),
-                Line::None(u) => return unanswered(scene, u),
+                Line::None(u) => return unanswered(scene, worked, u),
             };
             let find = &scene.find[r.find];
             let mut answer = json!({
@@ -251,6 +257,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
                 "others": r.others.iter().map(|v| value(*v)).collect::<Vec<_>>(),
+                "why": null,
             });
             if let (Some(d), Json::Object(fields)) = (&worked.drafting, &mut answer) {
                 let of = drafting::answer_fields(d.tolerances[r.find].as_ref());
@@ -283,18 +290,33 @@ fn unit_of_json(find: &Find) -> &'static str {
 }
 
 /// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
-fn unanswered(scene: &Scene, u: &Unanswered) -> Json {
-    json!({
+///
+/// It has the keys of an answer, so that programs need not ask which there are.
+fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
+    let mut answer = json!({
         "find": scene.find[u.find].text,
         "unit": unit_of_json(&scene.find[u.find]),
         "unbounded": u.refused.why == Refusal::DeadPoint,
+        "certified": null,
         "value": null,
+        "drawing": null,
+        "analysis": null,
+        "longer_numbers": null,
+        "measured_mm": null,
+        "scale": null,
+        "difference": null,
+        "agrees": null,
+        "others": null,
         "why": {
             "code": u.refused.diagnostic.code,
             "words": reason(scene, u, Lang::En),
             "links": u.refused.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
         },
-    })
+    });
+    if let (Some(_), Json::Object(fields)) = (&worked.drafting, &mut answer) {
+        fields.extend(drafting::answer_fields(None).map(|(key, value)| (key.to_string(), value)));
+    }
+    answer
 }
 
 /// What is certain of an answer: for each of its numbers the middle and radius of an interval that surely contains it, and

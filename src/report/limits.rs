@@ -1,7 +1,7 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
 use super::phrase::tr;
-use crate::quantity::{metres, significant};
+use crate::quantity::significant;
 use crate::scene::{Lang, LinkId, PointId, Scene};
 use crate::sweep::driver_name;
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
@@ -35,7 +35,7 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
         line(format!("  {}", w.event(e)));
     }
     if let Some((kind, [a, b, c, d])) = limits.grashof {
-        let sums = format!("{} {} {} {}", metres(a), metres(b), metres(c), metres(d));
+        let sums = format!("{} {} {} {}", scene.length_words(a), scene.length_words(b), scene.length_words(c), scene.length_words(d));
         let of = tr(lang, "driver, coupler, output, frame", "原动件、连杆、从动件、机架");
         line(format!("{}{} ({of}: {sums})", tr(lang, "Grashof: ", "杆长条件："), grashof_words(kind, lang)));
     }

@@ -62,6 +62,26 @@ pub fn formula(source: &str) -> String {
     Label::math(source).plain().trim().to_string()
 }
 
+/// A sentence with its places filled: `{1}` by the value of `1`, `{}` by that of the empty name.
+///
+/// All at once: a value may hold braces of its own (`$O_{2}B$`), which are no places.
+pub fn fill(sentence: &str, values: &[(&str, &str)]) -> String {
+    let mut out = String::with_capacity(sentence.len());
+    let mut rest = sentence;
+    while let Some(open) = rest.find('{') {
+        let (before, from) = rest.split_at(open);
+        let close = from.find('}').unwrap_or(0);
+        let value = values.iter().find(|(name, _)| from.get(1..close) == Some(name)).map(|(_, value)| value);
+        out.push_str(before);
+        match value {
+            Some(value) => out.push_str(value),
+            None => out.push('{'),
+        }
+        rest = &from[if value.is_some() { close + 1 } else { 1 }..];
+    }
+    out + rest
+}
+
 /// One of two texts by language.
 pub fn tr(lang: Lang, en: &'static str, zh: &'static str) -> &'static str {
     match lang {
@@ -78,5 +98,18 @@ pub fn sense(lang: Lang, value: f64) -> &'static str {
         tr(lang, "clockwise", "顺时针")
     } else {
         tr(lang, "zero", "为零")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_filled_at_once() {
+        let values = [("1", "$O_{2}P_{1}$"), ("2", "{1}"), ("", "{2}")];
+        assert_eq!(fill("{} where {1} and {2} meet; {3}", &values), "{2} where $O_{2}P_{1}$ and {1} meet; {3}");
+        assert_eq!(fill("{} {", &values), "{2} {");
+        assert_eq!(fill("}{", &[]), "}{");
     }
 }

@@ -274,11 +274,12 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
             let why = method_words(*method, lang);
             let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(level, *target)))];
             if let Spot::Special { legs, .. } = w.plan.vertex(*target).spot {
+                let special = formula(&w.spot(*target));
                 out.push(format!(
                     "    {}",
                     match lang {
-                        Lang::En => format!("{}: crossing of the constraint lines of legs {} and {}", formula(&w.spot(*target)), legs.0 + 1, legs.1 + 1),
-                        Lang::Zh => format!("{}：第 {} 与第 {} 条支链约束线的交点", formula(&w.spot(*target)), legs.0 + 1, legs.1 + 1),
+                        Lang::En => format!("{special}: crossing of the constraint lines of legs {} and {}", legs.0 + 1, legs.1 + 1),
+                        Lang::Zh => format!("{special}：第 {} 与第 {} 条支链约束线的交点", legs.0 + 1, legs.1 + 1),
                     }
                 ));
             }

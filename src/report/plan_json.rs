@@ -10,7 +10,7 @@ use super::plan::{between_words, effect_words, group_words, method_words, rate_w
 use crate::diag::Diagnostic;
 use crate::effort::{Motion, Work, is_carried};
 use crate::mechanism::{Constraint, Demand, Level, Mechanism};
-use crate::plan::text::{Column, Writer};
+use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
 use crate::scene::{DriverKind, GuidePath, LinkId, PointId, Scene};
 use crate::worked::Worked;
@@ -157,7 +157,7 @@ impl Reporter<'_> {
             Spot::Special { group, legs } => (None, Some(json!({"group": group, "legs": [legs.0, legs.1]}))),
         };
         json!({
-            "name": self.w.name(v),
+            "name": vertex_name(self.scene, self.w.plan, v),
             "point": point,
             "special": special,
             "on": vertex.on.map(|l| self.scene.link_name(l)),

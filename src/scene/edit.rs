@@ -31,6 +31,54 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     Ok(out)
 }
 
+/// The text of a scene with other values for some of its parameters; everything else stays byte for byte. A value is an expression
+/// as in the file; a bare number takes the unit of the value that it replaces.
+///
+/// # Errors
+/// Unknown parameters, values that are no expressions: all of them in one list.
+///
+/// ```
+/// let text = r#"{"parameters": {"r": "100 mm", "s": "2*r"}}"#;
+/// let new = hodograph::scene::edit::with_parameters(text, &[("r", "120")]).unwrap();
+/// assert_eq!(new, r#"{"parameters": {"r": "120 mm", "s": "2*r"}}"#);
+/// ```
+pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
+    super::templates::with_parameters(text, values, "the scene")
+}
+
+/// The text of a scene whose drivers all have a rate: that of a driver which says none is 0. For what does not depend on it.
+///
+/// # Errors
+/// A text that is no JSON object.
+///
+/// ```
+/// let text = r#"{"driver": {"link": "1", "angle": "30 deg"}}"#;
+/// let new = hodograph::scene::edit::with_rates(text).unwrap();
+/// assert_eq!(new, r#"{"driver": {"omega": 0, "link": "1", "angle": "30 deg"}}"#);
+/// ```
+pub fn with_rates(text: &str) -> Result<String, Faults> {
+    let mut faults = Faults::default();
+    let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
+    let Kind::Object(members) = &root.kind else {
+        return Err(Diagnostic::error("not-a-scene", "a scene is a JSON object").at(root.span).into());
+    };
+    let drivers = members.iter().find(|(key, _)| key.text == "driver").map(|(_, node)| match &node.kind {
+        Kind::Array(list) => list.as_slice(),
+        _ => std::slice::from_ref(node),
+    });
+    let mut out = source.to_owned();
+    // From the end, so that the earlier places stay true.
+    for driver in drivers.unwrap_or_default().iter().rev() {
+        let Kind::Object(members) = &driver.kind else { continue };
+        let has = |key: &str| members.iter().any(|(k, _)| k.text == key);
+        let kinds = [("link", "omega"), ("slide", "velocity"), ("cylinder", "rate")];
+        if let Some((_, rate)) = kinds.into_iter().find(|(mark, rate)| has(mark) && !has(rate)) {
+            out.insert_str(driver.span.start + 1, &format!("\"{rate}\": 0, "));
+        }
+    }
+    Ok(out)
+}
+
 /// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees.
 ///
 /// # Errors

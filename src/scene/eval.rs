@@ -144,13 +144,14 @@ fn multiply<N: Real>(a: Value<N>, b: Value<N>, k: i32) -> Value<N> {
 }
 
 fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, String> {
-    if a.dim != b.dim && !(a.dim.serves(b.dim) && b.dim.serves(a.dim)) {
+    if a.dim != b.dim && !(a.dim.serves(b.dim) || b.dim.serves(a.dim)) {
         let verb = if minus { "be subtracted from" } else { "be added to" };
         let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
         return Err(format!("{} cannot {verb} {}", first.describe(), second.describe()));
     }
-    // A length in metres and an arc in metres times radians: the radians are pure numbers there.
-    let dim = if a.dim.angle == 0 { a.dim } else { b.dim };
+    // A length in metres and an arc in metres times radians, v/r and ω: the radians are pure numbers there.
+    let plain = |d: Dim| if d.length == 0 && d.time != 0 { d.angle == 1 } else { d.angle == 0 };
+    let dim = if plain(a.dim) { a.dim } else { b.dim };
     let (a, b) = if a.degrees == b.degrees && a.dim == b.dim { (a, b) } else { (a.plain(), b.plain()) };
     let number = if minus { a.number - b.number } else { a.number + b.number };
     Ok(Value { number, dim, degrees: a.degrees })
@@ -295,6 +296,9 @@ mod tests {
             ("abs(-r)", 0.1, "a length"),
             ("90 deg/phi", 3.0, "a pure number"),
             ("10 rad/s*r", 1.0, "a velocity"),
+            ("1 m/s/r + 5 rad/s", 15.0, "an angular velocity"),
+            ("(1 m/s/r)^2 - 10 rad/s^2", 90.0, "an angular acceleration"),
+            ("-2 m/s/r", -20.0, "a quantity in 1/s"),
             ("pi rad/2", std::f64::consts::FRAC_PI_2, "an angle"),
             ("atan(1) + 15 deg", radians(60.0), "an angle"),
             ("tan(45 deg)", 1.0, "a pure number"),
@@ -339,6 +343,7 @@ mod tests {
         for (text, said) in [
             ("", "`` ends too early"),
             ("2*", "`2*` ends too early"),
+            ("100,5 mm", "`100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"),
             ("2 $ 3", "`2 $ 3` cannot be read from `$ 3` on"),
             ("2 r", "`r` is not a unit (for a product write `*r`)"),
             ("2 pi", "`pi` is not a unit (for a product write `*pi`)"),
@@ -349,6 +354,7 @@ mod tests {
             ("sin", "`sin` is neither a parameter nor a unit (`sin` is a function: write `sin(...)`)"),
             ("1/0", "division by zero"),
             ("r + phi", "a length cannot be added to an angle"),
+            ("1 m/s/r + 1 (m/s)/s", "a quantity in 1/s cannot be added to an acceleration"),
             ("r - 1", "a pure number cannot be subtracted from a length"),
             ("sin(30)", "sin wants an angle, this is a pure number: write `deg` or `rad` after it"),
             ("sin(r)", "sin wants an angle, this is a length"),

@@ -141,6 +141,11 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
         let rest = text.get(at..).unwrap_or_default();
         match rest.chars().next() {
             None => fault(format!("`{text}` ends too early")).at(Span::new(0, text.len())),
+            // A comma between digits is a decimal comma: nothing else is parted by commas here.
+            Some(',') if decimal_comma(text, at) => {
+                let d = fault(format!("`{text}` has a comma in a number")).at(Span::new(at, at + 1));
+                d.help(format!("write the decimal point: \"{}.{}\"", &text[..at], &text[at + 1..]))
+            }
             Some(c) => {
                 let d = fault(format!("`{text}` cannot be read from `{rest}` on")).at(Span::new(at, at + c.len_utf8()));
                 d.help("an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\"")
@@ -150,6 +155,12 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
     let sum = pairs.next().and_then(|whole| whole.into_inner().next());
     let sum = sum.ok_or_else(|| fault("the expression is empty".to_owned()))?;
     Builder { parameters }.chain(sum)
+}
+
+/// Whether the comma at a byte of a text stands between two digits.
+fn decimal_comma(text: &str, at: usize) -> bool {
+    let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    digit(text[..at].chars().next_back()) && digit(text[at + 1..].chars().next())
 }
 
 /// Turns the parser's pairs into the tree.

@@ -41,6 +41,11 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
+/// Whether a text begins as a question does: `v_`, `omega_`.
+pub fn begins_a_question(text: &str) -> bool {
+    resolve::begins_a_question(text)
+}
+
 /// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
 ///
 /// # Errors

@@ -4,6 +4,7 @@
 //! Whether the given things suffice to fix the mechanism is *not* decided here but in [`crate::mechanism`] and
 //! [`crate::position`].
 
+use super::units::Unit;
 use crate::diag::Span;
 
 /// Index into [`Scene::points`].
@@ -407,9 +408,23 @@ pub struct Scene {
     pub notation: Option<String>,
     /// Paper.
     pub paper: Paper,
+    /// The unit in which the file writes its lengths: what is said of the scene is said in it.
+    pub length_unit: &'static Unit,
 }
 
 impl Scene {
+    /// A length for people, in the scene's own unit with four significant digits; what is written in millimetres, in metres
+    /// from 10 m on.
+    pub fn length_words(&self, value_m: f64) -> String {
+        match self.length_unit.name {
+            "mm" => crate::quantity::metres(value_m),
+            name => {
+                let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
+                format!("{} {name}", crate::quantity::significant(value, 4))
+            }
+        }
+    }
+
     /// Name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         &self.points[p.0].name

@@ -129,13 +129,13 @@ impl<'a> Names<'a> {
             }
             _ => {
                 let d = Diagnostic::error("unknown-point", format!("`{text}` does not name two points")).at(word.span);
-                let names: Vec<_> = self.points.iter().take(12).map(|p| p.name.as_str()).collect();
+                let names: Vec<_> = self.points.iter().map(|p| p.name.as_str()).collect();
                 d.help(format!("write two of the points one after the other or with a comma; the points are {}", names.join(", ")))
             }
         }
     }
 
-    /// One or two points, each perhaps with a link: `E`, `B3`, `CB`, `B3B2`, `B3,B2`. `text` is a part of `word`.
+    /// One or two points, each perhaps with a link: `E`, `B3`, `CB`, `B3B2`, `B3,B2`, `O2,3`. `text` is a part of `word`.
     ///
     /// A name that is declared as a whole goes first: with a point `O2`, `O2` is that point and not the point of link 2 at O.
     pub fn on_links(&self, text: &str, word: &Word) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
@@ -145,6 +145,10 @@ impl<'a> Names<'a> {
         if let Some((a, b)) = halves(text) {
             for a in self.singles(a) {
                 readings.extend(self.singles(b).into_iter().map(|b| (2 + weight(&a) + weight(&b), (a, Some(b)))));
+            }
+            // A comma parts a point from its link too, where the two run together would be another name.
+            if let (Some(point), Some(link)) = (self.find_point(a), self.find_link(b)) {
+                readings.push((3, (OnLink { point, link: Some(link) }, None)));
             }
         } else {
             readings.extend(self.singles(text).into_iter().map(|a| (weight(&a), (a, None))));
@@ -176,6 +180,23 @@ impl<'a> Names<'a> {
             }
         }
         out
+    }
+
+    /// Whether a text names a link and can be read as no point.
+    pub fn is_link_only(&self, text: &str) -> bool {
+        self.find_link(text).is_some() && self.find_point(text).is_none() && self.singles(text).is_empty()
+    }
+
+    /// The point of a link as it is asked for: `B3`, or `O2,3` where `O23` is read in another way.
+    pub fn run(&self, point: &str, link: &str) -> String {
+        let run = format!("{point}{link}");
+        let plain = matches!(self.singles(&run).as_slice(), [one] if one.link.is_some()) && self.point_pairs(&run) == 0;
+        if plain { run } else { format!("{point},{link}") }
+    }
+
+    fn point_pairs(&self, text: &str) -> usize {
+        let pair = |i: usize| self.find_point(&text[..i]).is_some() && self.find_point(&text[i..]).is_some();
+        text.char_indices().skip(1).filter(|(i, _)| pair(*i)).count()
     }
 
     fn print(&self, (a, b): &(OnLink, Option<OnLink>)) -> String {

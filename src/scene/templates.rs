@@ -89,15 +89,23 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
 /// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
 /// ```
 pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    let text = get(name)?;
+    with_parameters(get(name)?, values, &format!("template `{name}`"))
+}
+
+/// The text of a scene with other values for some of its parameters; `whose` begins a sentence about it.
+pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: &str) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let known = parameters(text, &mut faults);
     let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
     let mut edits: Vec<(Span, String)> = Vec::new();
     for (parameter, value) in values {
         let Some(i) = names.iter().position(|n| n == parameter) else {
-            let d = Diagnostic::error("unknown-parameter", format!("template `{name}` has no parameter `{parameter}`"));
-            faults.push(d.help(suggest(parameter, names.iter().copied(), "the parameters are")));
+            let d = Diagnostic::error("unknown-parameter", format!("{whose} has no parameter `{parameter}`"));
+            faults.push(if names.is_empty() {
+                d.help(format!("name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}"))
+            } else {
+                d.help(suggest(parameter, names.iter().copied(), "the parameters are"))
+            });
             continue;
         };
         let old = &known[i].1;
@@ -211,7 +219,7 @@ mod tests {
             faults.to_string(),
             "template `crank-rocker` has no parameter `l_ab` (did you mean `l_AB`?)\n\
              parameter `phi_1`: `degs` is not a unit (did you mean `deg`?)\n\
-             parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, ... (\"parameters\" of the scene name values))\n\
+             parameter `l_AB`: `l_BC` is neither a parameter nor a unit (the units are m, cm, mm, km, in, ft, deg, °, rad, rev, s, min, h, rpm, r/min (\"parameters\" of the scene name values))\n\
              parameter `omega_1` is set twice, the second time to `2 rad/s`"
         );
         assert_eq!(get("crank-rokcer").unwrap_err().to_string(), "there is no template `crank-rokcer` (did you mean `crank-rocker`?)");

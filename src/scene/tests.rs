@@ -1,5 +1,7 @@
 //! Whole scenes, good and bad: what the reader makes of them, and what it says.
 
+mod meant;
+
 use super::*;
 use crate::scene::units::radians;
 

@@ -29,10 +29,12 @@ impl Dim {
         Dim::new(self.length + k * other.length, self.time + k * other.time, self.angle + k * other.angle)
     }
 
-    /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length and `ω·r` a velocity:
-    /// beside a length, radians are pure numbers.
+    /// Whether a quantity of this dimension may stand where `wanted` is asked. An arc is a length, `ω·r` a velocity and `v/r` an
+    /// angular velocity: beside a length or a time, radians are pure numbers.
     pub const fn serves(self, wanted: Dim) -> bool {
-        self.length == wanted.length && self.time == wanted.time && (self.angle == wanted.angle || self.length != 0)
+        // (m/s)/m, 1/s and rad/s are one rate of turning; a scale in 1/s is none.
+        let turning = wanted.angle != 0 && wanted.time != 0;
+        self.length == wanted.length && self.time == wanted.time && (self.angle == wanted.angle || self.length != 0 || turning)
     }
 
     /// In words: `a length`, `an angle`, `a quantity in m^2/s`.

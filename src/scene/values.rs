@@ -117,6 +117,11 @@ impl<'a> Values<'a> {
         wanted.key().is_some_and(|k| self.units.contains_key(k))
     }
 
+    /// The unit that the `units` table gives to bare numbers of a kind, as written.
+    pub fn unit_of(&self, wanted: Wanted) -> Option<&str> {
+        self.units.get(wanted.key()?).map(String::as_str)
+    }
+
     /// A quantity in SI units.
     pub fn si(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Given> {
         let (text, value, ball) = self.value(quantity, wanted, faults)?;

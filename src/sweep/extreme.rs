@@ -14,7 +14,7 @@ use super::walked::Walk;
 use super::{Placed, Width};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{Angle, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 use std::f64::consts::TAU;
 
 /// What moves at the other end of the mechanism.
@@ -107,7 +107,7 @@ const SQUARE: f64 = std::f64::consts::FRAC_PI_2 - 1e-7;
 /// # Errors
 /// A scene that cannot be placed; a driver that the scene does not have.
 pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Limits, Faults> {
-    let scene = &at_unit_speed(scene, driver)?;
+    let scene = &posed(at_unit_speed(scene, driver)?, mechanism, driver);
     let placed = placed(scene, mechanism)?;
     let found = outputs_of(scene, mechanism, driver);
     let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
@@ -141,6 +141,41 @@ fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     }
     Ok(scene)
 }
+
+/// The scene with its driver at some position where it can be assembled, where nothing in the scene says at which: the whole motion
+/// is looked through from there. The scene itself where there is none, or where it is told.
+fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
+    let silent = |f: &Faults| f.list.iter().all(|d| d.code == "driver-without-position");
+    if placed(&scene, mechanism).err().is_none_or(|faults| !silent(&faults)) {
+        return scene;
+    }
+    // A slider or a cylinder goes no farther than all lengths together.
+    let lengths = scene.lengths.iter().map(|l| l.value.value);
+    let coordinates = scene.points.iter().filter_map(|p| match &p.place {
+        Place::At([x, y]) => Some(libm::hypot(x.value, y.value)),
+        Place::InLink { .. } | Place::Polar { .. } | Place::Unknown => None,
+    });
+    let reach = lengths.chain(coordinates).sum::<f64>();
+    let span = scene.drivers[driver].span;
+    let given = |value: f64| Given { value, radius: 0.0, text: format!("{value:?} m"), span };
+    let at = |part: f64| {
+        let mut scene = scene.clone();
+        match &mut scene.drivers[driver].kind {
+            DriverKind::Turn { angle, .. } => {
+                let degrees = 360.0 * part;
+                *angle = Some(Given { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
+            }
+            DriverKind::Slide { position, .. } => *position = Some(given(reach * part)),
+            DriverKind::Cylinder { length, .. } => *length = Some(given(reach * part.abs())),
+        }
+        scene
+    };
+    let parts = (1..=STARTS).flat_map(|k| [1.0, -1.0].map(|sign| sign * k as f64 / STARTS as f64 * 0.5));
+    parts.map(at).find(|s| placed(s, mechanism).is_ok()).unwrap_or(scene)
+}
+
+/// Positions at each side of zero that are tried as a start: 5° of a turn.
+const STARTS: usize = 36;
 
 /// All of a scene placed.
 fn placed<'a>(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {

@@ -8,7 +8,7 @@ use crate::analytic::{self, Solution};
 use crate::answer::Value;
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration};
-use crate::quantity::{metres, significant};
+use crate::quantity::significant;
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -83,7 +83,7 @@ pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
     let (name, unit) = driver_name(scene, driver);
     match unit {
         "rad" => format!("{name} = {}°", significant(value.to_degrees(), 6)),
-        _ => format!("{name} = {}", metres(value)),
+        _ => format!("{name} = {}", scene.length_words(value)),
     }
 }
 

@@ -3,6 +3,7 @@
 use super::Maker;
 use crate::figure::results::number;
 use crate::figure::sheet::scale;
+use crate::plan::names::name_label;
 use crate::plan::text::point_label;
 use crate::quantity::shortest;
 use crate::report::phrase::Phrase;
@@ -16,7 +17,7 @@ impl Maker<'_> {
     pub(super) fn given(&self) -> Vec<Phrase> {
         let mut all = Vec::new();
         // The ends in the order of the scene, as the equations name them.
-        let ends = |a: PointId, b: PointId| format!("{}{}", self.name(a.min(b)), self.name(a.max(b)));
+        let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
         let lengths: Vec<String> =
             self.scene.lengths.iter().map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), length(&l.value))).collect();
         if !lengths.is_empty() {
@@ -156,6 +157,7 @@ impl Maker<'_> {
                     };
                     format!("{name}/{}", self.link(*against))
                 };
+                let number = name_label(&number);
                 if let Some(a) = given {
                     out += &format!("{comma}$\\varphi_{{{number}}} = {}$", angle(a));
                 }
@@ -175,7 +177,7 @@ impl Maker<'_> {
                 out
             }
             DriverKind::Cylinder { a, b, length: given, .. } => {
-                let ends = format!("{}{}", self.name(*a), self.name(*b));
+                let ends = name_label(&format!("{}{}", self.name(*a), self.name(*b)));
                 let mut out = match self.lang() {
                     Lang::En => format!("driver: cylinder ${ends}$"),
                     Lang::Zh => format!("原动件：液压缸 ${ends}$"),

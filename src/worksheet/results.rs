@@ -8,7 +8,7 @@ use crate::figure::remarks::remarks;
 use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
 use crate::report::answers::{Line, lines, reason, verdict, worst};
 use crate::report::math::Math;
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, fill};
 use crate::scene::Lang;
 use crate::worked::Outcome;
 
@@ -39,7 +39,7 @@ impl Maker<'_> {
             let name = symbol(find, self.notation());
             // A singular pose is told once for all, among the remarks.
             if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
-                said.push(Phrase::new(&words.uncertain.replace("{}", &format!("${name}$")).replace("{why}", &why.words(self.lang()))));
+                said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
             }
             rows.push(vec![
                 math(&named(&self.writer(), find, r)),
@@ -87,7 +87,7 @@ impl Maker<'_> {
             ]);
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
-        let text = self.words().agreement.replace("{}", &number(worst.max(f64::EPSILON / 2.0), 1));
+        let text = fill(self.words().agreement, &[("", &number(worst.max(f64::EPSILON / 2.0), 1))]);
         blocks.push(Block::Paragraph(Phrase::new(&text)));
     }
 

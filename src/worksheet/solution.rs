@@ -8,12 +8,13 @@ use crate::figure::results::number;
 use crate::figure::sheet::{Single, scale, single};
 use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
+use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
 use crate::report::math::Math;
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, fill};
 use crate::report::plan::group_words;
 use crate::scene::Lang;
 
@@ -79,7 +80,7 @@ impl Maker<'_> {
         let mut mu_l = format!("$\\mu_l = {} m/mm$", scale(paper.diagram.mu_l));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
-            let ends = format!("{}{}", self.scene.point_name(a), self.scene.point_name(b));
+            let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
             let on_paper = mm(l.value.value / paper.diagram.mu_l);
             mu_l += &match self.lang() {
                 Lang::En => format!(": $l_{{{ends}}}$ is drawn ${on_paper}$ long"),
@@ -135,7 +136,7 @@ impl Maker<'_> {
             && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
         {
             let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
-            let text = self.words().special_point.replace("{S}", &w.spot(*target)).replace("{1}", &a).replace("{2}", &b).replace("{}", self.link(*link));
+            let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(*link))]);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, level, step), step) {

@@ -17,8 +17,7 @@ impl Draft<'_> {
         let named: Vec<(GuideId, String)> = (0..self.scene.guides.len())
             .map(GuideId)
             .filter(|g| plan.velocity.iter().flat_map(|s| s.steps(0)).any(|s| s.slides_along(*g)))
-            .map(|g| (g, w.guide_line(g)))
-            .filter(|(_, name)| name.starts_with('t'))
+            .filter_map(|g| Some((g, w.tangent(g)?)))
             .collect();
         for (g, name) in named {
             let Some((at, tangent)) = self.runner(g) else { continue };

@@ -3,7 +3,7 @@
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::geom::{Point, Vec2};
-use crate::plan::text::point_label;
+use crate::plan::names::{name_label, point_label};
 use crate::scene::PointId;
 
 use super::Draft;
@@ -38,7 +38,7 @@ impl Draft<'_> {
             let block = 0.9 * self.style.block_width_mm.hypot(self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
-                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name, at, block, side),
+                Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name_label(&name), at, block, side),
                 Some(NumberPlace::Wide(a, b, wide, owner)) => self.number(&id, &name, (a, b), wide + half, owner),
                 None => {
                     let Some(form) = &self.forms[l] else { continue };
@@ -52,7 +52,7 @@ impl Draft<'_> {
                     } else {
                         let n = form.plate.len() as f64;
                         let middle = form.plate.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n));
-                        self.d.label_at(&id, "number", &name, middle, 0.0, None);
+                        self.d.label_at(&id, "number", &name_label(&name), middle, 0.0, None);
                     }
                 }
             }
@@ -61,7 +61,7 @@ impl Draft<'_> {
     }
 
     fn number(&mut self, id: &str, name: &str, ends: (Point, Point), clear_mm: f64, owner: u32) {
-        let request = LabelRequest::along(Label::math(name), self.style.label_mm, ends.0, ends.1, clear_mm);
+        let request = LabelRequest::along(Label::math(name_label(name)), self.style.label_mm, ends.0, ends.1, clear_mm);
         self.d.label(id, "number", request.owned(owner));
     }
 
@@ -91,14 +91,14 @@ impl Draft<'_> {
         if let Some((at, down)) = places.max_by(|a, b| alone(a.0).total_cmp(&alone(b.0))) {
             // At an end of the ground line, or below its hatching.
             let foot = at + down * (self.style.pivot_height_mm + self.style.hatch_depth_mm / 2.0);
-            self.d.label_at(id, "number", name, foot, self.style.ground_half_mm, Some(down.perp()));
+            self.d.label_at(id, "number", &name_label(name), foot, self.style.ground_half_mm, Some(down.perp()));
         } else {
             let guide = (0..self.scene.guides.len()).filter(|g| self.scene.guides[*g].on == self.scene.ground);
             let at = guide.filter_map(|g| self.runner(crate::scene::GuideId(g))).next();
             if let Some((at, u)) = at {
                 let below = if u.perp().y <= 0.0 { u.perp() } else { -u.perp() };
                 let end = at + u * 13.0 + below * (self.style.block_width_mm / 2.0 + self.style.hatch_depth_mm / 2.0);
-                self.d.label_at(id, "number", name, end, 1.0, Some(u));
+                self.d.label_at(id, "number", &name_label(name), end, 1.0, Some(u));
             }
         }
     }

@@ -7,6 +7,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
+use crate::plan::names::name_label;
 use crate::scene::{Driver, DriverKind, GuideId, LinkId, PointId};
 
 use super::Draft;
@@ -86,7 +87,7 @@ impl Draft<'_> {
                 _ => 0.0,
             };
             let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
-            self.arc_label(&format!("\\varphi_{{{index}}}"), "angle", at, radius, [reference, reference + sweep], owner);
+            self.arc_label(&format!("\\varphi_{{{}}}", name_label(&index)), "angle", at, radius, [reference, reference + sweep], owner);
         }
         let rate = driver.rate.value;
         if rate == 0.0 {
@@ -99,6 +100,7 @@ impl Draft<'_> {
         let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
         self.d.of_link(Some(link.0));
         let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
+        let index = name_label(&index);
         let symbol = match &driver.acceleration {
             Some(a) if a.value != 0.0 => format!("\\omega_{{{index}}}, \\alpha_{{{index}}}"),
             _ => format!("\\omega_{{{index}}}"),
@@ -128,6 +130,7 @@ impl Draft<'_> {
         };
         // Above the block, as the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
+        let name = name_label(&name);
         let symbol = if driver.acceleration.as_ref().is_some_and(|a| a.value != 0.0) {
             format!("v_{{{name}}}, a_{{{name}}}")
         } else {
@@ -149,7 +152,7 @@ impl Draft<'_> {
     fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {
         let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { return };
         let Some(u) = (tip - base).unit() else { return };
-        let (na, nb) = (self.scene.point_name(a), self.scene.point_name(b));
+        let (na, nb) = (name_label(self.scene.point_name(a)), name_label(self.scene.point_name(b)));
         // Beside the rod; the arrow goes the way the rod goes.
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
         let from = if driver.rate.value > 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };

@@ -6,7 +6,7 @@ use super::Draft;
 use crate::geom::Point;
 use crate::mechanism::{Core, Leg};
 use crate::plan::Spot;
-use crate::plan::text::{point_label, special_name};
+use crate::plan::names::{point_label, special_name};
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.

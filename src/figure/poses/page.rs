@@ -11,7 +11,7 @@ use crate::figure::sheet::{MARGIN_MM, Maker, Single, driver_symbol, of_level};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::quantity::{inked, shortest};
-use crate::report::phrase::{formula, tr};
+use crate::report::phrase::{fill, formula, tr};
 
 /// Air around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
@@ -129,7 +129,7 @@ impl Page<'_> {
             "The mechanism with its velocity and acceleration polygons in {} positions at equal steps of {1}, all to the same scales.",
             "机构在 {1} 等间隔的 {} 个位置上的运动简图、速度多边形和加速度多边形，采用同一组比例尺。",
         );
-        figure.desc = words.replace("{}", &table.rows.len().to_string()).replace("{1}", &formula(&driver));
+        figure.desc = fill(words, &[("", &table.rows.len().to_string()), ("1", &formula(&driver))]);
         figure
     }
 

@@ -17,7 +17,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> 
         };
         let kind = match &raw.kind {
             RawDriverKind::Turn { link, against, line, against_line, angle } => {
-                turn(c, raw, link, against, [line, against_line], angle, faults)
+                turn(c, raw, guides, (link, against), [line, against_line], angle, faults)
             }
             RawDriverKind::Slide { slide, position } => self::slide(c, guides, slide, position, faults),
             RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
@@ -47,8 +47,8 @@ fn same_motion(a: &DriverKind, b: &DriverKind) -> bool {
 fn turn(
     c: &Context,
     raw: &RawDriver,
-    link: &Word,
-    against: &Option<Word>,
+    guides: &[Numbered],
+    (link, against): (&Word, &Option<Word>),
     lines: [&Option<Word>; 2],
     angle: &Option<RawQuantity>,
     faults: &mut Faults,
@@ -93,8 +93,39 @@ fn turn(
             }
         }
     }
+    let angle =
+        if against == c.ground && line.is_none() && against_line.is_none() { guided(c, link, guides, angle, faults)? } else { angle };
     Some(DriverKind::Turn { link, against, line, against_line, angle })
 }
+
+/// The angle of a driven link that has one point and a guide, which is that of its guide: where the guide gives it, the driver
+/// need not, and must not give another.
+fn guided(
+    c: &Context,
+    link: LinkId,
+    guides: &[Numbered],
+    angle: Option<Given<Angle>>,
+    faults: &mut Faults,
+) -> Option<Option<Given<Angle>>> {
+    let stated = guides.iter().find_map(|(g, _)| match &g.path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
+        GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+    });
+    let Some(stated) = stated.filter(|_| c.names.links[link.0].points.len() < 2) else { return Some(angle) };
+    let Some(given) = angle else { return Some(Some(stated.clone())) };
+    let (s, k) = libm::sincos(given.value.radians() - stated.value.radians());
+    if s.abs() + (1.0 - k) <= ONE_ANGLE {
+        return Some(Some(given));
+    }
+    let name = c.link_name(link);
+    let message = format!("the driver puts link `{name}` at {}, but its guide, which is its direction, is at {}", given.text, stated.text);
+    let d = Diagnostic::error("contradictory-angle", message).at(given.span);
+    faults.push(d.help("leave one of the two angles out"));
+    None
+}
+
+/// Two texts of one angle may differ by the rounding of what a person types (nine digits).
+const ONE_ANGLE: f64 = 1e-9;
 
 fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQuantity>, faults: &mut Faults) -> Option<DriverKind> {
     let position = match position {

@@ -63,19 +63,28 @@ fn everything(c: &Context) -> Vec<Find> {
     out
 }
 
+/// A symbol in Latin letters; the figures write Greek ones.
+fn spelt(symbol: &str) -> &str {
+    match symbol {
+        "ω" => "omega",
+        "α" => "alpha",
+        "φ" => "phi",
+        other => other,
+    }
+}
+
+/// Whether a text begins as a question does: a quantity's symbol and `_`.
+pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
+    text.split_once('_').is_some_and(|(symbol, _)| QUANTITIES.iter().any(|(s, _)| *s == spelt(symbol)))
+}
+
 fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let fault = |message: String| Diagnostic::error("find", message).at(word.span);
     let Some((symbol, rest)) = word.text.split_once('_') else {
         let d = fault(format!("`{}` is not a quantity that can be asked", word.text));
         return Err(d.help("write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2"));
     };
-    // As the figures write them.
-    let symbol = match symbol {
-        "ω" => "omega",
-        "α" => "alpha",
-        "φ" => "phi",
-        other => other,
-    };
+    let symbol = spelt(symbol);
     if !QUANTITIES.iter().any(|(s, _)| *s == symbol) {
         let d = fault(format!("`{symbol}` in `{}` is not a quantity that can be asked", word.text));
         return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), "the quantities are")));
@@ -94,6 +103,7 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
             let (a, b) = c.names.pair_in(rest, word)?;
             Asked::Distance(a, b)
         }
+        _ if c.names.is_link_only(rest) => return Err(of_a_link(c, word, symbol, rest)),
         "x" | "y" => match c.names.on_links(rest, word)? {
             (OnLink { point, .. }, None) => {
                 Asked::Coordinate(point, if symbol == "x" { crate::scene::Axis::X } else { crate::scene::Axis::Y })
@@ -111,6 +121,18 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
             (_, (of, Some(to))) => relative(c, word, symbol, of, to)?,
         },
     })
+}
+
+/// A velocity is of a point: which points of a link can be asked, where a link is named.
+fn of_a_link(c: &Context, word: &Word, symbol: &str, link: &str) -> Diagnostic {
+    let d = Diagnostic::error("find", format!("`{link}` in `{}` is a link; `{symbol}` is of a point", word.text)).at(word.span);
+    let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
+    let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
+    // Where a pin runs in the link's guide, the link has a point at the same place.
+    let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
+    let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
+    let all: Vec<String> = if symbol == "v" || symbol == "a" { own.chain(pins).collect() } else { own.collect() };
+    d.help(if all.is_empty() { "name a point".to_owned() } else { format!("write {}", all.join(" or ")) })
 }
 
 fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> Result<Asked, Diagnostic> {

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::super::units::{Unit, unit_named};
 use super::*;
 
 pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
@@ -40,4 +41,27 @@ pub(super) fn lengths(c: &Context, faults: &mut Faults) -> Vec<Length> {
 /// would let through changes the fifth digit of an answer.
 pub(super) fn same(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-6 * a.abs().max(b.abs())
+}
+
+/// The unit in which the file writes its lengths: that of the `units` table, else that of the first length, parameter or
+/// coordinate that shows one, else millimetres.
+pub(super) fn unit(c: &Context) -> &'static Unit {
+    let coordinates = c.raw.points.iter().flat_map(|(_, place)| match place {
+        RawPlace::At(xy) | RawPlace::InLink { xy, .. } => xy.as_slice(),
+        RawPlace::Polar { length, .. } => std::slice::from_ref(length),
+    });
+    let table = c.values.unit_of(Wanted::Length).and_then(unit_named);
+    let usual = || unit_named(Wanted::Length.usual_unit()).expect("the usual unit of lengths is a unit");
+    table.or_else(|| unit_shown(c)).or_else(|| coordinates.clone().find_map(unit_in)).unwrap_or_else(usual)
+}
+
+/// The unit of the first length (or parameter) that shows one.
+pub(super) fn unit_shown(c: &Context) -> Option<&'static Unit> {
+    c.raw.lengths.iter().chain(&c.raw.parameters).find_map(|(_, q)| unit_in(q))
+}
+
+/// The unit of length with which a quantity ends.
+fn unit_in(q: &RawQuantity) -> Option<&'static Unit> {
+    let word = q.text.trim_end().rsplit(|c: char| !c.is_ascii_alphabetic()).next()?;
+    unit_named(word).filter(|u| u.dim == Wanted::Length.dim())
 }

@@ -75,6 +75,8 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
+pub(super) use find::begins_a_question;
+
 /// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
     Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
@@ -108,6 +110,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
         let find = ground.map(|_| find::find(&context, faults));
         let paper = paper::paper(raw, &values, faults);
+        let length_unit = lengths::unit(&context);
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
         faults.list.extend(values.unused(&raw.parameters));
         let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| Point { place, sketch, ..p.clone() }).collect();
@@ -126,6 +129,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             language,
             notation,
             paper,
+            length_unit,
         }
     };
     Some(scene)

@@ -129,8 +129,9 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mu
         };
         if !same(distance, length.value.value) {
             let (a, b) = (c.point_name(length.a), c.point_name(length.b));
-            let message =
-                format!("{a} and {b} lie {} mm apart by their coordinates, but {} is given", short(distance * 1e3), length.value.text);
+            let unit = super::lengths::unit(c);
+            let apart = short(distance * unit.denominator / unit.numerator);
+            let message = format!("{a} and {b} lie {apart} {} apart by their coordinates, but {} is given", unit.name, length.value.text);
             let d = Diagnostic::error("contradiction", message).at(length.value.span);
             faults.push(d.help("leave the length or the coordinates away"));
         }
@@ -149,7 +150,9 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
         let point = note(c.names.point(word), faults);
         // A sketch is rough: its bare numbers need no unit of their own.
         let rough = |q: &RawQuantity| match (q.bare, c.values.has_unit(Wanted::Length)) {
-            (true, false) => RawQuantity { text: format!("{} {}", q.text, sketch_unit(c)), ..q.clone() },
+            (true, false) => {
+                RawQuantity { text: format!("{} {}", q.text, super::lengths::unit_shown(c).map_or("m", |u| u.name)), ..q.clone() }
+            }
             _ => q.clone(),
         };
         let xy = c.values.two_lengths(&[rough(&xy[0]), rough(&xy[1])], faults);
@@ -158,16 +161,6 @@ pub(super) fn sketch(c: &Context, faults: &mut Faults) -> Vec<Option<[f64; 2]>> 
         }
     }
     out
-}
-
-/// The unit in which the scene writes its lengths: that of the first length (or parameter) that shows one.
-fn sketch_unit(c: &Context) -> &'static str {
-    let lengths = c.raw.lengths.iter().map(|(_, q)| q);
-    let unit_of = |q: &RawQuantity| {
-        let word = q.text.trim_end().rsplit(|c: char| !c.is_ascii_alphabetic()).next()?;
-        ["mm", "cm", "m", "in", "ft", "km"].into_iter().find(|u| *u == word)
-    };
-    lengths.chain(c.raw.parameters.iter().map(|(_, q)| q)).find_map(unit_of).unwrap_or("m")
 }
 
 /// `"C": "left of BD"`.

@@ -1,0 +1,167 @@
+//! What a scene means where it says a thing in another way than usual, says it twice, or does not quite say it.
+
+use super::{faults, good, read, with};
+use crate::analytic::SingularKind;
+use crate::answer::Value;
+use crate::diag::Diagnostic;
+use crate::scene::{Angle, Asked, DriverKind, Scene};
+use crate::worked::{Scope, work};
+
+/// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
+fn slotted(angle: &str, driver: &str) -> String {
+    format!(
+        r#"{{"links": {{"1": ["O"], "2": ["B", "C"], "4": ["O", "C"]}}, "ground": "4",
+ "points": {{"O": [0, 0], "C": ["300 mm", "40 mm"]}}, "lengths": {{"BC": "150 mm"}},
+ "guides": [{{"pin": "B", "on": "1", "through": "O"{angle}}}], "driver": {{"link": "1"{driver}, "omega": "2 rad/s"}},
+ "sketch": {{"B": [150, 60]}}, "units": {{"length": "mm"}}, "find": ["v_B", "phi_1"]}}"#
+    )
+}
+
+fn values(scene: &Scene) -> Vec<Value> {
+    work(scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).value.results.iter().map(|r| r.value()).collect()
+}
+
+fn notes(source: &str) -> Vec<Diagnostic> {
+    let scene = read(source).unwrap_or_else(|f| panic!("{f}")).value;
+    work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}")).notes
+}
+
+#[test]
+fn the_angle_of_a_slot_is_that_of_its_link() {
+    let both = good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "20 deg""#));
+    let slot = good(&slotted(r#", "angle": "20 deg""#, ""));
+    let DriverKind::Turn { angle: Some(angle), .. } = &slot.drivers[0].kind else { panic!("{:?}", slot.drivers) };
+    assert_eq!(angle.value, Angle::Deg(20.0));
+    assert_eq!(values(&slot), values(&both));
+    good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "-340 deg""#));
+    for other in ["45 deg", "200 deg", "20.001 deg"] {
+        assert_eq!(
+            faults(&slotted(r#", "angle": "20 deg""#, &format!(r#", "angle": "{other}""#))),
+            format!(
+                "[\"{other}\"] the driver puts link `1` at {other}, but its guide, which is its direction, is at 20 deg (leave one of the two angles out)\n"
+            )
+        );
+    }
+}
+
+#[test]
+fn radians_are_pure_numbers_beside_a_time() {
+    let driver = |omega: &str| {
+        let parameters = r#"{"vA": "0.5 m/s", "R1": "100 mm"}, "driver""#;
+        with("parameters", &format!(r#"{parameters}: {{"link": "1", "angle": "60 deg", "omega": "{omega}", "alpha": "(vA/R1)^2"}}"#))
+            .replacen(r#""driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"},"#, "", 1)
+    };
+    let scene = good(&driver("-vA/R1"));
+    assert_eq!((scene.drivers[0].rate.value, scene.drivers[0].acceleration.as_ref().unwrap().value), (-5.0, 25.0));
+    assert_eq!(good(&driver("vA/R1 - 60 rpm")).drivers[0].rate.value, 5.0 - std::f64::consts::TAU);
+    // A scale is no rate of turning, nor is a length of time.
+    assert!(faults(&driver("1 s*vA/R1")).contains("an angular velocity is wanted here"));
+    assert!(faults(&with("paper", r#"{"mu_v": "10 rad/s"}"#)).contains("a scale of velocities is wanted here"));
+}
+
+#[test]
+fn a_decimal_comma_is_told_with_the_point() {
+    let said = faults(&with("lengths", r#"{"AB": "100,5 mm", "BC": "2*(1,25 mm)"}"#));
+    assert!(said.contains("[,] `100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"), "{said}");
+    assert!(said.contains("write the decimal point: \"2*(1.25 mm)\""), "{said}");
+}
+
+#[test]
+fn a_velocity_of_a_link_is_told_with_its_points() {
+    let yoke = crate::scene::templates::get("scotch-yoke").unwrap();
+    let asked = |what: &str| faults(&crate::scene::edit::with_find(yoke, &[what]).unwrap());
+    assert!(asked("v_3").contains("`3` in `v_3` is a link; `v` is of a point (write v_B3)"), "{}", asked("v_3"));
+    assert!(asked("a_1").contains("(write a_A or a_B)"), "{}", asked("a_1"));
+    assert!(asked("x_1").contains("(write x_A or x_B)"), "{}", asked("x_1"));
+}
+
+#[test]
+fn a_comma_parts_a_point_from_its_link() {
+    let links = r#"{"2": ["O", "B"], "3": ["B", "O2"], "4": ["O", "O2"]}"#;
+    let scene = format!(
+        r#"{{"links": {links}, "ground": "4", "points": {{"O": [0, 0], "O2": ["1 m", 0], "B": ["1 m", "1 m"]}},
+ "driver": {{"link": "2", "omega": "1 rad/s"}}, "find": ["v_B,3", "v_O2", "v_O,2", "v_O,O2"]}}"#
+    );
+    let scene = read(&scene).unwrap_or_else(|f| panic!("{f}")).value;
+    let said: Vec<_> = scene.find.iter().map(|f| &f.what).collect();
+    let link = |p: &crate::scene::OnLink| p.link.map(|l| scene.link_name(l));
+    let Asked::Velocity(b3) = said[0] else { panic!("{said:?}") };
+    let Asked::Velocity(o2) = said[1] else { panic!("{said:?}") };
+    let Asked::Velocity(o) = said[2] else { panic!("{said:?}") };
+    assert_eq!((link(b3), link(o2), link(o)), (Some("3"), None, Some("2")));
+    assert!(matches!(said[3], Asked::RelativeVelocity(..)));
+}
+
+#[test]
+fn lists_are_whole() {
+    let points: Vec<String> = ('A'..='Z').map(|c| format!("{c}0")).collect();
+    let links = format!(r#"{{"1": {points:?}, "4": ["A0", "zz"]}}"#);
+    let said = faults(&format!(r#"{{"links": {links}, "ground": "4", "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["v_9"]}}"#));
+    assert!(said.contains("Y0, Z0, zz)") && !said.contains("..."), "{said}");
+    let said = faults(&with("lengths", r#"{"QQ": "1 m"}"#));
+    assert!(said.contains("the points are A, B, C, E, D"), "{said}");
+}
+
+#[test]
+fn notes_speak_in_the_units_of_the_scene() {
+    let four_bar = |unit: &str| {
+        format!(
+            r#"{{"links": {{"1": ["A", "B"], "2": ["B", "C"], "3": ["C", "D"], "4": ["A", "D"]}}, "ground": "4",
+ "lengths": {{"AB": "1 {unit}", "BC": "2.5 {unit}", "CD": "2 {unit}", "AD": "3 {unit}"}},
+ "driver": {{"link": "1", "angle": "60 deg", "omega": "1 rad/s"}}, "find": ["v_C"]}}"#
+        )
+    };
+    for unit in ["in", "ft", "m", "cm", "mm", "km"] {
+        let said = notes(&four_bar(unit));
+        let note = said.iter().find(|d| d.code == "assembly-by-default").unwrap_or_else(|| panic!("{said:?}"));
+        assert!(note.message.contains(&format!("C at (2.737 {unit}, 1.983 {unit})")), "{unit}: {note}");
+    }
+    // Bare numbers have the unit of the table.
+    let bare = four_bar("#").replace(" #", "").replacen('{', r#"{"units": {"length": "in"}, "#, 1);
+    assert!(notes(&bare).iter().any(|d| d.message.contains("(2.737 in, 1.983 in)")), "{:?}", notes(&bare));
+    let far = four_bar("in").replace("3 in", "9 in");
+    let scene = read(&far).unwrap().value;
+    let said = work(&scene, Scope::Questions).unwrap_err().to_string();
+    assert!(said.contains(" in ") && !said.contains(" mm"), "{said}");
+}
+
+#[test]
+fn a_side_that_fits_all_assemblies_does_not_decide() {
+    // D lies to the right of AB in both assemblies; C is above AD in one of them only.
+    let side =
+        |said: &str| notes(&with("side", said)).into_iter().filter(|d| d.code.contains("side") || d.code.contains("assembly")).collect();
+    let idle: Vec<Diagnostic> = side(r#"{"D": "right of AB", "E": "left of BC"}"#);
+    assert!(idle.iter().any(|d| d.code == "assembly-by-default"), "a side of what the group does not move says nothing of it: {idle:?}");
+    let decided: Vec<Diagnostic> = side(r#"{"C": "left of AD", "E": "left of BC"}"#);
+    assert!(decided.is_empty(), "{decided:?}");
+    // A long coupler puts C beyond AB in both.
+    let four_bar = with("lengths", r#"{"AB": "20 mm", "BC": "250 mm", "CD": "240 mm", "AD": "300 mm", "BE": "150 mm", "CE": "140 mm"}"#);
+    let with_side = four_bar.replacen('{', r#"{"side": {"C": "right of AB", "E": "left of BC"}, "#, 1);
+    let said = notes(&with_side);
+    let note = said.iter().find(|d| d.code == "side-undecided");
+    match note {
+        Some(note) => assert!(note.message.contains("this side does not decide"), "{note}"),
+        None => panic!("{said:?}"),
+    }
+}
+
+/// Two dyads on the same pivots: the first assembly of each lays them on one another, and the last one has no base.
+#[test]
+fn another_assembly_is_tried_where_the_first_does_not_close() {
+    let text = r#"{"links": {"1": ["Q", "C"], "2": ["O", "A"], "3": ["O", "B"], "4": ["A", "C"], "5": ["C", "B"], "6": ["A", "P"],
+  "7": ["P", "B"], "8": ["O", "Q"]}, "ground": "8", "points": {"O": [0, 0], "Q": ["60 mm", 0]},
+ "lengths": {"QC": "60 mm", "OA": "180 mm", "OB": "180 mm", "AC": "80 mm", "CB": "80 mm", "AP": "80 mm", "PB": "80 mm"},
+ "driver": {"link": "1", "angle": "30 deg", "omega": "5 rad/s"}, "find": ["v_P", "x_P"]}"#;
+    let scene = read(text).unwrap().value;
+    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
+    // P moves on a straight line square to OQ, at k²/(2·OQ) from O with k² = OA² − AC².
+    let Value::Vector(v) = worked.value.results[0].value() else { panic!("a velocity is a vector") };
+    let Value::Scalar(x) = worked.value.results[1].value() else { panic!("a coordinate is a number") };
+    assert!(v.x.abs() < 1e-12 * v.norm() && (x - (0.18f64.powi(2) - 0.08f64.powi(2)) / 0.12).abs() < 1e-12, "{v:?} {x}");
+    assert!(worked.notes.iter().any(|d| d.code == "assembly-by-default"), "what was chosen is said: {:?}", worked.notes);
+    assert!(worked.value.solution.singular.iter().all(|s| s.kind != SingularKind::ChangePoint));
+    // Where none closes, the first fault stands, and the way out is told.
+    let apart = text.replace(r#""AP": "80 mm", "PB": "80 mm""#, r#""AP": "1 mm", "PB": "1 mm""#);
+    let said = work(&read(apart).unwrap().value, Scope::Questions).unwrap_err().to_string();
+    assert!(said.contains("or say with \"side\" or \"sketch\" which assembly of links"), "{said}");
+}
