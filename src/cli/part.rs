@@ -287,3 +287,6 @@ fn beside(path: &Path, more: &str) -> PathBuf {
     name.push(more);
     name.into()
 }
+
+#[cfg(test)]
+mod tests;
