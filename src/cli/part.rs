@@ -6,7 +6,7 @@
 
 use super::Failure;
 use super::journal::{self, Entry, Job};
-use super::target::{Target, as_before, folder_of, stands_at, unwritable};
+use super::target::{Target, as_before, stands_at, unwritable};
 use crate::diag::Diagnostic;
 use crate::report::table::{Format, Piece, Standing};
 use std::ffi::OsString;
@@ -46,10 +46,7 @@ impl Part {
 
     fn opened(out: &Path, target: Target, job: &str, format: &dyn Format) -> io::Result<Part> {
         let (path, folder) = match &target {
-            Target::File(file) => {
-                std::fs::create_dir_all(folder_of(file))?;
-                (beside(file, ".part"), None)
-            }
+            Target::File(file) => (beside(file, ".part"), None),
             Target::Stream => {
                 let folder = tempfile::tempdir()?;
                 (folder.path().join("table.part"), Some(folder))
@@ -60,15 +57,16 @@ impl Part {
         journal.read_to_end(&mut text)?;
         let begin = format.begin(0, &[]);
         let job = Job { job: job.to_owned(), begin: begin.len() as u64 };
-        let file = match own(&path)? {
-            Some(_) if text.len() < journal::MARK.len() => {
-                let _ = std::fs::remove_file(beside(&path, ".journal"));
-                return Err(stranger(&path, "no journal tells of it"));
-            }
-            Some(file) => file,
-            None => {
+        let begun = text.len() >= journal::MARK.len();
+        let found = own(&path).and_then(|file| match file {
+            Some(_) if !begun => Err(stranger(&path, "no journal tells of it")),
+            found => Ok(found),
+        });
+        let file = match found {
+            Ok(Some(file)) => file,
+            Ok(None) => {
                 // The journal comes first: a part without one is somebody else's.
-                if text.len() < journal::MARK.len() {
+                if !begun {
                     journal.seek(SeekFrom::Start(0))?;
                     journal.write_all(journal::MARK)?;
                     text = journal::MARK.to_vec();
@@ -77,6 +75,12 @@ impl Part {
                 // Before the first byte: what nobody else may read is not to be read on its way either.
                 as_before(&file, out)?;
                 file
+            }
+            Err(e) => {
+                if !begun {
+                    let _ = std::fs::remove_file(beside(&path, ".journal"));
+                }
+                return Err(e);
             }
         };
         let bytes = job.begin;
@@ -127,7 +131,7 @@ impl Part {
         let mut file = io::BufReader::with_capacity(1 << 20, self.file.try_clone()?);
         file.seek(SeekFrom::Start(self.bytes))?;
         for (entry, end) in entries {
-            let forward = entry.bytes >= self.bytes && entry.done >= self.done;
+            let forward = entry.bytes >= self.bytes && entry.done > self.done;
             if !forward || crc_of(&mut file, entry.bytes - self.bytes)? != Some(entry.crc) {
                 break;
             }

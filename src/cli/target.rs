@@ -40,19 +40,21 @@ impl Target {
     /// A folder, a file that may not be written, a file that this run has read.
     pub fn of(path: &Path) -> Result<Target, Failure> {
         let fail = |e: io::Error| unwritable(path, &e);
-        let known = match std::fs::metadata(path) {
+        // Before anything is asked of the name: `new/../scene.json` is another file once `new` is there.
+        std::fs::create_dir_all(folder_of(path)).map_err(fail)?;
+        match std::fs::metadata(path) {
             Ok(m) if m.is_dir() => return Err(fail(io::ErrorKind::IsADirectory.into())),
             Ok(m) if !m.is_file() => return Ok(Target::Stream),
-            Ok(m) => Some(m),
-            Err(e) if e.kind() == io::ErrorKind::NotFound => None,
-            Err(e) => return Err(fail(e)),
-        };
+            Err(e) if e.kind() != io::ErrorKind::NotFound => return Err(fail(e)),
+            _ => {}
+        }
         let Some(file) = followed(path).map_err(fail)? else { return Ok(Target::Stream) };
-        if known.is_some() && was_read(&file) {
+        std::fs::create_dir_all(folder_of(&file)).map_err(fail)?;
+        if was_read(&file) {
             let d = Diagnostic::error("output", format!("{} is what is read here: writing to it would destroy it", path.display()));
             return Err(Failure::input(d.help("name another file, such as -o out/"), "", ""));
         }
-        if let Some(known) = known {
+        if let Ok(known) = std::fs::metadata(&file) {
             // Renaming asks the folder alone: who protected the file is asked here.
             if known.permissions().readonly() {
                 return Err(fail(io::ErrorKind::PermissionDenied.into()));

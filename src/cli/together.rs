@@ -53,7 +53,6 @@ impl Together {
             }
             Target::File(place) => {
                 let folder = folder_of(&place);
-                std::fs::create_dir_all(folder).map_err(fail)?;
                 self.clear(folder);
                 let temporary = temporary(folder).map_err(fail)?;
                 // Before the first byte: what nobody else may read is not to be read on its way either.

@@ -92,6 +92,11 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
     let frames = maker.frames(&sweep)?;
+    if frames.list.len() == 1 {
+        let d =
+            Diagnostic::warning("lesson-still", "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves");
+        notes.push(d.help("give another pose, or move another driver with --driver"));
+    }
     if scene.drivers.len() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",

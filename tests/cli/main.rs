@@ -1,8 +1,9 @@
 //! The program as its user meets it: exit codes, files, help, and the commands of the README.
 
+#[cfg(target_os = "linux")]
 mod exits;
 mod figures;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod files;
 mod text;
 
