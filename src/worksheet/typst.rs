@@ -23,7 +23,7 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), F
          #set text(lang: \"{lang}\", size: 11pt, font: (\"Tinos\", \"Times New Roman\", \"Liberation Serif\", \"Noto Serif CJK SC\", \"SimSun\"))\n\
          #set par(justify: false)\n#show heading: set block(sticky: true)\n#show table: set block(breakable: false)\n\n#align(center, text(size: 16pt)[{}])\n",
         string(&document.title),
-        escaped(&document.title)
+        guarded(escaped(&document.title))
     );
     let pictures = picture_names(document, stem);
     let mut files = Vec::new();

@@ -100,7 +100,7 @@ fn nothing_that_is_read_is_written_over() {
 fn links_lead_to_their_files() {
     let folder = tempfile::tempdir().unwrap();
     let (here, there) = (folder.path().join("here"), folder.path().join("there"));
-    [&here, &there].map(|f| fs::create_dir(f).unwrap());
+    [&here, &there].into_iter().for_each(|f| fs::create_dir(f).unwrap());
     for (k, (command, ending)) in [
         ("sweep templates/crank-rocker.json --find v_C", "csv"),
         ("batch templates/crank-rocker.json --vary l_BC=200..300:5 --find v_C", "npy"),
@@ -149,7 +149,7 @@ fn pipes_and_devices_take_the_bytes() {
         symlink("/dev/full", &full).unwrap();
         let run = hodograph().args(command.split(' ')).arg("-o").arg(&full).assert().code(1);
         assert!(text(&run.get_output().stderr).contains("cannot be written"));
-        [pipe, file, full].map(|f| fs::remove_file(f).unwrap());
+        [pipe, file, full].into_iter().for_each(|f| fs::remove_file(f).unwrap());
         assert_eq!(count(folder.path()), 0, "{command} {ending}");
     }
     assert!(fs::metadata("/dev/full").unwrap().file_type().is_char_device());

@@ -9,13 +9,14 @@ use std::path::Path;
 use typst_syntax::{SyntaxKind, SyntaxNode};
 
 /// Words that are code in one of the formats.
-const WORDS: [&str; 24] = [
+const WORDS: [&str; 25] = [
     "~~~ fence",
     "~~struck~~ and ~sub~ ^sup^",
     "&copy; &#60; &amp;",
     "---",
     "-- a --- b ... c -1 -?",
     "- item",
+    "/ term: x",
     "+ item",
     "1. item",
     "2) item",
@@ -98,7 +99,8 @@ fn words_are_words_in_every_format() {
 
         let md = written(folder.path(), words, "worksheet", "a.md");
         let (blocks, images) = markdown(&md);
-        assert_eq!(blocks.iter().filter(|b| **b == plain).count(), 3, "{words:?} in\n{}", &md[..800.min(md.len())]);
+        // The title, the statement twice, and each picture's words.
+        assert_eq!(blocks.iter().filter(|b| **b == plain).count(), 3 + images.len(), "{words:?} in\n{}", &md[..800.min(md.len())]);
         assert!(images.iter().all(|i| folder.path().join(i).exists()) && !images.is_empty(), "{images:?}");
 
         let typ = written(folder.path(), words, "worksheet", "a.typ");
