@@ -53,8 +53,17 @@ pub fn line(of: &impl Serialize) -> serde_json::Result<Vec<u8>> {
     Ok(line)
 }
 
-/// What a journal says, as far as it is whole: the job, and the pieces, each with the place at which its line ends.
-pub fn read(text: &[u8]) -> Option<(Job, usize, Vec<(Entry, usize)>)> {
+/// What a journal says, as far as it is whole.
+pub struct Journal {
+    pub job: Job,
+    /// Where the job's line ends.
+    pub begun: usize,
+    /// The pieces, each with the place at which its line ends.
+    pub pieces: Vec<(Entry, usize)>,
+}
+
+/// Reads a journal; `None` where not even its job is whole.
+pub fn read(text: &[u8]) -> Option<Journal> {
     let mut at = MARK.len();
     let mut rest = text.strip_prefix(MARK)?;
     let mut next = || {
@@ -64,12 +73,12 @@ pub fn read(text: &[u8]) -> Option<(Job, usize, Vec<(Entry, usize)>)> {
     };
     let (first, begun) = next()?;
     let job = serde_json::from_slice(first).ok()?;
-    let mut entries = Vec::new();
+    let mut pieces = Vec::new();
     while let Some((line, end)) = next() {
         let Ok(entry) = serde_json::from_slice(line) else { break };
-        entries.push((entry, end));
+        pieces.push((entry, end));
     }
-    Some((job, begun, entries))
+    Some(Journal { job, begun, pieces })
 }
 
 /// The text of a line whose checksum is right.

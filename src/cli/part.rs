@@ -108,7 +108,7 @@ impl Part {
     /// Takes what an earlier run has left of the same job, and makes both files end there.
     fn go_on(&mut self, job: &Job, begin: &[u8], text: &[u8]) -> io::Result<()> {
         let kept = match journal::read(text) {
-            Some((known, begun, entries)) if known == *job => self.recall(begun, entries)?,
+            Some(known) if known.job == *job => self.recall(known.begun, known.pieces)?,
             _ => journal::MARK.len(),
         };
         self.journal.set_len(kept as u64)?;

@@ -84,7 +84,7 @@ fn scene_target(input: &[u8], k: u64) -> bool {
             return false;
         }
     };
-    let lang = if k % 2 == 0 { Lang::En } else { Lang::Zh };
+    let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
     let certified = certify(&scene, &worked, answers::DIGITS);
     let text = answers::text(&scene, &worked, &certified, answers::DIGITS, lang);
     assert!(!text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{text:?}");
@@ -93,7 +93,7 @@ fn scene_target(input: &[u8], k: u64) -> bool {
         Ok(svg) => drop(roxmltree::Document::parse(&svg.value).unwrap()),
         Err(faults) => told(&faults, input),
     }
-    if k % 4 == 0 {
+    if k.is_multiple_of(4) {
         let document = worksheet(&scene, &worked, &Sheets::of_language(lang));
         if let Ok(page) = html::html(&document) {
             roxmltree::Document::parse(page.trim_start_matches("<!DOCTYPE html>")).unwrap();
@@ -127,7 +127,7 @@ fn fuzz_styles() {
             false
         }
         Ok(style) => {
-            if k % 8 == 0 {
+            if k.is_multiple_of(8) {
                 let usual = Options::of_language(Lang::En);
                 let options = Options { notation: style.marks.over(&usual.notation), style, ..usual };
                 match sheet(&scene, &worked, &options).and_then(|f| svg::write(&f)) {
