@@ -197,9 +197,9 @@ fn an_interrupted_batch_goes_on_to_the_same_bytes() {
         hodograph().args(batch("8000", &out)).assert().success();
         assert!(std::fs::read(&out).unwrap() == *whole.as_ref().unwrap(), "{ending}: the bytes differ");
         assert!(!beside(".part").exists() && !journal.exists(), "{ending}");
-        // Another question, or a journal that is none, begins anew.
-        std::fs::write(beside(".part"), "what").unwrap();
-        std::fs::write(&journal, "{\"job\":\"another\",\"begin\":4}\n").unwrap();
+        // Another question begins anew.
+        let code = interrupted(&batch("8000", &out), "-KILL", &|| lines(&journal) >= 3);
+        assert_eq!((code, journal.exists()), (None, true), "{ending}");
         hodograph().args(batch("100", &out)).assert().success();
         assert_eq!(from(ending, &out).1[0].iter().fold(0.0f64, |a, b| a.max(*b)), 99.0, "{ending}");
     }

@@ -7,16 +7,19 @@
 use super::args::Batch as Args;
 use super::part::Part;
 use super::sweep::{ask, driver_of, stations};
-use super::{Failure, Input, Run, choices, files, long, stop, tables};
-use crate::diag::{Diagnostic, Faults};
+use super::target::unwritable;
+use super::{Failure, Input, Run, Told, choices, files, long, stop, tables};
+use crate::diag::{Diagnostic, Faults, Span};
 use crate::mechanism::Mechanism;
 use crate::report::table::{Format, GENERATOR, Head, Piece};
-use crate::scene::Scene;
 use crate::sweep::Placed;
 use crate::sweep::batch::{Batch, Block, Choice};
 use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
+
+/// Values of a parameter at most.
+const MOST_VALUES: usize = 10_000_000;
 
 /// Numbers of a block, about: some megabytes, a row group of some 100 000 rows in Parquet.
 const BLOCK: usize = 1 << 20;
@@ -24,10 +27,9 @@ const BLOCK: usize = 1 << 20;
 pub fn batch(a: Args) -> Run {
     let mut input = Input::read(&a.common)?;
     ask(&mut input, a.range.find.as_deref())?;
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let ending = tables::ending(&a.output, &tables::BY_ROWS)?;
-    let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
-    let batch = plan(&input.scene, &mechanism, &a).map_err(failed)?;
+    let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
+    let batch = plan(&input, &mechanism, &a)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let job = format!(
         "{GENERATOR} {ending} {lang:?} {:?} {:?} {:?} {:?} {:?} {:?}",
@@ -38,7 +40,7 @@ pub fn batch(a: Args) -> Run {
         a.range.find,
         input.source
     );
-    let part = write(&batch, head(&batch, input.scene.title.get(lang)), Path::new(&a.output), &job)?;
+    let part = write(&batch, ending, head(&batch, input.scene.title.get(lang)), Path::new(&a.output), &job)?;
     files::print(&format!("{}: {} mechanisms, {} rows, {} positions without one\n", a.output, part.done, part.rows, part.missing))
 }
 
@@ -51,77 +53,110 @@ fn head(batch: &Batch, title: &str) -> Head {
     head
 }
 
-fn plan<'a>(scene: &'a Scene, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Faults> {
-    let mut names = Vec::new();
+/// # Errors
+/// What cannot be read or is no quantity of its parameter, each shown in its own argument.
+fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batch<'a>, Failure> {
+    let scene = &input.scene;
     let mut ranges = Vec::new();
-    let mut faults = Faults::default();
+    let mut wrong = Vec::new();
     for text in &a.vary {
-        match range(text) {
-            Some((name, from, to, n)) => {
-                names.push(name);
-                ranges.push((from, to, n));
-            }
-            None => faults.push(
-                Diagnostic::error("vary", format!("`--vary {text}` cannot be read"))
-                    .help("write NAME=FROM..TO:N, such as --vary l_BC=80..120:100"),
-            ),
+        let known = range(text).and_then(|r| Variation::new(scene, &[r.name]).map(|_| r).map_err(|f| at(text, r.name, f)));
+        match known {
+            Ok(r) => ranges.push((text, r)),
+            Err(faults) => wrong.push(Told::argument("--vary", text, faults)),
         }
     }
-    if faults.has_errors() {
-        return Err(faults);
+    if !wrong.is_empty() {
+        return Err(Failure::Input(wrong));
     }
-    let variation = Variation::new(scene, &names)?;
+    let names: Vec<&str> = ranges.iter().map(|(_, r)| r.name).collect();
+    let variation = Variation::new(scene, &names).map_err(|f| Failure::argument("--vary", &a.vary.join(" --vary "), f))?;
     let mut values = Vec::new();
-    for (name, (from, to, n)) in names.iter().zip(&ranges) {
-        values.push(variation.range(scene, name, from, to, n.saturating_sub(1))?);
+    for (text, r) in &ranges {
+        let checked = |value: &str| variation.value(scene, r.name, value).map(drop).map_err(|f| at(text, value, f));
+        let read = checked(r.from).and_then(|()| checked(r.to)).and_then(|()| variation.range(scene, r.name, r.from, r.to, r.count - 1));
+        match read {
+            Ok(list) => values.push(list),
+            Err(faults) => wrong.push(Told::argument("--vary", text, faults)),
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(Failure::Input(wrong));
     }
     let driver = driver_of(scene, a.range.over.as_deref())?;
     let stations = match a.range.steps {
         None => None,
-        Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, &a.range, steps)?),
+        Some(steps) => {
+            let placed = Placed::new(scene, mechanism).map_err(|f| input.failed(f))?;
+            Some(stations(input, &placed, driver, &a.range, steps)?)
+        }
     };
     let choice = a.random.map_or(Choice::Grid, |count| Choice::Random { count, seed: a.seed });
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
 }
 
-/// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
-fn range(text: &str) -> Option<(&str, &str, &str, usize)> {
-    let (name, rest) = text.split_once('=')?;
-    let (bounds, n) = match rest.rsplit_once(':') {
-        Some((bounds, n)) => (bounds, n.trim().parse().ok().filter(|n| (1..=10_000_000).contains(n))?),
-        None => (rest, 2),
-    };
-    let (from, to) = bounds.split_once("..")?;
-    Some((name.trim(), from.trim(), to.trim(), n))
+/// Faults of a part of an argument, at the place of that part.
+fn at(text: &str, part: &str, faults: Faults) -> Faults {
+    let start = text.find(part).unwrap_or_default();
+    let place = Span::new(start, start + part.len());
+    Faults { list: faults.list.into_iter().map(|d| d.at(place)).collect() }
 }
 
-fn write(batch: &Batch, head: Head, out: &Path, job: &str) -> Result<Part, Failure> {
-    let failed = |e: io::Error| Failure::Output(format!("{} cannot be written: {e}", out.display()));
-    let format = tables::by_rows(ending(out), head).map_err(failed)?;
-    let mut part = Part::open(out, job, &*format).map_err(failed)?;
+/// A parameter's values as the command line gives them.
+#[derive(Clone, Copy)]
+struct Values<'a> {
+    name: &'a str,
+    from: &'a str,
+    to: &'a str,
+    count: usize,
+}
+
+/// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
+fn range(text: &str) -> Result<Values<'_>, Faults> {
+    let unread = || {
+        let d = Diagnostic::error("vary", format!("`--vary {text}` cannot be read"));
+        Faults::from(d.help("write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000"))
+    };
+    let (name, rest) = text.split_once('=').ok_or_else(unread)?;
+    let (bounds, count) = match rest.rsplit_once(':') {
+        Some((bounds, n)) => (bounds, n.trim().parse().ok().filter(|n| (1..=MOST_VALUES).contains(n)).ok_or_else(unread)?),
+        None => (rest, 2),
+    };
+    // `60...120` could be read as `60..0.120`.
+    if let Some(dots) = text.find("...") {
+        let d = Diagnostic::error("vary", "two dots stand between the bounds of a range, here are three or more");
+        let d = d.at(Span::new(dots, text.len() - text[dots..].trim_start_matches('.').len()));
+        return Err(d.help("write FROM..TO; before the point of a number write a digit, 0.5").into());
+    }
+    let (from, to) = bounds.split_once("..").ok_or_else(unread)?;
+    Ok(Values { name: name.trim(), from: from.trim(), to: to.trim(), count })
+}
+
+fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Result<Part, Failure> {
+    let failed = |e: io::Error| unwritable(out, &e);
+    let format = tables::by_rows(ending, head).map_err(failed)?;
+    let mut part = Part::open(out, job, &*format)?;
+    if part.changed > 0 {
+        let words = format!("the bytes of {} mechanisms are not those that were written: they are computed again", part.changed);
+        files::say_faults(&Diagnostic::warning("changed-bytes", words).into(), "", "");
+    }
     stop::watch();
     let done = stream(batch, &*format, &mut part).and_then(|()| {
         if part.done < batch.mechanisms() {
             return Ok(());
         }
-        part.finish(out, &*format, &notes(part.missing))
+        part.finish(&*format, &notes(part.missing))
     });
     if let Err(e) = done {
         part.remove();
         return Err(failed(e));
     }
     if part.done < batch.mechanisms() {
-        return Err(Failure::Interrupted(format!(
-            "{} of {} mechanisms are done; the same command goes on from there",
-            part.done,
-            batch.mechanisms()
-        )));
+        let (done, all) = (part.done, batch.mechanisms());
+        let after = if part.stays() { "the same command goes on from there" } else { "what is written to a pipe begins anew" };
+        return Err(Failure::Interrupted(format!("{done} of {all} mechanisms are done; {after}")));
     }
     Ok(part)
-}
-
-fn ending(out: &Path) -> &str {
-    out.extension().and_then(|e| e.to_str()).unwrap_or_default()
 }
 
 fn notes(missing: u64) -> Vec<Diagnostic> {

@@ -2,7 +2,7 @@
 
 use super::args::Curves;
 use super::draw::style_of;
-use super::sweep::{STEPS, ask, ask_each, driver_of, stations};
+use super::sweep::{STEPS, ask, driver_of, stations};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
@@ -16,24 +16,23 @@ use std::process::ExitCode;
 pub fn run(a: Curves) -> Run {
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
-    match &a.range.find {
-        Some(find) => ask(&mut input, Some(find))?,
-        None => {
-            let words = with_positions(&input)?;
-            ask_each(&mut input, &words)?;
-        }
-    }
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
-    let driver = driver_of(&input.scene, a.range.over.as_deref()).map_err(failed)?;
-    let placed = Placed::new(&input.scene, &mechanism).map_err(failed)?;
-    let stations = stations(&placed, driver, &a.range, a.range.steps.unwrap_or(STEPS)).map_err(failed)?;
-    let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(failed)?;
+    let find = match &a.range.find {
+        Some(find) => find.clone(),
+        None => with_positions(&input)?.join(","),
+    };
+    ask(&mut input, Some(&find))?;
+    // What has been put beside the scene's questions was asked by nobody: there is no place to show.
+    input.asked = a.range.find.clone();
+    let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
+    let driver = driver_of(&input.scene, a.range.over.as_deref())?;
+    let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
+    let stations = stations(&input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
+    let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(|f| input.failed(f))?;
     if table.rows() < 2 {
         let d = Diagnostic::error("no-motion", "fewer than two positions of the driver can be assembled: there is no curve");
         let mut faults: Faults = d.help("choose another range with --from and --to").into();
         faults.list.extend(table.notes);
-        return Err(failed(faults));
+        return Err(input.failed(faults));
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
@@ -48,9 +47,8 @@ pub fn run(a: Curves) -> Run {
 /// slider on the ground moves. Of a point that moves freely no coordinate is its displacement.
 fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let scene = &input.scene;
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let mechanism = Mechanism::new(scene).map_err(failed)?.value;
-    let placed = Placed::new(scene, &mechanism).map_err(failed)?;
+    let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
+    let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
         match find.what {

@@ -1,9 +1,10 @@
 //! `hodograph draw`: the sheet, single figures and the construction's steps, into the files that were asked for.
 
 use super::args;
+use super::together::Together;
 use super::values::{Format, Picture, Vectors};
-use super::{Failure, Input, Run, choices, files, verdict};
-use crate::diag::{Diagnostic, Faults, Warned};
+use super::{Failure, Input, Run, Told, choices, files, verdict};
+use crate::diag::{Diagnostic, Faults, Span, Warned};
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::mechanism::Overlay;
@@ -20,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(a: args::Draw) -> Run {
-    output(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
+    output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
@@ -30,32 +31,40 @@ pub fn run(a: args::Draw) -> Run {
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let options = Options { lang, notation: style.marks.over(&notation), digits: a.digits, style };
-    let failed = |faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let figures = if a.steps {
         steps::figures(&input.scene, &worked, &options).into_iter().enumerate().map(|(k, f)| (format!("step-{:02}", k + 1), f)).collect()
     } else {
-        let with = with_mechanism(&input.scene, &worked, &a).map_err(failed)?;
-        let Warned { value, notes } = pictures(&input.scene, &worked, &options, &a, &with).map_err(failed)?;
+        let with = with_mechanism(&input.scene, &worked, &a)?;
+        let Warned { value, notes } = pictures(&input.scene, &worked, &options, &a, &with).map_err(|f| input.failed(f))?;
         input.notes.extend(notes);
         value
     };
-    if files::ending(&a.output) == Some(Format::Pdf.ending()) {
+    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
         // A document holds them all, a page each.
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
-        let file = pdf::pdf(&pages).map_err(failed)?;
+        let file = pdf::pdf(&pages).map_err(|f| input.failed(f))?;
         files::write(Path::new(&a.output), &file.value)?;
         input.notes.extend(file.notes);
         files::print(&format!("{}\n", a.output))?;
         input.say_notes();
         return Ok(verdict(&worked));
     }
-    let names = names(&a, &input.name, &figures).map_err(failed)?;
-    for ((_, figure), targets) in figures.iter().zip(names) {
-        write(figure, &targets, &a, &mut input.notes).map_err(|e| match e {
-            Unwritten::Faults(faults) => Failure::Input(faults, input.name.clone(), input.source.clone()),
-            Unwritten::File(f) => f,
-        })?;
+    let targets = names(&a, &input.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    let mut all = Together::default();
+    let mut written = String::new();
+    for ((_, figure), targets) in figures.iter().zip(targets) {
+        let mut unknown = Vec::new();
+        for (format, path) in targets {
+            let Warned { value: bytes, notes } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| input.failed(f))?;
+            unknown = notes;
+            all.add(&path, &bytes)?;
+            written += &format!("{}\n", path.display());
+        }
+        // What has no letters in the embedded fonts is noted once, in whichever format.
+        input.notes.extend(unknown.into_iter().filter(|n| !input.notes.contains(n)).collect::<Vec<_>>());
     }
+    all.appear()?;
+    files::print(&written)?;
     input.say_notes();
     Ok(verdict(&worked))
 }
@@ -64,7 +73,7 @@ pub fn run(a: args::Draw) -> Run {
 fn output(path: &str) -> Result<(), Faults> {
     let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir();
     match files::ending(path) {
-        Some(ending) if !folder && Format::of(ending).is_none() => {
+        Some(ending) if !folder && Format::of(&ending).is_none() => {
             let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
             Err(d.help(format!("write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/")).into())
         }
@@ -78,7 +87,7 @@ pub fn style_of(look: &args::Look) -> Result<Style, Failure> {
     let mut fonts = Fonts::default();
     for name in &look.font {
         let read = files::font(Path::new(name)).and_then(|bytes| fonts.with(name, bytes));
-        fonts = read.map_err(|d| Failure::Input(d.into(), name.clone(), String::new()))?;
+        fonts = read.map_err(|d| Failure::argument("--font", name, d))?;
     }
     style.fonts = fonts.over(&style.fonts);
     Ok(style)
@@ -89,20 +98,20 @@ fn read_style(name: &str) -> Result<Style, Failure> {
     if let Some(style) = Style::named(name) {
         return Ok(style);
     }
-    if !name.ends_with(".json") {
+    if files::ending(name).as_deref() != Some("json") {
         let d = Diagnostic::error("unknown-style", format!("there is no style `{name}`"));
         let known = Style::names().join(", ");
-        return Err(Failure::Input(
-            d.help(format!("the styles are {known}; a style of your own is a file ending in .json")).into(),
-            name.into(),
-            String::new(),
+        return Err(Failure::argument(
+            "--style",
+            name,
+            d.help(format!("the styles are {known}; a style of your own is a file ending in .json")),
         ));
     }
-    let (shown, bytes) = files::read(name).map_err(|d| Failure::Input(d.into(), name.into(), String::new()))?;
+    let bytes = files::style(name).map_err(|d| Failure::argument("--style", name, d))?;
     // Fonts are named from where the style is.
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
     style::read_with(&bytes, &mut |font| files::font(&folder.join(font)))
-        .map_err(|faults| Failure::Input(faults, shown, String::from_utf8_lossy(&bytes).into_owned()))
+        .map_err(|faults| Failure::input(faults, name, &String::from_utf8_lossy(&bytes)))
 }
 
 /// The figures asked for, each with the word that its file is named after.
@@ -158,22 +167,24 @@ struct WithMechanism {
 
 /// # Errors
 /// Vectors that the questions do not call for, points that the scene does not have.
-fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<WithMechanism, Faults> {
-    let vectors = a.vectors.map(|v| match v {
-        Vectors::Velocity => Level::Velocity,
-        Vectors::Acceleration => Level::Acceleration,
-    });
-    let mut faults = Faults::default();
+fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<WithMechanism, Failure> {
+    let (vectors, word) = match a.vectors {
+        Some(Vectors::Velocity) => (Some(Level::Velocity), "velocity"),
+        Some(Vectors::Acceleration) => (Some(Level::Acceleration), "acceleration"),
+        None => (None, ""),
+    };
+    let mut wrong = Vec::new();
     if let Some(level) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
         let kind = if level == Level::Acceleration { "accelerations" } else { "velocities" };
-        faults.push(Diagnostic::error("no-figure", format!("the scene's questions call for no {kind}")).help("ask for one in \"find\""));
+        let d = Diagnostic::error("no-figure", format!("the scene's questions call for no {kind}")).help("ask for one in \"find\"");
+        wrong.push(Told::argument("--vectors", word, d));
     }
-    match points_named(scene, &a.path) {
-        Ok(points) if !faults.has_errors() => Ok(WithMechanism { vectors, points }),
-        Ok(_) => Err(faults),
+    match points_named(scene, &a.path, "--path") {
+        Ok(points) if wrong.is_empty() => Ok(WithMechanism { vectors, points }),
+        Ok(_) => Err(Failure::Input(wrong)),
         Err(unknown) => {
-            faults.list.extend(unknown.list);
-            Err(faults)
+            wrong.push(unknown);
+            Err(Failure::Input(wrong))
         }
     }
 }
@@ -199,31 +210,35 @@ impl WithMechanism {
     }
 }
 
-/// The points with these names.
+/// The points with the names that an option lists.
 ///
 /// # Errors
 /// `unknown-point` for each name that the scene does not have.
-pub fn points_named(scene: &Scene, names: &[String]) -> Result<Vec<PointId>, Faults> {
+pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<PointId>, Told> {
     let mut faults = Faults::default();
     let mut points = Vec::new();
-    for name in names.iter().map(|n| n.trim()) {
+    let mut start = 0;
+    for whole in names {
+        let name = whole.trim();
         match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == name) {
             Some(p) if points.contains(&p) => {}
             Some(p) => points.push(p),
             None => {
                 let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
-                let d = Diagnostic::error("unknown-point", format!("the scene has no point `{name}`"));
+                let d = Diagnostic::error("unknown-point", format!("the scene has no point `{name}`"))
+                    .at(Span::new(start, start + whole.len()));
                 faults.push(d.help(suggest(name, known, "the points are")));
             }
         }
+        start += whole.len() + 1;
     }
-    if faults.has_errors() { Err(faults) } else { Ok(points) }
+    if faults.has_errors() { Err(Told::argument(option, &names.join(","), faults)) } else { Ok(points) }
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
 fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
-    let one = files::ending(&a.output).and_then(Format::of);
+    let one = files::ending(&a.output).and_then(|e| Format::of(&e));
     if let (Some(format), [_]) = (one, figures) {
         return Ok(vec![vec![(format, out.to_path_buf())]]);
     }
@@ -237,22 +252,4 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Ve
         out.join(format!("{stem}{dash}{word}.{}", f.ending()))
     };
     Ok(figures.iter().map(|(word, _)| a.format.iter().map(|f| (*f, file(word, *f))).collect()).collect())
-}
-
-enum Unwritten {
-    Faults(Faults),
-    File(Failure),
-}
-
-/// Writes a figure in each of its formats. What has no letters in the embedded fonts is noted once.
-fn write(figure: &Figure, targets: &[(Format, PathBuf)], a: &args::Draw, notes: &mut Vec<Diagnostic>) -> Result<(), Unwritten> {
-    for (k, (format, path)) in targets.iter().enumerate() {
-        let Warned { value: bytes, notes: missing } = files::bytes(figure, *format, a.text, a.dpi).map_err(Unwritten::Faults)?;
-        if k == 0 {
-            notes.extend(missing.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
-        }
-        files::write(path, &bytes).map_err(Unwritten::File)?;
-        files::print(&format!("{}\n", path.display())).map_err(Unwritten::File)?;
-    }
-    Ok(())
 }

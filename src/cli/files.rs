@@ -1,43 +1,58 @@
-//! Files: read with a bound, written whole or not at all.
+//! Files: read with a bound, printed where that is possible, figures in their formats.
 
+use super::Failure;
+use super::target::has_read;
+use super::together::{Out, Together};
 use super::values::{Format, Text};
-use super::{Failure, stop};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::font::own;
 use crate::figure::item::Figure;
 use crate::render::{pdf, png, svg};
-use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use crate::report::diagnostics;
+use std::io::{self, Read, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
 /// for files between its own limit and this one.
 const LARGEST: u64 = 16 << 20;
 
-/// Reads a file, or standard input for `-`. Returns the name to show.
-pub fn read(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
+/// The name by which standard input is shown.
+pub const STDIN: &str = "standard input";
+
+/// Reads a scene, from standard input for `-`. Returns the name to show.
+pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
+    if path != "-" {
+        let help = "name a scene file; `hodograph new crank-rocker -o scene.json` writes one";
+        return Ok((path.to_owned(), bounded(Path::new(path), LARGEST, help)?));
+    }
     let mut bytes = Vec::new();
-    let (name, result) = if path == "-" {
-        ("standard input".to_string(), std::io::stdin().lock().take(LARGEST).read_to_end(&mut bytes))
-    } else {
-        (path.to_string(), std::fs::File::open(path).and_then(|f| f.take(LARGEST).read_to_end(&mut bytes)))
-    };
-    match result {
-        Ok(_) => Ok((name, bytes)),
-        Err(e) => Err(Diagnostic::error("cannot-read", format!("{path} cannot be read: {e}"))
-            .help("name a scene file; `hodograph new crank-rocker -o scene.json` writes one")),
+    // A shell may have put a file there: that one is not to be written over either.
+    has_read(Path::new("/dev/stdin"));
+    match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
+        Ok(_) => Ok((STDIN.to_owned(), bytes)),
+        Err(e) => Err(Diagnostic::error("cannot-read", format!("{STDIN} cannot be read: {e}"))),
     }
 }
 
-/// Reads a font's file, bounded.
+/// Reads a style file.
+pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
+    bounded(Path::new(path), LARGEST, "name a style file, or one of the styles print, slides, dark")
+}
+
+/// Reads a font's file.
 pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
+    bounded(path, own::LARGEST as u64 + 1, "name a font file: .otf or .ttf")
+}
+
+fn bounded(path: &Path, most: u64, help: &str) -> Result<Vec<u8>, Diagnostic> {
     let mut bytes = Vec::new();
-    let reach = own::LARGEST as u64 + 1;
-    match std::fs::File::open(path).and_then(|f| f.take(reach).read_to_end(&mut bytes)) {
-        Ok(_) => Ok(bytes),
-        Err(e) => {
-            Err(Diagnostic::error("cannot-read", format!("{} cannot be read: {e}", path.display())).help("name a font file: .otf or .ttf"))
+    match std::fs::File::open(path).and_then(|f| f.take(most).read_to_end(&mut bytes)) {
+        Ok(_) => {
+            has_read(path);
+            Ok(bytes)
         }
+        Err(e) => Err(Diagnostic::error("cannot-read", format!("{} cannot be read: {e}", path.display())).help(help)),
     }
 }
 
@@ -47,97 +62,46 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
 }
 
 /// Prints piece by piece.
-pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> std::io::Result<()>) -> Result<(), Failure> {
-    match fill(&mut std::io::stdout().lock()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
+pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match fill(&mut out).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
         _ => Ok(()),
     }
 }
 
-/// How a file's name ends, after its last dot.
-pub fn ending(path: &str) -> Option<&str> {
-    Path::new(path).extension().and_then(|e| e.to_str())
+/// Says something on standard error. Where that cannot be written nobody listens; the exit code tells the rest.
+pub fn say(text: &str) {
+    let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
 }
 
-/// Writes a file whole: beside it first, then renamed.
+/// Says diagnostics, in the text that their places count in.
+pub fn say_faults(faults: &Faults, name: &str, source: &str) {
+    if !faults.list.is_empty() {
+        say(&diagnostics::render(faults, name, source));
+    }
+}
+
+/// How a file's name ends, after its last dot, in small letters: `x.SVG` is an SVG too.
+pub fn ending(path: &str) -> Option<String> {
+    Path::new(path).extension().and_then(|e| e.to_str()).map(str::to_lowercase)
+}
+
+/// Writes a file whole.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_with(path, |out| out.write_all(bytes))
 }
 
 /// Writes a file piece by piece, whole or not at all: what fails or is interrupted leaves nothing behind.
-pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> std::io::Result<()>) -> Result<(), Failure> {
-    let fail = |e: std::io::Error| Failure::Output(format!("{} cannot be written: {e}", path.display()));
-    let folder = match path.parent() {
-        Some(p) if !p.as_os_str().is_empty() => p,
-        _ => Path::new("."),
-    };
-    std::fs::create_dir_all(folder).map_err(fail)?;
-    let mut builder = tempfile::Builder::new();
-    #[cfg(unix)]
-    {
-        // A temporary file is private by default; a figure is as readable as any file the user writes.
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(std::fs::Permissions::from_mode(0o644));
-    }
-    let file = builder.prefix(".hodograph-").tempfile_in(folder).map_err(fail)?;
-    let copy = file.as_file().try_clone().map_err(fail)?;
-    let mut out = Out { file: BufWriter::with_capacity(1 << 16, copy), folder: folder.to_owned() };
-    let filled = fill(&mut out).and_then(|()| out.flush());
-    if stop::asked() {
-        return Err(Failure::Interrupted(format!("{} is not written", path.display())));
-    }
-    filled.map_err(fail)?;
-    file.persist(path).map_err(|e| fail(e.error))?;
-    Ok(())
-}
-
-/// A file under way, which takes nothing more once the user has asked to stop.
-pub struct Out {
-    file: BufWriter<std::fs::File>,
-    folder: PathBuf,
-}
-
-impl Write for Out {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        // Not of the kind `Interrupted`: that one is tried again.
-        if stop::asked() { Err(std::io::Error::other("interrupted")) } else { self.file.write(bytes) }
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        self.file.flush()
-    }
-}
-
-impl Out {
-    /// A file without a name in the same place, for what is not yet in its order.
-    pub fn scratch(&self) -> std::io::Result<std::fs::File> {
-        tempfile::tempfile_in(&self.folder)
-    }
-
-    /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
-    pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> std::io::Result<()> {
-        self.file.flush()?;
-        if new.len() as u64 != old {
-            let mut rest = self.scratch()?;
-            let file = self.file.get_mut();
-            file.seek(SeekFrom::Start(old))?;
-            std::io::copy(file, &mut rest)?;
-            rest.seek(SeekFrom::Start(0))?;
-            file.set_len(0)?;
-            file.seek(SeekFrom::Start(0))?;
-            file.write_all(new)?;
-            std::io::copy(&mut rest, file)?;
-            return Ok(());
-        }
-        let file = self.file.get_mut();
-        file.seek(SeekFrom::Start(0))?;
-        file.write_all(new)
-    }
+pub fn write_with(path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
+    let mut one = Together::default();
+    one.add_with(path, fill)?;
+    one.appear()
 }
 
 /// The name of a scene file without folder and ending, for the files made from it.
 pub fn stem<'a>(name: &'a str, otherwise: &'a str) -> &'a str {
-    Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != "standard input").unwrap_or(otherwise)
+    Path::new(name).file_stem().and_then(|s| s.to_str()).filter(|_| name != STDIN).unwrap_or(otherwise)
 }
 
 /// A figure in a format; what has no letters in the fonts is noted.
@@ -160,12 +124,11 @@ const DPI: f64 = 200.0;
 
 /// Writes one figure to a file ending in .svg, .png or .pdf. Returns the notes.
 pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
-    let input = |d: Faults| Failure::Input(d, path.to_string(), String::new());
-    let Some(format) = ending(path).and_then(Format::of) else {
+    let Some(format) = ending(path).and_then(|e| Format::of(&e)) else {
         let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
-        return Err(input(d.help("write -o figure.svg, -o figure.png or -o figure.pdf").into()));
+        return Err(Failure::argument("-o", path, d.help("write -o figure.svg, -o figure.png or -o figure.pdf")));
     };
-    let Warned { value, notes } = bytes(figure, format, Text::Outlines, DPI).map_err(input)?;
+    let Warned { value, notes } = bytes(figure, format, Text::Outlines, DPI).map_err(|f| Failure::input(f, "", ""))?;
     write(Path::new(path), &value)?;
     Ok(notes)
 }

@@ -8,6 +8,7 @@ mod batch;
 mod curves;
 mod draw;
 mod files;
+mod journal;
 mod long;
 mod part;
 mod path;
@@ -15,11 +16,13 @@ mod spool;
 mod stop;
 mod sweep;
 mod tables;
+mod target;
+mod together;
 mod values;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Span, Warned};
 use crate::effort::Work;
 use crate::figure::font::own::Fonts;
 use crate::figure::sheet;
@@ -37,7 +40,10 @@ use std::time::Duration;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let args = Args::parse();
+    let args = match Args::try_parse() {
+        Ok(args) => args,
+        Err(e) => return usage(&e),
+    };
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
@@ -54,31 +60,83 @@ pub fn main() -> ExitCode {
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
     };
-    match result {
-        Ok(code) => code,
-        Err(Failure::Input(faults, name, source)) => {
-            eprint!("{}", diagnostics::render(&faults, &name, &source));
-            ExitCode::from(2)
+    result.unwrap_or_else(Failure::say)
+}
+
+/// Help and version, or what is wrong with the arguments.
+fn usage(e: &clap::Error) -> ExitCode {
+    let code = u8::try_from(e.exit_code()).unwrap_or(2);
+    let plain = e.render().to_string();
+    // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
+    if diagnostics::visible(&plain) != plain {
+        files::say(&plain);
+        return ExitCode::from(code);
+    }
+    match e.print() {
+        Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
+            Failure::Output(format!("standard output: {io}")).say()
         }
-        Err(Failure::Output(message)) => {
-            eprintln!("error: {message}");
-            ExitCode::from(1)
-        }
-        Err(Failure::Interrupted(message)) => {
-            eprintln!("interrupted: {message}");
-            ExitCode::from(stop::INTERRUPTED)
-        }
+        _ => ExitCode::from(code),
     }
 }
 
 /// Why a run ended early.
 enum Failure {
-    /// Faults in a scene: the faults, the file's name, its text.
-    Input(Faults, String, String),
+    /// Something is wrong with a scene, an argument, or a file that was named.
+    Input(Vec<Told>),
     /// A file could not be written.
     Output(String),
     /// The user asked to stop; what is left of the work.
     Interrupted(String),
+}
+
+/// Faults, and the text in which their places count.
+struct Told {
+    faults: Faults,
+    name: String,
+    source: String,
+}
+
+impl Told {
+    /// Faults of an argument, each at its place there; what has no place is about all of it.
+    fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Told {
+        let whole = (!text.is_empty()).then(|| Span::new(0, text.len()));
+        let mut faults = faults.into();
+        for d in &mut faults.list {
+            d.span = d.span.filter(|s| s.end <= text.len()).or(whole);
+        }
+        Told { faults, name: option.into(), source: text.into() }
+    }
+}
+
+impl Failure {
+    /// Faults of a file.
+    fn input(faults: impl Into<Faults>, name: &str, source: &str) -> Failure {
+        Failure::Input(vec![Told { faults: faults.into(), name: name.into(), source: source.into() }])
+    }
+
+    /// Faults of an argument.
+    fn argument(option: &str, text: &str, faults: impl Into<Faults>) -> Failure {
+        Failure::Input(vec![Told::argument(option, text, faults)])
+    }
+
+    /// Says it; returns the exit code that is due, whether anybody could hear it or not.
+    fn say(self) -> ExitCode {
+        match self {
+            Failure::Input(all) => {
+                all.iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
+                ExitCode::from(2)
+            }
+            Failure::Output(message) => {
+                files::say(&format!("error: {message}\n"));
+                ExitCode::from(1)
+            }
+            Failure::Interrupted(message) => {
+                files::say(&format!("interrupted: {message}\n"));
+                ExitCode::from(stop::INTERRUPTED)
+            }
+        }
+    }
 }
 
 type Run = Result<ExitCode, Failure>;
@@ -91,6 +149,8 @@ struct Input {
     notes: Vec<Diagnostic>,
     /// The author's fonts that its figures are set in.
     fonts: Fonts,
+    /// The questions that the command line asks in the place of the scene's.
+    asked: Option<String>,
 }
 
 impl Input {
@@ -101,24 +161,44 @@ impl Input {
     /// The scene that the command line names, with its parameters, its text changed.
     fn read_as(common: &Common, change: impl Fn(&str) -> Result<String, Faults>) -> Result<Input, Failure> {
         let path = common.scene.as_str();
-        let (name, mut bytes) = files::read(path).map_err(|d| Failure::Input(d.into(), path.into(), String::new()))?;
-        if !common.set.is_empty() {
-            let values = values::assignments(&common.set).map_err(|f| Failure::Input(f, "--set".into(), String::new()))?;
-            // What is no text is told by the reader.
-            if let Ok(text) = std::str::from_utf8(&bytes) {
-                let text = edit::with_parameters(text, &values).map_err(|f| Failure::Input(f, name.clone(), String::new()))?;
-                bytes = text.into_bytes();
-            }
-        }
+        let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.
+        if let Ok(text) = std::str::from_utf8(&bytes)
+            && edit::with_parameters(text, &[]).is_ok()
+        {
+            bytes = with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
+        }
         if let Some(changed) = std::str::from_utf8(&bytes).ok().and_then(|text| change(text).ok()) {
             bytes = changed.into_bytes();
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         match scene::read(&bytes) {
-            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default() }),
-            Err(faults) => Err(Failure::Input(faults, name, source)),
+            Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default(), asked: None }),
+            Err(faults) => Err(Failure::input(faults, &name, &source)),
         }
+    }
+
+    /// Diagnostics of the scene, each in the text in which its place counts: the file, or the questions of the command line.
+    fn told(&self, faults: Faults) -> Vec<Told> {
+        let (mut of_file, mut of_asked) = (Faults::default(), Faults::default());
+        for mut d in faults.list {
+            match (d.span.and_then(scene::place_in_asked), &self.asked) {
+                (Some(place), Some(_)) => of_asked.push(d.at(place)),
+                (Some(_), None) => {
+                    d.span = None;
+                    of_file.push(d);
+                }
+                (None, _) => of_file.push(d),
+            }
+        }
+        let file = Told { faults: of_file, name: self.name.clone(), source: self.source.clone() };
+        let asked = self.asked.iter().map(|text| Told::argument("--find", text, std::mem::take(&mut of_asked)));
+        std::iter::once(file).chain(asked).filter(|t| !t.faults.list.is_empty()).collect()
+    }
+
+    /// The end of a run with faults of the scene.
+    fn failed(&self, faults: Faults) -> Failure {
+        Failure::Input(self.told(faults))
     }
 
     /// The same, its figures to be drawn in a style.
@@ -133,14 +213,14 @@ impl Input {
                 self.notes.extend(notes);
                 Ok(value)
             }
-            Err(faults) => Err(Failure::Input(faults, self.name.clone(), self.source.clone())),
+            Err(faults) => Err(self.failed(faults)),
         }
     }
 
     /// Takes the pencil of the command line; whether tolerances are asked for.
     fn pencil(&mut self, drafting: Option<&str>) -> Result<bool, Failure> {
         if let Some(text) = drafting.filter(|t| !t.is_empty()) {
-            let mm = scene::pencil(text).map_err(|faults| Failure::Input(faults, "--drafting".into(), text.into()))?;
+            let mm = scene::pencil(text).map_err(|faults| Failure::argument("--drafting", text, faults))?;
             self.scene.paper.pencil_mm = Some(mm);
         }
         Ok(drafting.is_some())
@@ -149,9 +229,7 @@ impl Input {
     /// Says what is to be known of the work, and what the author's fonts did not have.
     fn say_notes(&self) {
         let list: Vec<_> = self.notes.iter().cloned().chain(self.fonts.lacking()).collect();
-        if !list.is_empty() {
-            eprint!("{}", diagnostics::render(&Faults { list }, &self.name, &self.source));
-        }
+        self.told(Faults { list }).iter().for_each(|t| files::say_faults(&t.faults, &t.name, &t.source));
     }
 }
 
@@ -180,31 +258,29 @@ fn agrees(worked: &Worked) -> bool {
 const LESSONS: [&str; 2] = ["html", "htm"];
 
 fn lesson(a: args::Lesson) -> Run {
-    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e))) {
+    if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
         let d = Diagnostic::error("output", format!("{path} does not end in .html")).help("write -o lesson.html");
-        return Err(Failure::Input(d.into(), path.into(), String::new()));
+        return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let made = if a.reveal {
-        let Warned { value: worked, notes } = work(&input.scene, Scope::Figure).map_err(failed)?;
-        input.notes.extend(notes);
         let options = sheet::Options { notation, style, ..sheet::Options::of_language(lang) };
         crate::lesson::reveal(&input.scene, &worked, &options)
     } else {
         let options = crate::lesson::Options { lang, notation, positions: a.positions as usize, driver: a.driver as usize - 1, style };
-        crate::lesson::lesson(&input.scene, &options)
+        crate::lesson::of_worked(&input.scene, &worked, &options)
     };
-    let Warned { value, notes } = made.map_err(|faults| Failure::Input(faults, input.name.clone(), input.source.clone()))?;
+    let Warned { value, notes } = made.map_err(|faults| input.failed(faults))?;
     input.notes.extend(notes);
     let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
     files::write(std::path::Path::new(&path), value.as_bytes())?;
     files::print(&format!("{path}\n"))?;
     input.say_notes();
-    Ok(ExitCode::SUCCESS)
+    Ok(verdict(&worked))
 }
 
 fn solve(a: args::Solve) -> Run {
@@ -237,30 +313,29 @@ fn solve(a: args::Solve) -> Run {
 }
 
 fn plan(a: args::Plan) -> Run {
-    let input = Input::read(&a.common)?;
+    let mut input = Input::read(&a.common)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     if a.json {
         return plan_for_programs(input, lang, &notation, a.figure);
     }
     let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
         Ok(Warned { value, notes }) => (value, notes),
-        Err(faults) => return Err(Failure::Input(faults, input.name, input.source)),
+        Err(faults) => return Err(input.failed(faults)),
     };
     let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
     let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
     let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
     files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
-    notes.extend(input.notes);
-    if !notes.is_empty() {
-        eprint!("{}", diagnostics::render(&Faults { list: notes }, &input.name, &input.source));
-    }
+    notes.append(&mut input.notes);
+    input.notes = notes;
+    input.say_notes();
     Ok(ExitCode::SUCCESS)
 }
 
 /// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
 /// notes say why.
 fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
-    let fail = |input: &Input, faults| Failure::Input(faults, input.name.clone(), input.source.clone());
+    let fail = |input: &Input, faults| input.failed(faults);
     let mut code = ExitCode::SUCCESS;
     let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
         Ok(Warned { value: worked, notes }) => {
@@ -295,9 +370,8 @@ fn accuracy(a: args::Accuracy) -> Run {
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
     let patience = Duration::from_millis(a.patience);
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let measured = ways::measure(&input.scene, &worked, patience).map_err(failed)?;
-    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(failed)? } else { Vec::new() };
+    let measured = ways::measure(&input.scene, &worked, patience).map_err(|f| input.failed(f))?;
+    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(|f| input.failed(f))? } else { Vec::new() };
     if let Some(path) = &a.output {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
         input.notes.extend(files::figure(&figure, path)?);
@@ -314,10 +388,31 @@ fn accuracy(a: args::Accuracy) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
+/// A text with the values of `--set NAME=VALUE`; every fault is shown at the argument that has it.
+fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>) -> Result<String, Failure> {
+    let mut values = Vec::new();
+    let mut wrong = Vec::new();
+    for s in set {
+        let Some((name, value)) = s.split_once('=') else {
+            let d = Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120");
+            wrong.push(Told::argument("--set", s, d));
+            continue;
+        };
+        values.push((name.trim(), value.trim()));
+        if let Err(faults) = apply(&values) {
+            values.pop();
+            wrong.push(Told::argument("--set", s, faults));
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(Failure::Input(wrong));
+    }
+    apply(&values).map_err(|f| Failure::argument("--set", &set.join(" "), f))
+}
+
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
-    let bad = |faults: Faults| Failure::Input(faults, template.to_string(), String::new());
-    let values = values::assignments(set).map_err(bad)?;
-    let text = templates::instantiate(template, &values).map_err(bad)?;
+    templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
+    let text = with_values(set, |values| templates::instantiate(template, values))?;
     match output {
         Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
         None => {

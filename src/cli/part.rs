@@ -1,44 +1,30 @@
-//! A long table under way: the file beside the output that grows piece by piece, and its journal, by which a run that was
+//! A long table under way: the file beside the output that grows piece by piece, and its [`journal`], by which a run that was
 //! interrupted goes on where it was left.
 //!
-//! The journal is a file of lines of JSON: what was asked, then a line for each piece that is in the part. A line is added when
-//! its piece has been written, so that a run that ends at any moment, in the middle of a line too, loses the piece under way only.
+//! The journal is locked while a run lasts: two runs never write one table. Both files are opened by their own names, never through a
+//! link, and only where a journal of ours says that they are ours.
 
+use super::Failure;
+use super::journal::{self, Entry, Job};
+use super::target::{Target, as_before, stands_at, unwritable};
 use crate::diag::Diagnostic;
 use crate::report::table::{Format, Piece, Standing};
-use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
-use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-
-/// The first line of a journal.
-#[derive(Serialize, Deserialize)]
-struct Job {
-    /// What was asked: another question begins anew.
-    job: String,
-    /// Length of what stands before the first row.
-    begin: u64,
-}
-
-/// A further line: a piece of the table.
-#[derive(Serialize, Deserialize)]
-struct Entry {
-    /// Mechanisms whose rows are in the file with it.
-    done: u64,
-    /// Positions of it that have no row.
-    missing: u64,
-    /// Length of the file with it.
-    bytes: u64,
-    rows: u64,
-    index: Vec<u8>,
-}
+use tempfile::TempDir;
 
 /// The table under way.
 pub struct Part {
+    /// Its output as the user calls it.
+    name: PathBuf,
+    target: Target,
     path: PathBuf,
     file: File,
     journal: File,
+    /// Where the part of a pipe or a device lies; it is gone with the run.
+    _folder: Option<TempDir>,
     pieces: Vec<Standing>,
     bytes: u64,
     /// Mechanisms whose rows are in the file.
@@ -47,85 +33,142 @@ pub struct Part {
     pub rows: u64,
     /// Positions without a row so far.
     pub missing: u64,
+    /// Mechanisms that an earlier run had done, but whose bytes are no longer those that it wrote.
+    pub changed: u64,
 }
 
 impl Part {
     /// Opens the part of an output, and goes on where the same job was left.
-    pub fn open(out: &Path, job: &str, format: &dyn Format) -> io::Result<Part> {
-        if let Some(folder) = out.parent().filter(|p| !p.as_os_str().is_empty()) {
-            std::fs::create_dir_all(folder)?;
-        }
-        let path = beside(out, ".part");
+    pub fn open(out: &Path, job: &str, format: &dyn Format) -> Result<Part, Failure> {
+        let target = Target::of(out)?;
+        Part::opened(out, target, job, format).map_err(|e| unwritable(out, &e))
+    }
+
+    fn opened(out: &Path, target: Target, job: &str, format: &dyn Format) -> io::Result<Part> {
+        let (path, folder) = match &target {
+            Target::File(file) => (beside(file, ".part"), None),
+            Target::Stream => {
+                let folder = tempfile::tempdir()?;
+                (folder.path().join("table.part"), Some(folder))
+            }
+        };
+        let mut journal = claimed(&beside(&path, ".journal"))?;
+        let mut text = Vec::new();
+        journal.read_to_end(&mut text)?;
         let begin = format.begin(0, &[]);
-        let open = |path: &Path| OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path);
-        let (file, mut journal) = (open(&path)?, open(&beside(&path, ".journal"))?);
-        let first = Job { job: job.to_owned(), begin: begin.len() as u64 };
-        let mut part =
-            Part { path, file, journal: journal.try_clone()?, pieces: Vec::new(), bytes: first.begin, done: 0, rows: 0, missing: 0 };
-        let kept = part.recall(&mut journal, &first)?;
-        journal.set_len(kept)?;
-        journal.seek(SeekFrom::Start(kept))?;
-        part.file.set_len(if kept > 0 { part.bytes } else { 0 })?;
-        part.file.seek(SeekFrom::Start(if kept > 0 { part.bytes } else { 0 }))?;
-        if kept == 0
-            && let Err(e) = part.file.write_all(&begin).and_then(|()| part.note(&first))
-        {
+        let job = Job { job: job.to_owned(), begin: begin.len() as u64 };
+        let begun = text.len() >= journal::MARK.len();
+        let found = own(&path).and_then(|file| match file {
+            Some(_) if !begun => Err(stranger(&path, "no journal tells of it")),
+            found => Ok(found),
+        });
+        let file = match found {
+            Ok(Some(file)) => file,
+            Ok(None) => {
+                // The journal comes first: a part without one is somebody else's.
+                if !begun {
+                    journal.seek(SeekFrom::Start(0))?;
+                    journal.write_all(journal::MARK)?;
+                    text = journal::MARK.to_vec();
+                }
+                let file = created(&path)?;
+                // Before the first byte: what nobody else may read is not to be read on its way either.
+                as_before(&file, out)?;
+                file
+            }
+            Err(e) => {
+                if !begun {
+                    let _ = std::fs::remove_file(beside(&path, ".journal"));
+                }
+                return Err(e);
+            }
+        };
+        let bytes = job.begin;
+        let mut part = Part {
+            name: out.to_owned(),
+            target,
+            path,
+            file,
+            journal,
+            _folder: folder,
+            pieces: Vec::new(),
+            bytes,
+            done: 0,
+            rows: 0,
+            missing: 0,
+            changed: 0,
+        };
+        if let Err(e) = part.go_on(&job, &begin, &text) {
             part.remove();
             return Err(e);
         }
         Ok(part)
     }
 
-    /// Reads the journal as far as it is whole and its pieces are in the file; returns how long that much of it is.
-    fn recall(&mut self, journal: &mut File, job: &Job) -> io::Result<u64> {
-        let length = self.file.metadata()?.len();
-        let mut lines = BufReader::new(journal);
-        let (mut kept, mut line) = (0, Vec::new());
-        while lines.read_until(b'\n', &mut line)? > 0 && line.ends_with(b"\n") {
-            let known = if kept == 0 {
-                serde_json::from_slice::<Job>(&line).is_ok_and(|j| j.job == job.job && j.begin == job.begin && length >= j.begin)
-            } else {
-                serde_json::from_slice::<Entry>(&line).is_ok_and(|e| e.bytes <= length && self.take(e))
-            };
-            if !known {
+    /// Takes what an earlier run has left of the same job, and makes both files end there.
+    fn go_on(&mut self, job: &Job, begin: &[u8], text: &[u8]) -> io::Result<()> {
+        let kept = match journal::read(text) {
+            Some(known) if known.job == *job => self.recall(known.begun, known.pieces)?,
+            _ => journal::MARK.len(),
+        };
+        self.journal.set_len(kept as u64)?;
+        self.journal.seek(SeekFrom::Start(kept as u64))?;
+        if kept == journal::MARK.len() {
+            self.journal.write_all(&journal::line(job)?)?;
+        }
+        // What stands before the rows is known without reading it; a run that was ended while it gave the rows' number may have changed it.
+        self.file.set_len(self.bytes)?;
+        self.file.seek(SeekFrom::Start(0))?;
+        self.file.write_all(begin)?;
+        self.file.seek(SeekFrom::Start(self.bytes))?;
+        Ok(())
+    }
+
+    /// Counts in the pieces whose bytes are still those that were written; returns how much of the journal they are.
+    fn recall(&mut self, begun: usize, entries: Vec<(Entry, usize)>) -> io::Result<usize> {
+        let mut kept = begun;
+        let all = entries.last().map_or(0, |(e, _)| e.done);
+        let mut file = io::BufReader::with_capacity(1 << 20, self.file.try_clone()?);
+        file.seek(SeekFrom::Start(self.bytes))?;
+        for (entry, end) in entries {
+            let forward = entry.bytes >= self.bytes && entry.done > self.done;
+            if !forward || crc_of(&mut file, entry.bytes - self.bytes)? != Some(entry.crc) {
                 break;
             }
-            kept += line.len() as u64;
-            line.clear();
+            self.take(entry);
+            kept = end;
         }
+        self.changed = all.saturating_sub(self.done);
         Ok(kept)
     }
 
-    /// Counts a piece in; not one that goes backward.
-    fn take(&mut self, entry: Entry) -> bool {
-        if entry.bytes < self.bytes || entry.done < self.done {
-            return false;
-        }
+    /// Counts a piece in.
+    fn take(&mut self, entry: Entry) {
         if entry.rows > 0 {
             self.pieces.push(Standing { offset: self.bytes, rows: entry.rows, index: entry.index });
         }
         (self.bytes, self.done) = (entry.bytes, entry.done);
         self.rows += entry.rows;
         self.missing += entry.missing;
-        true
-    }
-
-    fn note(&mut self, line: &impl Serialize) -> io::Result<()> {
-        let mut text = serde_json::to_vec(line)?;
-        text.push(b'\n');
-        self.journal.write_all(&text)
     }
 
     /// Adds a piece, with which `done` mechanisms are in the file.
     pub fn add(&mut self, piece: &Piece, done: u64, missing: u64) -> io::Result<()> {
+        let mut entry = Entry { done, missing, bytes: self.bytes, crc: 0, rows: piece.rows, index: piece.index.clone() };
         if piece.rows > 0 {
             piece.write(&mut self.file)?;
+            let mut crc = crc32fast::Hasher::new();
+            piece.parts.iter().for_each(|p| crc.update(p));
+            (entry.bytes, entry.crc) = (self.bytes + piece.length(), crc.finalize());
         }
-        let added = if piece.rows > 0 { piece.length() } else { 0 };
-        let entry = Entry { done, missing, bytes: self.bytes + added, rows: piece.rows, index: piece.index.clone() };
-        self.note(&entry)?;
+        self.journal.write_all(&journal::line(&entry)?)?;
         self.take(entry);
         Ok(())
+    }
+
+    /// Whether the same command can go on from here after this run has ended.
+    pub fn stays(&self) -> bool {
+        matches!(self.target, Target::File(_))
     }
 
     /// Removes what is there. What cannot be removed is left; its name says what it is.
@@ -135,15 +178,111 @@ impl Part {
     }
 
     /// Ends the table and gives it its name.
-    pub fn finish(&mut self, out: &Path, format: &dyn Format, notes: &[Diagnostic]) -> io::Result<()> {
+    pub fn finish(&mut self, format: &dyn Format, notes: &[Diagnostic]) -> io::Result<()> {
         self.file.write_all(&format.end(&self.pieces, notes)?)?;
         self.file.seek(SeekFrom::Start(0))?;
         self.file.write_all(&format.begin(self.rows, &[]))?;
-        self.file.sync_all()?;
-        std::fs::rename(&self.path, out)?;
-        let _ = std::fs::remove_file(beside(&self.path, ".journal"));
+        match &self.target {
+            Target::File(out) => {
+                self.file.sync_all()?;
+                as_before(&self.file, out)?;
+                std::fs::rename(&self.path, out)?;
+                let _ = std::fs::remove_file(beside(&self.path, ".journal"));
+            }
+            Target::Stream => {
+                self.file.seek(SeekFrom::Start(0))?;
+                io::copy(&mut self.file, &mut OpenOptions::new().append(true).open(&self.name)?)?;
+            }
+        }
         Ok(())
     }
+}
+
+/// The CRC-32 of the next bytes; `None` where there are fewer.
+fn crc_of(file: &mut impl Read, length: u64) -> io::Result<Option<u32>> {
+    let mut crc = crc32fast::Hasher::new();
+    let mut buffer = [0; 1 << 16];
+    let mut left = length;
+    while left > 0 {
+        let want = buffer.len().min(usize::try_from(left).unwrap_or(usize::MAX));
+        match file.read(&mut buffer[..want])? {
+            0 => return Ok(None),
+            n => {
+                crc.update(&buffer[..n]);
+                left -= n as u64;
+            }
+        }
+    }
+    Ok(Some(crc.finalize()))
+}
+
+/// The journal under a name, made where there is none, locked for this run.
+fn claimed(path: &Path) -> io::Result<File> {
+    loop {
+        let file = match own(path)? {
+            Some(file) => file,
+            None => match created(path) {
+                Err(e) if e.kind() == io::ErrorKind::AlreadyExists => continue,
+                made => made?,
+            },
+        };
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => return Err(io::Error::other("another run is writing it")),
+            // A file system without locks: there one run at a time is the user's business.
+            Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(e)) => return Err(e),
+        }
+        // The run that held it may have ended and taken it away, after it was opened here and before it was locked.
+        if !stands_at(&file, path) {
+            continue;
+        }
+        let mut first = Vec::new();
+        (&file).take(journal::MARK.len() as u64).read_to_end(&mut first)?;
+        (&file).seek(SeekFrom::Start(0))?;
+        return if journal::is_journal(&first) { Ok(file) } else { Err(stranger(path, "it is no journal of a batch")) };
+    }
+}
+
+/// Opens the file under a name, if there is one. Nothing is changed in it.
+///
+/// # Errors
+/// What is no plain file with this one name: a link, a folder, a device, a file that has other names too.
+fn own(path: &Path) -> io::Result<Option<File>> {
+    match std::fs::symlink_metadata(path) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(e) => return Err(e),
+        Ok(m) if !m.is_file() || names(&m) > 1 => return Err(stranger(path, "it is a link or no plain file")),
+        Ok(_) => {}
+    }
+    match OpenOptions::new().read(true).write(true).open(path) {
+        Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(None),
+        // A link may have been put there meanwhile; or the run that owned it has taken it away.
+        Ok(file) if stands_at(&file, path) => Ok(Some(file)),
+        Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
+        Ok(_) => Err(stranger(path, "it is a link or no plain file")),
+        Err(e) => Err(e),
+    }
+}
+
+/// How many names a file has.
+#[cfg(unix)]
+fn names(m: &std::fs::Metadata) -> u64 {
+    std::os::unix::fs::MetadataExt::nlink(m)
+}
+
+#[cfg(not(unix))]
+fn names(_: &std::fs::Metadata) -> u64 {
+    1
+}
+
+/// Makes a file that is not there yet; no link is followed.
+fn created(path: &Path) -> io::Result<File> {
+    OpenOptions::new().create_new(true).read(true).write(true).open(path)
+}
+
+fn stranger(path: &Path, why: &str) -> io::Error {
+    io::Error::other(format!("{} is in the way ({why}): move it away, or name another output", path.display()))
 }
 
 /// A name with more behind it.
@@ -152,3 +291,6 @@ fn beside(path: &Path, more: &str) -> PathBuf {
     name.push(more);
     name.into()
 }
+
+#[cfg(test)]
+mod tests;

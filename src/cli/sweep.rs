@@ -1,7 +1,7 @@
 //! The commands `sweep` (all positions of a driver, or of a parameter, into a file) and `limits` (what the motion comes to).
 
 use super::args::{Limits, Range, Sweep};
-use super::{Failure, Input, Run, choices, files, tables};
+use super::{Failure, Input, Run, Told, choices, files, tables};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
@@ -31,19 +31,18 @@ pub fn sweep(a: Sweep) -> Run {
 
 /// Writes the table to where it belongs; returns its notes.
 fn sweep_into(input: &Input, a: &Sweep) -> Result<Vec<Diagnostic>, Failure> {
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
     let title = input.scene.title.get(choices(&input.scene, &a.common).0);
     let scene = &input.scene;
-    let mechanism = Mechanism::new(scene).map_err(failed)?.value;
+    let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
     let parameter = a.range.over.as_deref().filter(|o| *o != "driver" && driver_named(scene, o).is_none());
     if let Some(name) = parameter {
-        let variation = Variation::new(scene, &[name]).map_err(failed)?;
-        let span = values(scene, &variation, name, a).map_err(failed)?;
+        let variation = Variation::new(scene, &[name]).map_err(|f| Failure::argument("--over", name, f))?;
+        let span = values(scene, &variation, name, a)?;
         return write(&mut Varied::new(scene, &mechanism, &variation, span), title, a.output.as_deref());
     }
-    let driver = driver_of(scene, a.range.over.as_deref()).map_err(failed)?;
-    let placed = Placed::new(scene, &mechanism).map_err(failed)?;
-    let steps = steps(&placed, driver, &a.range, a.range.steps.unwrap_or(STEPS)).map_err(failed)?;
+    let driver = driver_of(scene, a.range.over.as_deref())?;
+    let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    let steps = steps(input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
     write(&mut Long::new(&placed, driver, steps), title, a.output.as_deref())
 }
 
@@ -60,10 +59,9 @@ pub fn limits(a: Limits) -> Run {
     // How far it goes does not depend on how fast.
     let input = Input::read_as(&a.common, edit::with_rates)?;
     let (lang, _) = choices(&input.scene, &a.common);
-    let failed = |faults: Faults| Failure::Input(faults, input.name.clone(), input.source.clone());
-    let mechanism = Mechanism::new(&input.scene).map_err(failed)?.value;
-    let driver = driver_of(&input.scene, a.over.as_deref()).map_err(failed)?;
-    let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(failed)?;
+    let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
+    let driver = driver_of(&input.scene, a.over.as_deref())?;
+    let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(|f| input.failed(f))?;
     if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
     } else {
@@ -74,58 +72,36 @@ pub fn limits(a: Limits) -> Run {
 }
 
 /// The driver that `--over` names; the first where it names none.
-pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Faults> {
+pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
     driver_named(scene, name).ok_or_else(|| {
         let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
         let d = Diagnostic::error("no-driver", format!("the scene has no driver `{name}`"));
-        d.help(format!("its drivers are {}", names.join(", "))).into()
+        Failure::argument("--over", name, d.help(format!("its drivers are {}", names.join(", "))))
     })
 }
 
-/// Puts the questions of a list in the place of the scene's.
+/// Puts other questions in the place of the scene's: those of `--find`, whose faults are shown there.
 pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
-    ask_each(input, &questions(find))
-}
-
-/// The questions of a list that is parted by commas. Names of points may be parted by a comma too: what does not begin as a
-/// question does (`v_`, `omega_`) belongs to the one before.
-fn questions(list: &str) -> Vec<String> {
-    let mut words: Vec<String> = Vec::new();
-    for piece in list.split(',').map(str::trim).filter(|w| !w.is_empty()) {
-        match words.last_mut() {
-            Some(last) if !scene::begins_a_question(piece) => *last += &format!(",{piece}"),
-            _ => words.push(piece.to_owned()),
-        }
-    }
-    words
-}
-
-/// Puts other questions in the place of the scene's.
-pub fn ask_each(input: &mut Input, words: &[String]) -> Result<(), Failure> {
-    let words: Vec<&str> = words.iter().map(String::as_str).collect();
-    let (name, source) = (input.name.clone(), input.source.clone());
-    let text = edit::with_find(&source, &words).map_err(|f| Failure::Input(f, name, source))?;
-    match scene::read(&text) {
-        Ok(Warned { value, notes }) => {
-            (input.scene, input.notes, input.source) = (value, notes, text);
-            Ok(())
-        }
-        Err(faults) => Err(Failure::Input(faults, input.name.clone(), text)),
-    }
+    input.asked = Some(find.to_owned());
+    let read = scene::read_asking(&input.source, find);
+    let Warned { value, notes } = read.map_err(|faults| input.failed(faults))?;
+    (input.scene, input.notes) = (value, notes);
+    Ok(())
 }
 
 /// The values of a parameter between the bounds of the command line.
-fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Faults> {
+fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Failure> {
+    let bound = |text: Option<&str>, option: &'static str| {
+        let missing =
+            || Diagnostic::error("range", format!("{option} is missing")).help("a parameter has no natural range: give --from and --to");
+        let text = text.ok_or_else(|| Failure::argument("--over", name, missing()))?;
+        variation.value(scene, name, text).map_err(|f| Failure::argument(option, text, f))?;
+        Ok(text.to_owned())
+    };
     let (from, to) = (bound(a.range.from.as_deref(), "--from")?, bound(a.range.to.as_deref(), "--to")?);
-    variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS))
-}
-
-fn bound(text: Option<&str>, name: &str) -> Result<String, Faults> {
-    text.map(str::to_owned).ok_or_else(|| {
-        Diagnostic::error("range", format!("{name} is missing")).help("a parameter has no natural range: give --from and --to").into()
-    })
+    variation.span(scene, name, &from, &to, a.range.steps.unwrap_or(STEPS)).map_err(|f| Failure::argument("--over", name, f))
 }
 
 /// A driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` count.
@@ -135,27 +111,36 @@ pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
 
 /// The stations of a driver between two values as the scene would write them; without them a full turn where it turns, and as far
 /// as it goes where it slides.
-pub fn stations(placed: &Placed, driver: usize, range: &Range, count: usize) -> Result<Stations, Faults> {
-    Ok(steps(placed, driver, range, count)?.all())
+pub fn stations(input: &Input, placed: &Placed, driver: usize, range: &Range, count: usize) -> Result<Stations, Failure> {
+    Ok(steps(input, placed, driver, range, count)?.all())
 }
 
-fn steps(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Faults> {
-    let (from, to) = (range.from.as_deref(), range.to.as_deref());
+fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {
     let Some(d) = placed.scene.drivers.get(driver) else {
-        return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
+        return Err(input.failed(Diagnostic::error("no-driver", "the scene has no driver").into()));
     };
     if let DriverKind::Turn { .. } = d.kind {
-        let read = |text: Option<&str>, default: f64| text.map_or(Ok(Angle::Deg(default)), edit::angle);
-        return Ok(Steps { way: Way::Turn(read(from, 0.0)?, read(to, 360.0)?), steps });
+        let [from, to] = bounds(range, edit::angle)?;
+        return Ok(Steps { way: Way::Turn(from.unwrap_or(Angle::Deg(0.0)), to.unwrap_or(Angle::Deg(360.0))), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
-    let [from, to] = match (from, to) {
-        (Some(from), Some(to)) => [edit::length(from)?, edit::length(to)?],
-        _ => {
-            let [low, high] = extreme::limits(placed.scene, placed.mechanism, driver)?.range.bounds();
-            let given = |text: Option<&str>, default: f64| text.map_or(Ok(default), edit::length);
-            [given(from, low)?, given(to, high)?]
+    let [from, to] = match bounds(range, edit::length)? {
+        [Some(from), Some(to)] => [from, to],
+        [from, to] => {
+            let limits = extreme::limits(placed.scene, placed.mechanism, driver).map_err(|f| input.failed(f))?;
+            let [low, high] = limits.range.bounds();
+            [from.unwrap_or(low), to.unwrap_or(high)]
         }
     };
     Ok(Steps { way: Way::Slide { from, to, per_value }, steps })
+}
+
+/// `--from` and `--to`, as far as they are given; all their faults at once.
+fn bounds<T>(range: &Range, read: impl Fn(&str) -> Result<T, Faults>) -> Result<[Option<T>; 2], Failure> {
+    let mut wrong = Vec::new();
+    let both = [("--from", &range.from), ("--to", &range.to)].map(|(option, text)| {
+        let text = text.as_deref()?;
+        read(text).map_err(|faults| wrong.push(Told::argument(option, text, faults))).ok()
+    });
+    if wrong.is_empty() { Ok(both) } else { Err(Failure::Input(wrong)) }
 }

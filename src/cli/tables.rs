@@ -1,6 +1,7 @@
 //! Tables into files: which format a name calls for, and the rows written as they come, in the memory of a piece.
 
 use super::spool::{self, Spool};
+use super::together::Out;
 use super::{Failure, files, long, stop};
 use crate::diag::Diagnostic;
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
@@ -20,11 +21,12 @@ const ROWS: usize = 1 << 16;
 
 /// The ending of a file's name, one of those allowed.
 pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Failure> {
-    allowed.iter().copied().find(|e| files::ending(path) == Some(e)).ok_or_else(|| {
+    let named = files::ending(path);
+    allowed.iter().copied().find(|e| named.as_deref() == Some(e)).ok_or_else(|| {
         let all: Vec<String> = allowed.iter().map(|e| format!(".{e}")).collect();
         let d = Diagnostic::error("output", format!("{path} does not end in {}", all.join(", ")));
         let help = format!("name the output table.{}, with the ending of the format that you want", allowed[0]);
-        Failure::Input(d.help(help).into(), path.to_owned(), String::new())
+        Failure::argument("-o", path, d.help(help))
     })
 }
 
@@ -97,7 +99,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
     |columns, used| format.piece_in(columns, used.unwrap_or_default())
 }
 
-fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io::Result<()> {
+fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
     let bar = long::bar(count, 0, "positions");
     // What is known before: that all rows are there, unless it turns out otherwise.
@@ -118,7 +120,7 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut files::Out) -> io
     if written < count { out.replace_beginning(begin.len() as u64, &format.begin(written, &notes)) } else { Ok(()) }
 }
 
-fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut files::Out) -> io::Result<()> {
+fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut Out) -> io::Result<()> {
     let bar = long::bar(sweep.count() as u64, 0, "positions");
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(

@@ -1,7 +1,6 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
 use crate::accuracy::ladder::MOST_DIGITS;
-use crate::diag::{Diagnostic, Faults};
 use crate::scene::Lang;
 use clap::ValueEnum;
 
@@ -110,18 +109,4 @@ pub fn dpi(s: &str) -> Result<f64, String> {
         Ok(v) => Err(format!("{v} is not between 20 and 1200")),
         Err(_) => Err("not a number".into()),
     }
-}
-
-/// Names and values of `--set NAME=VALUE`.
-pub fn assignments(set: &[String]) -> Result<Vec<(&str, &str)>, Faults> {
-    let mut values = Vec::new();
-    let mut faults = Faults::default();
-    for s in set {
-        match s.split_once('=') {
-            Some((name, value)) => values.push((name.trim(), value.trim())),
-            None => faults
-                .push(Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120")),
-        }
-    }
-    if faults.has_errors() { Err(faults) } else { Ok(values) }
 }

@@ -1,6 +1,7 @@
 //! `hodograph worksheet`: the problem and its solution as a document.
 
 use super::draw::style_of;
+use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::sheet;
@@ -12,7 +13,7 @@ use std::path::Path;
 
 /// Runs the command.
 pub fn run(a: args::Worksheet) -> Run {
-    let write = writer(&a.output).map_err(|f| Failure::Input(f, a.output.clone(), String::new()))?;
+    let write = writer(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
@@ -26,17 +27,18 @@ pub fn run(a: args::Worksheet) -> Run {
     let document = worksheet(&input.scene, &worked, &options);
     let out = Path::new(&a.output);
     let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
-    let Written { bytes, beside, notes } =
-        write(&document, stem).map_err(|f| Failure::Input(f, input.name.clone(), input.source.clone()))?;
+    let Written { bytes, beside, notes } = write(&document, stem).map_err(|f| input.failed(f))?;
     input.notes.extend(notes);
-    // The drawings first: where the document is, they are too.
+    let mut all = Together::default();
+    let mut names = String::new();
     for picture in beside {
         let path = out.with_file_name(&picture.name);
-        files::write(&path, picture.text.as_bytes())?;
-        files::print(&format!("{}\n", path.display()))?;
+        all.add(&path, picture.text.as_bytes())?;
+        names += &format!("{}\n", path.display());
     }
-    files::write(out, &bytes)?;
-    files::print(&format!("{}\n", a.output))?;
+    all.add(out, &bytes)?;
+    all.appear()?;
+    files::print(&format!("{names}{}\n", a.output))?;
     input.say_notes();
     Ok(verdict(&worked))
 }
@@ -60,7 +62,7 @@ type Writer = fn(&Document, &str) -> Result<Written, Faults>;
 
 /// What writes files that end so.
 fn writer(output: &str) -> Result<Writer, Faults> {
-    match files::ending(output) {
+    match files::ending(output).as_deref() {
         Some("pdf") => Ok(|d, _| {
             let file = pdf::document(&pages::pages(d), &d.title, words(d.lang).tag)?;
             Ok(Written { bytes: file.value, notes: file.notes, ..Written::default() })

@@ -64,7 +64,7 @@ impl Node {
 /// Reads one JSON value. Duplicate keys go to `faults` (the first one counts); whatever leaves no tree at all is the error.
 pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {
-        let message = format!("the file has {} bytes; a scene has at most {MAX_BYTES}", bytes.len());
+        let message = format!("the file has more than {MAX_BYTES} bytes; none that is written by hand is so long");
         return Err(Diagnostic::error("too-large", message));
     }
     let source = std::str::from_utf8(bytes).map_err(|e| {
@@ -86,7 +86,7 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str
         }
     })?;
     let Some(value) = parsed.value else {
-        return Err(Diagnostic::error("json", "the file is empty").help("a scene is one JSON object: { \"links\": ... }"));
+        return Err(Diagnostic::error("json", "the file is empty").help("what is read here is one JSON object: { ... }"));
     };
     let node = convert(value, base, source, faults);
     Ok((source, node))
@@ -149,7 +149,7 @@ fn check_depth(bytes: &[u8]) -> Result<(), Diagnostic> {
             _ => {}
         }
         if depth > MAX_DEPTH {
-            let message = format!("brackets are nested more than {MAX_DEPTH} deep; a scene needs four levels");
+            let message = format!("brackets are nested more than {MAX_DEPTH} deep; four levels are all that is needed");
             return Err(Diagnostic::error("too-deep", message).at(Span::new(i, i + 1)));
         }
     }
@@ -160,9 +160,9 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
     let place = |r: jsonc_parser::common::Range| Span::new(base + r.start, base + r.end);
     match value {
         ast::Value::StringLit(s) => {
-            let span = place(s.range);
-            check_string(span, source, faults);
-            Node { kind: Kind::Text(s.value.into_owned()), span }
+            let text = Word { text: s.value.into_owned(), span: place(s.range) };
+            check_string(&text, source, faults);
+            Node { kind: Kind::Text(text.text), span: text.span }
         }
         ast::Value::NumberLit(n) => {
             let span = place(n.range);
@@ -188,7 +188,7 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                     ast::ObjectPropName::Word(w) => (w.value.to_owned(), w.range),
                 };
                 let key = Word { text, span: place(range) };
-                check_string(key.span, source, faults);
+                check_string(&key, source, faults);
                 let value = convert(property.value, base, source, faults);
                 if known.insert(key.text.clone()) {
                     members.push((key, value));
@@ -202,14 +202,48 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
     }
 }
 
-/// The parser lets control characters through, JSON does not (other programs would refuse the file).
-fn check_string(span: Span, source: &str, faults: &mut Faults) {
-    let text = source.get(span.start..span.end).unwrap_or_default();
-    if let Some(i) = text.bytes().position(|b| b < 0x20) {
-        let at = Span::new(span.start + i, span.start + i + 1);
+/// The parser lets control characters through, JSON does not (other programs would refuse the file); and what an escape stands for
+/// may be no character to print either.
+fn check_string(word: &Word, source: &str, faults: &mut Faults) {
+    let raw = source.get(word.span.start..word.span.end).unwrap_or_default();
+    if let Some(i) = raw.bytes().position(|b| b < 0x20) {
+        let at = Span::new(word.span.start + i, word.span.start + i + 1);
         let message = "not valid JSON: a line break or control character inside a text";
         faults.push(Diagnostic::error("json", message).at(at).help("write \\n for a line break"));
+    } else if let Some(d) = unprintable(word) {
+        let place = unprintable_char(&word.text).and_then(|c| written(c, raw));
+        let start = word.span.start;
+        faults.push(place.map_or(d.clone(), |p| d.at(Span::new(start + p.start, start + p.end))));
     }
+}
+
+/// The fault of a text that holds a character which is none to print.
+///
+/// Refused are control characters but the line break and the tab (a terminal obeys them, XML and Typst do not take them) and the code
+/// points that Unicode keeps free of characters, such as U+FFFE (ill-formed in XML).
+pub(crate) fn unprintable(word: &Word) -> Option<Diagnostic> {
+    let c = unprintable_char(&word.text)?;
+    let kind = if c.is_control() { "a control character" } else { "which is no character" };
+    let d = Diagnostic::error("text", format!("this text holds U+{:04X}, {kind}: no figure can show it", u32::from(c)));
+    Some(d.at(word.span).help("take it out; a line break is written \\n"))
+}
+
+fn unprintable_char(text: &str) -> Option<char> {
+    let free = |c: char| (0xfdd0..=0xfdef).contains(&u32::from(c)) || u32::from(c) & 0xfffe == 0xfffe;
+    text.chars().find(|c| c.is_control() && !matches!(c, '\n' | '\t') || free(*c))
+}
+
+/// Where a character is written in a JSON string: as it stands, or as an escape.
+fn written(c: char, raw: &str) -> Option<Span> {
+    let short = match c {
+        '\u{8}' => "\\b",
+        '\u{c}' => "\\f",
+        '\r' => "\\r",
+        _ => "",
+    };
+    let long: String = c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect();
+    let places = [(raw.find(c), c.len_utf8()), (raw.to_ascii_lowercase().find(&long), long.len()), (raw.find(short), short.len())];
+    places.into_iter().find_map(|(at, length)| at.filter(|_| length > 0).map(|at| Span::new(at, at + length)))
 }
 
 fn is_json_number(text: &str) -> bool {

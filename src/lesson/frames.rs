@@ -104,6 +104,10 @@ impl Maker<'_> {
                 None => trials.extend(self.beside(sweep, k, if sweep.is_limit(k) { &BEFORE } else { &ASIDE })),
             }
         }
+        if trials.is_empty() {
+            // No way leads on from the scene's own pose, a dead centre or a locked one: it is shown alone, as far as it is answered.
+            trials.extend(sweep.poses.iter().find(|pose| pose.travel == 0.0).and_then(|pose| self.worked(pose)));
+        }
         if sweep.full
             && let Some(first) = trials.first()
         {
@@ -124,10 +128,15 @@ impl Maker<'_> {
 
     /// A pose that is not singular.
     fn trial(&self, pose: &Pose) -> Option<Trial> {
+        let regular = |w: &Worked| w.solution.singular.is_empty() && w.solution.refused.is_empty();
+        self.worked(pose).filter(|trial| regular(&trial.worked))
+    }
+
+    /// Any pose, as far as it has answers.
+    fn worked(&self, pose: &Pose) -> Option<Trial> {
         let scene = scene_at(self.scene, self.driver, pose.travel);
         let worked = self.work(&scene, &pose.configuration).ok()?;
-        let regular = worked.solution.singular.is_empty() && worked.solution.refused.is_empty();
-        regular.then_some(Trial { travel: pose.travel, worked })
+        Some(Trial { travel: pose.travel, worked })
     }
 
     /// The poses beside a singular one.

@@ -25,7 +25,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene};
-use crate::worked::{Scope, work};
+use crate::worked::{Scope, Worked, work};
 
 use crate::sweep::follow::Follower;
 use frames::Maker;
@@ -70,6 +70,17 @@ pub const POSITIONS: usize = 72;
 /// ```
 pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults> {
     let Warned { value: worked, mut notes } = work(scene, Scope::Figure)?;
+    let made = of_worked(scene, &worked, options)?;
+    notes.extend(made.notes);
+    Ok(Warned { value: made.value, notes })
+}
+
+/// The page of a scene that has been worked through for [`Scope::Figure`] in its own pose, without the notes of that.
+///
+/// # Errors
+/// A driver that the scene does not have; those of the drawings.
+pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Warned<String>, Faults> {
+    let mut notes = Vec::new();
     if options.driver >= scene.drivers.len() {
         return Err(Diagnostic::error(
             "driver",
@@ -81,6 +92,11 @@ pub fn lesson(scene: &Scene, options: &Options) -> Result<Warned<String>, Faults
     let sweep = follower.sweep(options.positions.clamp(8, 360));
     let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
     let frames = maker.frames(&sweep)?;
+    if frames.list.len() == 1 {
+        let d =
+            Diagnostic::warning("lesson-still", "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves");
+        notes.push(d.help("give another pose, or move another driver with --driver"));
+    }
     if scene.drivers.len() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",

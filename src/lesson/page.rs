@@ -78,18 +78,42 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "formulas": formulas.list,
         "tags": bank::tags(),
     });
-    // Inside a script element only `</` could end it.
-    let data = data.to_string().replace("</", "<\\/");
-    Ok(PAGE
-        .replace("{{lang}}", tag(options.lang))
-        .replace("{{title}}", &escaped(&title(options.lang)))
-        .replace("{{style}}", &terse(STYLE))
-        .replace("{{letters}}", &Elements::letters(drawings.iter().map(|d| &d.track.elements_of)))
-        .replace("{{mechanism}}", &mechanism)
-        .replace("{{polygons}}", &polygons)
-        .replace("{{noscript}}", &escaped(word("noscript", options.lang)))
-        .replace("{{data}}", &data)
-        .replace("{{script}}", &terse(SCRIPT)))
+    // Inside a script element `</` could end it, and after `<!--` nothing might.
+    let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
+    Ok(filled(
+        PAGE,
+        &[
+            ("lang", tag(options.lang)),
+            ("title", &escaped(&title(options.lang))),
+            ("style", &terse(STYLE)),
+            ("letters", &Elements::letters(drawings.iter().map(|d| &d.track.elements_of))),
+            ("mechanism", &mechanism),
+            ("polygons", &polygons),
+            ("noscript", &escaped(word("noscript", options.lang))),
+            ("data", &data),
+            ("script", &terse(SCRIPT)),
+        ],
+    ))
+}
+
+/// A template with values in the places of their names, `{{name}}`. What a value says is not looked at: a title may hold braces.
+fn filled(template: &str, values: &[(&str, &str)]) -> String {
+    let mut out = String::new();
+    for (k, part) in template.split("{{").enumerate() {
+        let value = part.split_once("}}").and_then(|(name, rest)| Some((values.iter().find(|v| v.0 == name)?.1, rest)));
+        match value {
+            Some((value, rest)) => {
+                out += value;
+                out += rest;
+            }
+            None if k == 0 => out += part,
+            None => {
+                out += "{{";
+                out += part;
+            }
+        }
+    }
+    out
 }
 
 /// Style or script without indents, empty lines and lines that are nothing but a comment.

@@ -1,6 +1,11 @@
 //! Diagnostics as text for a terminal: the line of the file, a mark under the place, the advice.
 
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, NamedSource, Report};
+use std::borrow::Cow;
+
+use miette::{
+    GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteDiagnostic, MietteError, MietteSpanContents, NamedSource, Report,
+    SourceCode, SourceSpan, SpanContents,
+};
 
 use crate::diag::{Diagnostic, Faults, Severity, Span};
 
@@ -15,22 +20,26 @@ const MAX_SHOWN: usize = 100;
 
 /// All diagnostics (beyond the hundredth only their number), one after the other, without colours. `source` is the text that their spans count in.
 ///
-/// A diagnostic whose line is too long to show is printed in one line, `name:line:column: error: ...`.
+/// A diagnostic whose line is too long to show is printed in one line, `name:line:column: error: ...`. Columns count characters. What a
+/// terminal would obey stands there as a sign ([`visible`]).
 pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_links(false).with_width(WIDTH);
+    let (seen, source_name) = (visible(source), &*visible(source_name));
     let mut out = String::new();
     for d in faults.list.iter().take(MAX_SHOWN) {
-        let span = d.span.map(|s| clamp(s, source));
+        // Signs may be longer than what they stand for.
+        let moved = |at: usize| if seen == source { at } else { visible(&source[..at]).len() };
+        let span = d.span.map(|s| clamp(s, source)).map(|s| Span::new(moved(s.start), moved(s.end)));
         let shown = match span {
-            Some(s) => line_length(s, source) <= MAX_LINE,
+            Some(s) => line_length(s, &seen) <= MAX_LINE,
             None => true,
         };
         let mut text = String::new();
-        let report = report(d, span, source_name, if shown { source } else { "" });
+        let report = report(d, span, source_name, if shown { &seen } else { "" });
         if shown && handler.render_report(&mut text, report.as_ref()).is_ok() {
             out.push_str(text.trim_start_matches('\n'));
         } else {
-            out.push_str(&plain(d, span, source_name, source));
+            out.push_str(&plain(d, span, source_name, &seen));
         }
     }
     if let Some(more) = faults.list.len().checked_sub(MAX_SHOWN).filter(|n| *n > 0) {
@@ -39,19 +48,61 @@ pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
     out
 }
 
+/// A text with a sign in the place of each character that a terminal would obey or that would turn what follows around: `␛` for the
+/// escape character, `�` where Unicode has no such sign. Line breaks and tabs stay.
+///
+/// ```
+/// assert_eq!(hodograph::report::diagnostics::visible("a\u{1b}[31m\n"), "a␛[31m\n");
+/// ```
+pub fn visible(text: &str) -> Cow<'_, str> {
+    let sign = |c: char| match c {
+        '\n' | '\t' => None,
+        '\0'..='\u{1f}' => char::from_u32(0x2400 + u32::from(c)),
+        '\u{7f}' => Some('␡'),
+        // The second half of the control characters; those that change the direction of writing.
+        '\u{80}'..='\u{9f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' => Some('\u{fffd}'),
+        _ => None,
+    };
+    // The line breaks of Windows are line breaks.
+    let kept = |at: usize, c: char| c == '\r' && text[at + 1..].starts_with('\n');
+    if !text.char_indices().any(|(at, c)| sign(c).is_some() && !kept(at, c)) {
+        return Cow::Borrowed(text);
+    }
+    Cow::Owned(text.char_indices().map(|(at, c)| if kept(at, c) { c } else { sign(c).unwrap_or(c) }).collect())
+}
+
+/// A text whose columns count characters; the library counts bytes.
+struct Characters(String);
+
+impl SourceCode for Characters {
+    fn read_span<'a>(&'a self, span: &SourceSpan, before: usize, after: usize) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let found = self.0.read_span(span, before, after)?;
+        // With lines before it, what is read begins with its line.
+        let column = if before == 0 { column(&self.0, span.offset()) } else { found.column() };
+        Ok(Box::new(MietteSpanContents::new(found.data(), *found.span(), found.line(), column, found.line_count())))
+    }
+}
+
+/// Characters of its line before a place. The mark that some editors begin a file with is none.
+fn column(source: &str, at: usize) -> usize {
+    let before = &source[..at];
+    let line = &before[before.rfind('\n').map_or(0, |i| i + 1)..];
+    line.chars().filter(|c| *c != '\u{feff}').count()
+}
+
 fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str) -> Report {
     let severity = match d.severity {
         Severity::Note => miette::Severity::Advice,
         Severity::Warning => miette::Severity::Warning,
         Severity::Error => miette::Severity::Error,
     };
-    let mut shown = MietteDiagnostic::new(&d.message).with_code(d.code).with_severity(severity);
+    let mut shown = MietteDiagnostic::new(visible(&d.message)).with_code(d.code).with_severity(severity);
     if let Some(help) = &d.help {
-        shown = shown.with_help(help);
+        shown = shown.with_help(visible(help));
     }
     if let Some(s) = span {
         shown = shown.with_label(LabeledSpan::at(s.start..s.end, "here"));
-        return Report::new(shown).with_source_code(NamedSource::new(name, source.to_owned()));
+        return Report::new(shown).with_source_code(NamedSource::new(name, Characters(source.to_owned())));
     }
     Report::new(shown)
 }
@@ -82,13 +133,10 @@ fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str) -> String
         Severity::Warning => "warning",
         Severity::Error => "error",
     };
-    let place = span.map_or_else(String::new, |s| {
-        let before = &source[..s.start];
-        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
-        format!(":{}:{}", before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
-    });
+    let place =
+        span.map_or_else(String::new, |s| format!(":{}:{}", source[..s.start].matches('\n').count() + 1, column(source, s.start) + 1));
     let help = d.help.as_ref().map_or_else(String::new, |h| format!(" ({h})"));
-    format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, d.message)
+    visible(&format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, d.message)).into_owned()
 }
 
 #[cfg(test)]
@@ -122,6 +170,24 @@ mod tests {
         let many = Faults { list: vec![Diagnostic::warning("given-twice", "`v_E` is asked twice"); 1234] };
         let text = render(&many, "scene.json", "{}");
         assert!(text.ends_with("\n... and 1134 more\n"), "{text}");
+    }
+
+    #[test]
+    fn columns_count_characters_and_nothing_reaches_the_terminal_raw() {
+        let source = "{\"title\": \"曲柄摇杆机构\", \"x\": 1, \u{1b}[31m \u{202e} \u{9b}}";
+        for (what, column) in [("1,", 26), ("\u{202e}", 35)] {
+            let start = source.find(what).unwrap();
+            let d = Diagnostic::error("code", "a \u{1b}]0;\u{7} b\u{0}").at(Span::new(start, start + 1)).help("\u{9b}2J");
+            for text in [
+                render(&d.clone().into(), "s\u{1b}.json", source),
+                render(&d.into(), "s\u{1b}.json", &source.replace('}', &" ".repeat(900))),
+            ] {
+                assert!(text.contains(&format!("s␛.json:1:{column}")), "{text}");
+                assert!(text.contains("a ␛]0;␇ b␀"), "{text}");
+                assert!(!text.contains(|c: char| c.is_control() && c != '\n' || c == '\u{202e}'), "{text:?}");
+            }
+        }
+        assert_eq!(visible("a\r\nb\rc"), "a\r\nb␍c");
     }
 
     #[test]

@@ -30,6 +30,11 @@ impl Phrase {
         Phrase { pieces }
     }
 
+    /// Words as they stand, dollar signs too: no formula begins in them.
+    pub fn of_words(words: &str) -> Phrase {
+        Phrase { pieces: vec![Piece::Words(words.into())] }
+    }
+
     /// Its pieces.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces

@@ -58,9 +58,42 @@ pub fn begins_a_question(text: &str) -> bool {
 /// assert_eq!(scene.lengths[0].value.value, 0.1);
 /// ```
 pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), None)
+}
+
+/// Places from here on count in the questions of [`read_asking`] instead of in the file: no file is so long.
+const ASKED: usize = usize::MAX / 2;
+
+/// The same with other questions than the file's, such as `v_E, a_E`.
+///
+/// # Errors
+/// As [`read`]. The places of the questions, in these faults and in those of later stages, are told from the file's by
+/// [`place_in_asked`].
+///
+/// ```
+/// use hodograph::{diag::Span, scene};
+/// let text = scene::templates::get("crank-rocker").unwrap();
+/// assert_eq!(scene::read_asking(text, "a_C, x_C").unwrap().value.find.len(), 2);
+/// let faults = scene::read_asking(text, "a_C, x_Q").unwrap_err();
+/// assert_eq!(faults.list[0].span.and_then(scene::place_in_asked), Some(Span::new(5, 8)));
+/// ```
+pub fn read_asking(source: impl AsRef<[u8]>, questions: &str) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), Some(questions))
+}
+
+/// A place in the questions of [`read_asking`]; `None` where it is one in the file.
+pub fn place_in_asked(span: Span) -> Option<Span> {
+    Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
+}
+
+fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
-    let (text, root) = json::parse(source.as_ref(), &mut faults)?;
-    let scene = decode::scene(&root, &mut faults).and_then(|raw| resolve::resolve(&raw, text, &mut faults));
+    let (text, root) = json::parse(source, &mut faults)?;
+    let raw = decode::scene(&root, &mut faults).map(|raw| match questions {
+        Some(questions) => raw::RawScene { find: Some(asked(questions, &mut faults)), ..raw },
+        None => raw,
+    });
+    let scene = raw.and_then(|raw| resolve::resolve(&raw, text, &mut faults));
     match scene {
         Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
         _ => {
@@ -69,4 +102,28 @@ pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
             Err(faults)
         }
     }
+}
+
+/// The questions of a list that is parted by commas, with their places: what does not begin as a question does (`v_`, `omega_`) belongs to
+/// the one before.
+fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
+    let mut words = Vec::new();
+    let mut start = ASKED;
+    for part in questions.split(',') {
+        let from = start + part.len() - part.trim_start().len();
+        let word = json::Word { text: part.trim().to_owned(), span: Span::new(from, from + part.trim().len()) };
+        faults.list.extend(json::unprintable(&word));
+        match words.last_mut() {
+            _ if word.text.is_empty() => {}
+            // Names of points may be parted by a comma too.
+            Some(last) if !begins_a_question(&word.text) => {
+                let last: &mut json::Word = last;
+                last.text = format!("{},{}", last.text, word.text);
+                last.span.end = word.span.end;
+            }
+            _ => words.push(word),
+        }
+        start += part.len() + 1;
+    }
+    words
 }

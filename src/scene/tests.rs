@@ -284,8 +284,8 @@ fn what_is_said_about_bad_scenes() {
 fn input_beyond_the_limits() {
     let said = |source: &[u8]| read(source).unwrap_err().to_string();
     assert_eq!(said(b"{\"a\": \"\xff\"}"), "byte 7 is not UTF-8 text (save the file as UTF-8)");
-    assert_eq!(said(&vec![b' '; 2_000_001]), "the file has 2000001 bytes; a scene has at most 2000000");
-    assert_eq!(said(&vec![b'['; 1_000_000]), "brackets are nested more than 32 deep; a scene needs four levels");
+    assert_eq!(said(&vec![b' '; 2_000_001]), "the file has more than 2000000 bytes; none that is written by hand is so long");
+    assert_eq!(said(&vec![b'['; 1_000_000]), "brackets are nested more than 32 deep; four levels are all that is needed");
     let many: Vec<String> = (0..501).map(|i| format!("\"{i}\": [\"A\", \"B{i}\"]")).collect();
     let source = with("links", &format!("{{{}}}", many.join(",")));
     assert!(faults(&source).starts_with("[\"500\"] \"links\" has 501 entries; at most 500 are allowed\n"), "{}", faults(&source));

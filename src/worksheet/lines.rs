@@ -27,7 +27,7 @@ pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Font
     let mut formulas = VecDeque::new();
     for piece in phrase.pieces() {
         match piece {
-            Piece::Words(w) => plain.push_str(w),
+            Piece::Words(w) => plain.extend(w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c })),
             Piece::Formula(f) => {
                 for part in pieces_of(f) {
                     plain.push(THING);

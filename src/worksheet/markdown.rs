@@ -1,7 +1,7 @@
 //! A worksheet as Markdown: formulas in TeX between dollar signs, tables with pipes, drawings as SVG files beside it (what
 //! shows Markdown seldom shows drawings inside it).
 
-use super::{Beside, Block, Document, Table, guarded, picture_names};
+use super::{Beside, Block, Document, Table, backslashed, guarded, one_line, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::render::svg;
@@ -32,7 +32,7 @@ pub fn markdown(document: &Document, stem: &str) -> Result<(String, Vec<Beside>)
             Block::Formula(parts) => out += &format!("$${}$$\n", tex_display(parts)),
             Block::Figure { .. } => {
                 let (name, figure) = next.next().expect("every figure has its name");
-                out += &format!("![{}](<{name}>)\n", escaped(&figure.title));
+                out += &format!("![{}](<{}>)\n", escaped(&one_line(&figure.title)), target(name));
                 files.push(Beside { name: name.clone(), text: svg::write(figure)?.value });
             }
         }
@@ -60,13 +60,23 @@ fn inline(phrase: &Phrase) -> String {
     phrase.pieces().iter().map(piece).collect()
 }
 
+/// Words in which nothing means anything: emphasis, code, entities (`&copy;`), strikethrough and fences (`~~~`), formulas, links. Two
+/// hyphens would become a dash in some programs.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#') {
-            out.push('\\');
+    let sign = |c| matches!(c, '\\' | '`' | '*' | '_' | '<' | '>' | '[' | ']' | '$' | '#' | '&' | '~' | '^');
+    backslashed(text, |before, c, _| sign(c) || c == '-' && before == Some('-'))
+}
+
+/// A file's name as the target of a link: what is no letter, digit or one of `-._~/` in percent, for spaces, brackets and backslashes mean
+/// something there.
+fn target(name: &str) -> String {
+    let mut out = String::new();
+    for c in name.chars() {
+        if c.is_ascii() && !c.is_ascii_alphanumeric() && !"-._~/".contains(c) {
+            out += &format!("%{:02X}", u32::from(c));
+        } else {
+            out.push(c);
         }
-        out.push(c);
     }
     out
 }

@@ -149,7 +149,7 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document 
     }
     let title = scene.title.get(lang);
     let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
-    Document { title: title.into(), lang, fonts: options.sheet.style.fonts.clone(), blocks }
+    Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 
 /// What all parts of a worksheet are made from.
@@ -192,11 +192,32 @@ impl Maker<'_> {
     }
 }
 
+/// A text on one line, its words apart by one space: a line break would end a heading or a link.
+fn one_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A paragraph whose beginning Markdown and Typst would take for a list or a heading, so that they do not.
 fn guarded(line: String) -> String {
     let digits = line.bytes().take_while(u8::is_ascii_digit).count();
     let mark = if digits > 0 { &[".", ")"][..] } else { &["-", "+", "="][..] };
     if mark.iter().any(|m| line[digits..].starts_with(m)) { format!("{}\\{}", &line[..digits], &line[digits..]) } else { line }
+}
+
+/// A text in which the characters of a language that mean something are behind backslashes; `means` is asked with the character
+/// before it and the one behind it.
+fn backslashed(text: &str, means: impl Fn(Option<char>, char, Option<char>) -> bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut before = None;
+    let mut chars = text.chars().peekable();
+    while let Some(c) = chars.next() {
+        if means(before, c, chars.peek().copied()) {
+            out.push('\\');
+        }
+        out.push(c);
+        before = Some(c);
+    }
+    out
 }
 
 /// The pictures of a document under one stem: `shaper-mechanism.svg`; the second of a word gets a number.

@@ -1,6 +1,6 @@
 //! The problem's side: statement, given, wanted, the mechanism to scale.
 
-use super::{Block, Maker};
+use super::{Block, Maker, one_line};
 use crate::figure::results::symbol;
 use crate::figure::sheet::{Single, single};
 use crate::plan::text::point_label;
@@ -12,14 +12,11 @@ impl Maker<'_> {
     pub(super) fn problem(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(1, "Problem", "题目"));
         match self.scene.statement.as_ref().map(|s| s.get(self.lang())).filter(|s| !s.is_empty()) {
-            // Words as they stand: a dollar sign begins no formula here. Each line is a paragraph.
-            Some(words) => blocks.extend(
-                words
-                    .lines()
-                    .map(|line| line.split_whitespace().collect::<Vec<_>>().join(" ").replace('$', ""))
-                    .filter(|line| !line.is_empty())
-                    .map(|line| Block::Paragraph(Phrase::new(&line))),
-            ),
+            // Words as they stand. Each line is a paragraph.
+            Some(words) => {
+                let lines = words.lines().map(one_line).filter(|line| !line.is_empty());
+                blocks.extend(lines.map(|line| Block::Paragraph(Phrase::of_words(&line))));
+            }
             None => blocks.push(self.paragraph(
                 "The figure shows a planar mechanism to scale. Solve it by vector polygons.",
                 "图示平面机构已按比例画出，试用矢量多边形图解法求解。",

@@ -1,6 +1,6 @@
 //! A worksheet as Typst source: native formulas and tables, drawings as SVG files beside it.
 
-use super::{Beside, Block, Document, Table, TableKind, guarded, picture_names};
+use super::{Beside, Block, Document, Table, TableKind, backslashed, guarded, picture_names};
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::words::words;
@@ -23,7 +23,7 @@ pub fn typst(document: &Document, stem: &str) -> Result<(String, Vec<Beside>), F
          #set text(lang: \"{lang}\", size: 11pt, font: (\"Tinos\", \"Times New Roman\", \"Liberation Serif\", \"Noto Serif CJK SC\", \"SimSun\"))\n\
          #set par(justify: false)\n#show heading: set block(sticky: true)\n#show table: set block(breakable: false)\n\n#align(center, text(size: 16pt)[{}])\n",
         string(&document.title),
-        escaped(&document.title)
+        guarded(escaped(&document.title))
     );
     let pictures = picture_names(document, stem);
     let mut files = Vec::new();
@@ -84,16 +84,25 @@ fn inline(phrase: &Phrase) -> String {
 
 /// A string of Typst's code.
 fn string(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', " "))
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '\\' | '"' => out.extend(['\\', c]),
+            c if c.is_control() => out += &format!("\\u{{{:x}}}", u32::from(c)),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
 }
 
+/// Words in which nothing means anything; hyphens and full stops do only in a row, where they would become dashes, a hint where to break
+/// (`-?`), a minus sign (`-1`) or an ellipsis.
 fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if matches!(c, '\\' | '#' | '*' | '_' | '`' | '$' | '<' | '>' | '@' | '[' | ']' | '~' | '=' | '/' | '"' | '\'') {
-            out.push('\\');
-        }
-        out.push(c);
-    }
-    out
+    let sign = |c| matches!(c, '\\' | '#' | '*' | '_' | '`' | '$' | '<' | '>' | '@' | '[' | ']' | '~' | '=' | '/' | '"' | '\'');
+    backslashed(text, |before, c, next| match c {
+        '-' => before == Some('-') || matches!(next, Some('-' | '?' | '0'..='9')) && !before.is_some_and(char::is_alphanumeric),
+        '.' => next == Some('.') || before == Some('.'),
+        c => sign(c),
+    })
 }

@@ -1,7 +1,12 @@
 //! The program as its user meets it: exit codes, files, help, and the commands of the README.
 
-#[path = "cli/scene.rs"]
+#[cfg(target_os = "linux")]
+mod exits;
+mod figures;
+#[cfg(target_os = "linux")]
+mod files;
 mod scene;
+mod text;
 
 use assert_cmd::Command;
 use std::path::Path;
@@ -16,121 +21,22 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-#[test]
-fn draws_svg_and_png_whole() {
-    let out = tempfile::tempdir().unwrap();
-    hodograph().args(["draw", "templates/shaper.json", "-o"]).arg(out.path()).assert().success();
-    let svg = std::fs::read_to_string(out.path().join("shaper.svg")).unwrap();
-    assert!(svg.trim_end().ends_with("</svg>"));
-    assert!(std::fs::read(out.path().join("shaper.png")).unwrap().starts_with(b"\x89PNG"));
-    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 2, "nothing else is left behind");
+/// A batch of so many mechanisms, each at 200 positions.
+fn batch(count: &str, out: &Path) -> Vec<String> {
+    let words =
+        format!("batch templates/crank-rocker.json --vary l_AB=60..260 --vary l_BC=200..300 --random {count} --steps 199 --find a_C -o");
+    words.split_whitespace().map(str::to_owned).chain([out.display().to_string()]).collect()
 }
 
-#[test]
-fn pdf_holds_one_figure_or_many() {
-    let out = tempfile::tempdir().unwrap();
-    for arguments in [vec![], vec!["--figure", "mechanism,velocity"], vec!["--style", "dark", "--steps"]] {
-        let file = out.path().join(format!("{}.pdf", arguments.len()));
-        hodograph().args(["draw", "templates/crank-rocker.json", "-o"]).arg(&file).args(&arguments).assert().success();
-        assert!(std::fs::read(file).unwrap().starts_with(b"%PDF-1.7"));
-    }
+/// A run under way.
+fn started(arguments: &[String]) -> std::process::Child {
+    let mut run = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"));
+    let run = run.args(arguments).current_dir(env!("CARGO_MANIFEST_DIR"));
+    run.stdout(std::process::Stdio::null()).stderr(std::process::Stdio::null()).spawn().unwrap()
 }
 
-#[test]
-fn a_font_of_ones_own_sets_the_figures() {
-    let out = tempfile::tempdir().unwrap();
-    let draw = |name: &str, fonts: &[&str]| {
-        let file = out.path().join(name);
-        let fonts = fonts.iter().flat_map(|f| ["--font", f]);
-        let run = hodograph().args(["draw", "templates/crank-rocker.json", "--lang", "zh", "-o"]).arg(&file).args(fonts).assert().success();
-        (std::fs::read(file).unwrap(), text(&run.get_output().stderr))
-    };
-    let (usual, _) = draw("usual.svg", &[]);
-    let (italic, said) = draw("italic.svg", &["fonts/tinos-italic.ttf"]);
-    // The same letters from a file: the same widths and places, under other names.
-    assert!(!said.contains("font"), "{said}");
-    assert_eq!(text(&usual).matches("<use").count(), text(&italic).matches("<use").count());
-    assert!(text(&italic).contains("id=\"gp") && !text(&usual).contains("id=\"gp"));
-    // A font that lacks letters leaves them to the bundled ones, and says so.
-    let (signs, said) = draw("signs.svg", &["fonts/song-gb1-cff.otf"]);
-    assert!(text(&signs).contains("id=\"go"), "Chinese words come from it");
-    assert!(text(&signs).contains("id=\"gi"), "slanted letters from the bundled italic");
-    assert!(!said.contains("error"), "{said}");
-    let (pdf, _) = draw("own.pdf", &["fonts/tinos-italic.ttf", "fonts/tinos-normal.ttf"]);
-    assert!(pdf.starts_with(b"%PDF-1.7"));
-    // A style file names its fonts from where it is; every command that draws takes it, or the font alone.
-    std::fs::create_dir(out.path().join("type")).unwrap();
-    for (from, to) in [("tinos-italic.ttf", "type/slanted.ttf"), ("tinos-normal.ttf", "type/upright.ttf")] {
-        std::fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("fonts").join(from), out.path().join(to)).unwrap();
-    }
-    let style = out.path().join("book.json");
-    std::fs::write(&style, r#"{ "base": "print", "fonts": ["type/upright.ttf", "type/slanted.ttf"] }"#).unwrap();
-    let commands: [(&[&str], &str); 7] = [
-        (&["draw"], "svg"),
-        (&["curves"], "svg"),
-        (&["path", "--point", "E"], "svg"),
-        (&["accuracy", "--patience", "1"], "svg"),
-        (&["worksheet"], "html"),
-        (&["lesson", "--positions", "8"], "html"),
-        (&["lesson", "--reveal"], "html"),
-    ];
-    for (command, ending) in commands {
-        let file = out.path().join(format!("figure.{ending}"));
-        let run = |look: [&str; 2]| {
-            let scene = ["templates/crank-rocker.json", "--lang", "zh"];
-            let run = hodograph().args(command).args(scene).args(look).arg("-o").arg(&file).assert().success();
-            (text(&std::fs::read(&file).unwrap()), text(&run.get_output().stderr))
-        };
-        // What costs are measured of has no quantities.
-        let letters = command[0] != "accuracy";
-        let (drawn, _) = run(["--style", style.to_str().unwrap()]);
-        assert!(drawn.contains("id=\"go") && drawn.contains("id=\"gp") == letters && !drawn.contains("id=\"gi"), "{command:?}");
-        let (drawn, said) = run(["--font", "fonts/tinos-italic.ttf"]);
-        assert!(drawn.contains("id=\"gp") == letters && !said.contains("font"), "{command:?}: {said}");
-    }
-    std::fs::write(out.path().join("lost.json"), r#"{ "fonts": ["lost.ttf"] }"#).unwrap();
-    let run = hodograph().args(["draw", "templates/crank-rocker.json", "--style"]).arg(out.path().join("lost.json")).assert().code(2);
-    assert!(text(&run.get_output().stderr).contains("lost.ttf"));
-}
-
-#[test]
-fn what_is_no_font_is_told() {
-    let out = tempfile::tempdir().unwrap();
-    let italic = "fonts/tinos-italic.ttf";
-    for fonts in [vec!["templates/shaper.json"], vec!["nosuch.ttf"], vec![italic, italic]] {
-        let fonts = fonts.iter().flat_map(|f| ["--font", f]);
-        let run = hodograph().args(["draw", "templates/shaper.json", "-o"]).arg(out.path()).args(fonts).assert().code(2);
-        assert!(text(&run.get_output().stderr).contains("font"));
-    }
-    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
-}
-
-#[test]
-fn a_worksheet_in_each_format() {
-    let out = tempfile::tempdir().unwrap();
-    for (ending, begins) in [("pdf", "%PDF-1.7"), ("html", "<!DOCTYPE html>"), ("md", "# Shaper"), ("typ", "#set document")] {
-        let file = out.path().join(format!("sheet.{ending}"));
-        let run = hodograph().args(["worksheet", "templates/shaper.json", "-o"]).arg(&file).assert().success();
-        assert!(std::fs::read(&file).unwrap().starts_with(begins.as_bytes()), "{ending}");
-        // Every file that was written is named, each on its line.
-        for line in text(&run.get_output().stdout).lines() {
-            assert!(Path::new(line).exists(), "{line}");
-        }
-    }
-    // Markdown and Typst share their three drawings.
-    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 4 + 3);
-}
-
-#[test]
-fn a_worksheet_that_cannot_be_is_told() {
-    let out = tempfile::tempdir().unwrap();
-    for name in ["sheet", "sheet.docx", "sheet.PDF.", "-"] {
-        let run = hodograph().args(["worksheet", "templates/shaper.json", "-o"]).arg(out.path().join(name)).assert().code(2);
-        assert!(text(&run.get_output().stderr).contains(".typ"), "{name}");
-    }
-    hodograph().args(["worksheet", "tests/bad/no-driver.json", "-o"]).arg(out.path().join("sheet.pdf")).assert().code(2);
-    hodograph().args(["worksheet", "templates/shaper.json", "--problem-only", "--solution", "-o", "x.pdf"]).assert().code(2);
-    assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 0);
+fn templates_path(name: &str) -> String {
+    format!("{}/templates/{name}.json", env!("CARGO_MANIFEST_DIR"))
 }
 
 #[test]
@@ -412,50 +318,6 @@ fn accuracy_tells_every_way_and_what_it_costs() {
     let out = hodograph().args(["accuracy", crank, "--patience", "1", "--toward-toggle"]).assert().code(2);
     assert!(String::from_utf8_lossy(&out.get_output().stderr).contains("the driver turns fully"));
     hodograph().args(["accuracy", near, "--patience", "1", "-o", "costs.txt"]).assert().code(2);
-}
-
-/// A path as a file of its own; what has no path is told with the point, and nothing is written.
-#[test]
-fn a_path_is_drawn_or_refused() {
-    let folder = tempfile::tempdir().unwrap();
-    hodograph().current_dir(&folder).args(["new", "crank-rocker", "-o", "scene.json"]).assert().success();
-    hodograph().current_dir(&folder).args(["path", "scene.json", "--point", "E", "--poses", "4"]).assert().success();
-    let drawn = std::fs::read_to_string(folder.path().join("scene-path.svg")).unwrap();
-    assert!(drawn.contains("id=\"caption-mu_v-E\"") && drawn.contains("id=\"mechanism-path-E-4\""), "{}", &drawn[..2000]);
-    for (args, words) in [
-        (&["--point", "F"][..], "no point `F`"),
-        (&["--point", "A"], "point A stands still"),
-        (&["--point", "E", "--over", "phi_9"], "no driver `phi_9`"),
-    ] {
-        let run = hodograph().current_dir(&folder).args(["path", "scene.json", "-o", "bad.svg"]).args(args).assert().code(2);
-        let said = text(&run.get_output().stderr);
-        assert!(said.contains(words), "no {words:?} in\n{said}");
-    }
-    hodograph().current_dir(&folder).args(["path", "scene.json", "--point", "E", "-o", "bad.txt"]).assert().code(2);
-    assert!(!folder.path().join("bad.svg").exists() && !folder.path().join("bad.txt").exists());
-}
-
-/// `--poses` is a table of positions as the sheet, an overlay with the mechanism; each keeps its own file.
-#[test]
-fn positions_make_a_sheet_or_lie_over_one_another() {
-    let folder = tempfile::tempdir().unwrap();
-    let run = |args: &[&str]| {
-        let scene = templates_path("slider-crank");
-        hodograph().current_dir(&folder).arg("draw").arg(scene).args(args).assert().success();
-    };
-    run(&["-o", "out", "--format", "svg", "--poses", "4", "--figure", "sheet,mechanism"]);
-    let read = |name: &str| std::fs::read_to_string(folder.path().join("out").join(name)).unwrap();
-    let (sheet, over) = (read("slider-crank-poses.svg"), read("slider-crank-mechanism.svg"));
-    for k in 1..=4 {
-        assert!(sheet.contains(&format!("id=\"pose-{k}-velocity-edge-v_CB\"")), "pose {k}");
-    }
-    assert!(over.contains("id=\"mechanism-pose-3-pin\"") && !over.contains("velocity-edge"));
-    run(&["-o", "vectors.svg", "--vectors", "velocity", "--poses", "4"]);
-    assert!(folder.path().join("vectors.svg").exists());
-}
-
-fn templates_path(name: &str) -> String {
-    format!("{}/templates/{name}.json", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// A group of class IV has a range and strokes; a link on three legs stops where they meet.

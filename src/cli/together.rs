@@ -1,0 +1,236 @@
+//! Files that appear together or not at all: each is written beside its place under a name that nobody else uses, and when all are
+//! whole they are renamed, one right after the other.
+//!
+//! A name under way is `.hodograph-`, twelve letters or digits, `.tmp`, and its writer holds a lock on it. What a run that was killed
+//! left has no such lock: the next run that writes to the folder takes it away.
+
+use super::target::{Target, as_before, folder_of, stands_at, unwritable};
+use super::{Failure, stop};
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+const PREFIX: &str = ".hodograph-";
+const SUFFIX: &str = ".tmp";
+const RANDOM: usize = 12;
+
+/// Files on their way.
+#[derive(Default)]
+pub struct Together {
+    files: Vec<Staged>,
+    streams: Vec<(PathBuf, File)>,
+    cleared: Vec<PathBuf>,
+}
+
+/// A file that is whole, but for its name.
+struct Staged {
+    temporary: NamedTempFile,
+    place: PathBuf,
+    /// As the user calls it.
+    name: PathBuf,
+}
+
+impl Together {
+    /// Adds a file.
+    pub fn add(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        self.add_with(path, |out| out.write_all(bytes))
+    }
+
+    /// Adds a file piece by piece.
+    pub fn add_with(&mut self, path: &Path, fill: impl FnOnce(&mut Out) -> io::Result<()>) -> Result<(), Failure> {
+        stop::watch();
+        let fail = |e: io::Error| unwritable(path, &e);
+        let filled = |file: &File, folder: &Path| {
+            let mut out = Out { file: BufWriter::with_capacity(1 << 16, file.try_clone()?), folder: folder.to_owned() };
+            fill(&mut out).and_then(|()| out.flush())
+        };
+        match Target::of(path)? {
+            Target::Stream => {
+                let file = tempfile::tempfile().map_err(fail)?;
+                unless_stopped(path, filled(&file, &std::env::temp_dir()))?;
+                self.streams.push((path.to_owned(), file));
+            }
+            Target::File(place) => {
+                let folder = folder_of(&place);
+                self.clear(folder);
+                let temporary = temporary(folder).map_err(fail)?;
+                // Before the first byte: what nobody else may read is not to be read on its way either.
+                as_before(temporary.as_file(), &place).map_err(fail)?;
+                unless_stopped(path, filled(temporary.as_file(), folder))?;
+                self.files.push(Staged { temporary, place, name: path.to_owned() });
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes away what runs that were killed left in a folder.
+    fn clear(&mut self, folder: &Path) {
+        if self.cleared.iter().any(|f| f == folder) {
+            return;
+        }
+        self.cleared.push(folder.to_owned());
+        // A folder that cannot be listed keeps what it has; that is no reason not to write.
+        for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+            if is_temporary(&entry.file_name().to_string_lossy()) {
+                clear_one(&entry.path());
+            }
+        }
+    }
+
+    /// Gives all of them their names. Where one cannot have it, those that had theirs already give them back.
+    pub fn appear(self) -> Result<(), Failure> {
+        if let Some(first) = self.files.iter().map(|f| &f.name).chain(self.streams.iter().map(|s| &s.0)).next() {
+            unless_stopped(first, Ok(()))?;
+        }
+        // One file needs no way back: renaming is whole by itself.
+        let lone = self.files.len() + self.streams.len() == 1;
+        let mut done = Undo::default();
+        for staged in self.files {
+            let fail = |e: &io::Error| unwritable(&staged.name, e);
+            if !lone {
+                done.keep(&staged.place).map_err(|e| fail(&e))?;
+            }
+            staged.temporary.persist(&staged.place).map_err(|e| fail(&e.error))?;
+            if !lone {
+                done.placed.push(staged.place);
+            }
+        }
+        for (path, mut file) in self.streams {
+            let mut into = OpenOptions::new().append(true).open(&path).map_err(|e| unwritable(&path, &e))?;
+            let copied = file.seek(SeekFrom::Start(0)).and_then(|_| io::copy(&mut file, &mut into));
+            copied.map_err(|e| unwritable(&path, &e))?;
+        }
+        done.placed.clear();
+        Ok(())
+    }
+}
+
+/// The way back, which is gone when this is dropped with files in `placed`.
+#[derive(Default)]
+struct Undo {
+    placed: Vec<PathBuf>,
+    /// What stood in a place, under a name of its own until all is done.
+    before: Vec<(PathBuf, NamedTempFile)>,
+}
+
+impl Undo {
+    /// Keeps what stands in a place.
+    fn keep(&mut self, place: &Path) -> io::Result<()> {
+        match std::fs::File::open(place) {
+            Ok(mut old) => {
+                let mut kept = temporary(folder_of(place))?;
+                as_before(kept.as_file(), place)?;
+                io::copy(&mut old, &mut kept)?;
+                self.before.push((place.to_owned(), kept));
+                Ok(())
+            }
+            Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(()),
+            Err(e) => Err(e),
+        }
+    }
+}
+
+impl Drop for Undo {
+    fn drop(&mut self) {
+        for place in &self.placed {
+            // The way back may be barred too; nothing more can be done then.
+            let _ = match self.before.iter().position(|(p, _)| p == place) {
+                Some(k) => self.before.swap_remove(k).1.persist(place).map(drop).map_err(|e| e.error),
+                None => std::fs::remove_file(place),
+            };
+        }
+    }
+}
+
+/// A file of its own in a folder, locked, as readable as any file that the user writes.
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX).suffix(SUFFIX).rand_bytes(RANDOM);
+    #[cfg(unix)]
+    {
+        // A temporary file is private by default. What the user's mask takes away is taken away here too.
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    loop {
+        let file = builder.tempfile_in(folder)?;
+        // Another run that clears the folder may have seen it before it was locked, and taken it for one that was left.
+        match file.as_file().try_lock() {
+            Ok(()) if stands_at(file.as_file(), file.path()) => return Ok(file),
+            Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
+            // Without locks nobody clears either.
+            Err(std::fs::TryLockError::Error(_)) => return Ok(file),
+        }
+    }
+}
+
+fn is_temporary(name: &str) -> bool {
+    let random = name.strip_prefix(PREFIX).and_then(|n| n.strip_suffix(SUFFIX));
+    random.is_some_and(|r| r.len() == RANDOM && r.bytes().all(|b| b.is_ascii_alphanumeric()))
+}
+
+fn clear_one(path: &Path) {
+    if !std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file()) {
+        return;
+    }
+    if let Ok(file) = OpenOptions::new().append(true).open(path)
+        && file.try_lock().is_ok()
+        && stands_at(&file, path)
+    {
+        // Who may not remove it leaves it.
+        let _ = std::fs::remove_file(path);
+    }
+}
+
+/// What came of writing, unless the user has asked to stop.
+fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
+    if stop::asked() {
+        return Err(Failure::Interrupted(format!("{} is not written", path.display())));
+    }
+    filled.map_err(|e| unwritable(path, &e))
+}
+
+/// A file under way, which takes nothing more once the user has asked to stop.
+pub struct Out {
+    file: BufWriter<File>,
+    folder: PathBuf,
+}
+
+impl Write for Out {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        // Not of the kind `Interrupted`: that one is tried again.
+        if stop::asked() { Err(io::Error::other("interrupted")) } else { self.file.write(bytes) }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Out {
+    /// A file without a name in the same place, for what is not yet in its order.
+    pub fn scratch(&self) -> io::Result<File> {
+        tempfile::tempfile_in(&self.folder)
+    }
+
+    /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
+    pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> io::Result<()> {
+        self.file.flush()?;
+        if new.len() as u64 != old {
+            let mut rest = self.scratch()?;
+            let file = self.file.get_mut();
+            file.seek(SeekFrom::Start(old))?;
+            io::copy(file, &mut rest)?;
+            rest.seek(SeekFrom::Start(0))?;
+            file.set_len(0)?;
+            file.seek(SeekFrom::Start(0))?;
+            file.write_all(new)?;
+            io::copy(&mut rest, file)?;
+            return Ok(());
+        }
+        let file = self.file.get_mut();
+        file.seek(SeekFrom::Start(0))?;
+        file.write_all(new)
+    }
+}

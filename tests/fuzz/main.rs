@@ -1,0 +1,198 @@
+//! Mutated input, as long as one likes: scenes, style files, arguments. (Journals: `src/cli/part/tests.rs`.)
+//!
+//! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_SECONDS=60 cargo test fuzz` runs each target
+//! for a minute, `HODOGRAPH_FUZZ_SEED=7` with others. The seeds are all templates and the scenes of `tests/bad` and `tests/repro`. An
+//! input that breaks something is printed with the failure.
+
+mod mutate;
+
+use hodograph::accuracy::certify;
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::style;
+use hodograph::render::svg;
+use hodograph::report::answers;
+use hodograph::report::diagnostics::render;
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+use hodograph::worksheet::{Options as Sheets, html, markdown, typst, worksheet};
+use mutate::{Mutator, Rng};
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+/// An input may take so long, unoptimised, on a machine that is busy with other tests.
+const SOON: Duration = Duration::from_secs(20);
+
+fn root(path: &str) -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// The texts of all JSON files in these folders.
+fn corpus(folders: &[&str]) -> Vec<String> {
+    let mut files: Vec<_> = folders.iter().flat_map(|f| fs::read_dir(root(f)).unwrap()).map(|f| f.unwrap().path()).collect();
+    files.retain(|f| f.extension().is_some_and(|e| e == "json"));
+    files.sort();
+    assert!(!files.is_empty());
+    files.iter().map(|f| fs::read_to_string(f).unwrap()).collect()
+}
+
+/// Feeds mutated inputs to a target: so many, or for as long as is asked for. Prints how many were accepted.
+fn fuzz(name: &str, seeds: &[String], usual: u64, target: &dyn Fn(&[u8], u64) -> bool) {
+    let number = |key: &str| std::env::var(key).ok().and_then(|v| v.parse::<u64>().ok());
+    let (seconds, seed) = (number("HODOGRAPH_FUZZ_SECONDS"), number("HODOGRAPH_FUZZ_SEED").unwrap_or(1));
+    let begin = Instant::now();
+    let mutator = Mutator::new(seeds);
+    let (mut tried, mut accepted) = (0, 0);
+    while seconds.map_or(tried < usual, |s| begin.elapsed().as_secs() < s) {
+        let mut rng = Rng::new(seed.wrapping_mul(0x9e37_79b9) ^ tried);
+        let input = mutator.input(&mut rng);
+        let start = Instant::now();
+        match catch_unwind(AssertUnwindSafe(|| target(&input, tried))) {
+            Ok(whole) => accepted += u64::from(whole),
+            Err(e) => {
+                let words = e.downcast_ref::<String>().cloned().or(e.downcast_ref::<&str>().map(|s| s.to_string())).unwrap_or_default();
+                panic!("{name}, seed {seed}, input {tried}: {words}\n{}", String::from_utf8_lossy(&input));
+            }
+        }
+        let took = start.elapsed();
+        assert!(took < SOON, "{name}, seed {seed}, input {tried}: took {took:?}\n{}", String::from_utf8_lossy(&input));
+        tried += 1;
+    }
+    println!("{name}: {tried} inputs, {accepted} of them accepted, {:.0?}", begin.elapsed());
+}
+
+/// What is said of faults can be printed.
+fn told(faults: &hodograph::diag::Faults, input: &[u8]) {
+    assert!(faults.has_errors(), "refused without an error: {faults:?}");
+    let said = render(faults, "input.json", &String::from_utf8_lossy(input));
+    assert!(!said.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{said:?}");
+}
+
+/// A scene is refused with words, or solved and drawn: all that is written of it is well-formed.
+fn scene_target(input: &[u8], k: u64) -> bool {
+    let scene = match scene::read(input) {
+        Ok(s) => s.value,
+        Err(faults) => {
+            told(&faults, input);
+            return false;
+        }
+    };
+    let worked = match work(&scene, Scope::Figure) {
+        Ok(w) => w.value,
+        Err(faults) => {
+            told(&faults, input);
+            return false;
+        }
+    };
+    let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
+    let certified = certify(&scene, &worked, answers::DIGITS);
+    let text = answers::text(&scene, &worked, &certified, answers::DIGITS, lang);
+    assert!(!text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{text:?}");
+    let drawn = sheet(&scene, &worked, &Options::of_language(lang)).and_then(|f| svg::write(&f));
+    match drawn {
+        Ok(svg) => drop(roxmltree::Document::parse(&svg.value).unwrap()),
+        Err(faults) => told(&faults, input),
+    }
+    if k.is_multiple_of(4) {
+        let document = worksheet(&scene, &worked, &Sheets::of_language(lang));
+        if let Ok(page) = html::html(&document) {
+            roxmltree::Document::parse(page.trim_start_matches("<!DOCTYPE html>")).unwrap();
+        }
+        if let Ok((source, _)) = typst::typst(&document, "a") {
+            let root = typst_syntax::parse(&source);
+            assert!(root.errors_and_warnings().0.is_empty(), "{:?}", root.errors_and_warnings().0);
+        }
+        let _ = markdown::markdown(&document, "a");
+    }
+    true
+}
+
+#[test]
+fn fuzz_scenes() {
+    let mut seeds = corpus(&["templates", "tests/bad", "tests/repro"]);
+    seeds.push("{\"title\": \"曲柄\\u001b\", \"find\": [\"v_A\"]}".into());
+    fuzz("scenes", &seeds, 200, &scene_target);
+}
+
+/// A style is refused with words, or a sheet is drawn in it.
+#[test]
+fn fuzz_styles() {
+    let mut seeds = corpus(&["src/figure/style"]);
+    seeds.push(r##"{ "base": "print", "lines": { "vector": 0.5 }, "colours": { "links": ["#0072b2", "#d55e00"] }, "notation": { "pole": "P", "coriolis": "k", "sliding": "r", "known": "\\surd", "unknown": "?" } }"##.into());
+    let scene = scene::read(templates::get("slider-crank").unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    fuzz("styles", &seeds, 600, &|input, k| match style::read(input) {
+        Err(faults) => {
+            told(&faults, input);
+            false
+        }
+        Ok(style) => {
+            if k.is_multiple_of(8) {
+                let usual = Options::of_language(Lang::En);
+                let options = Options { notation: style.marks.over(&usual.notation), style, ..usual };
+                match sheet(&scene, &worked, &options).and_then(|f| svg::write(&f)) {
+                    Ok(svg) => drop(roxmltree::Document::parse(&svg.value).unwrap()),
+                    Err(faults) => told(&faults, input),
+                }
+            }
+            true
+        }
+    });
+}
+
+/// Words of a command line: commands, options, values that are right, and such as are not.
+const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curves path limits new templates schema --lang en zh --notation cn \
+    -o a.svg a.png a.pdf a.csv a.json a.npy a.parquet a.md a.typ a.html out/ /dev/null scene.json style.json missing.json - . .. --format svg,png \
+    --figure mechanism,velocity sheet results --vectors velocity acceleration --poses 0 2 73 -1 --path E,B Q --dimensions --text editable --steps 3 \
+    360 --style print slides dark --font --digits 6 30 31 --drafting 0.1mm --drafting=0.1mm 9mm --dpi 40 1e9 --reveal --positions 8 --driver 1 9 --json \
+    --toward-toggle --patience 1 --over phi_1 l_BC driver driver2 --from 0 90deg --to 1e300 1rad nan --find v_C,a_C v_Q omega_3/2 --point E --marks 2 \
+    --vary l_BC=200..300:3 l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
+    --problem-only --solution --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
+
+/// Whatever the arguments are, the program ends by itself with one of its exit codes.
+#[test]
+fn fuzz_arguments() {
+    let words: Vec<&str> = WORDS.split_whitespace().collect();
+    let right = [
+        "draw scene.json -o a.svg",
+        "solve scene.json --steps --digits 6",
+        "sweep scene.json --find v_C --from 0 --to 90deg --steps 3 -o a.csv",
+        "batch scene.json --vary l_BC=200..300:3 --steps 3 -o a.npy",
+        "curves scene.json --steps 8 -o a.svg",
+        "path scene.json --point E -o a.svg",
+        "new crank-rocker --set l_AB=80 -o new.json",
+        "worksheet scene.json -o a.md",
+        "limits scene.json --json",
+        "plan scene.json --json",
+    ];
+    let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
+    let folder = tempfile::tempdir().unwrap();
+    fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
+    fs::copy(root("src/figure/style/dark.json"), folder.path().join("style.json")).unwrap();
+    let before = fs::read(folder.path().join("scene.json")).unwrap();
+    fuzz("arguments", &seeds, 60, &|input, k| {
+        let mut rng = Rng::new(k);
+        let mut line: Vec<String> = seeds[rng.below(seeds.len())].split(' ').map(str::to_owned).collect();
+        for _ in 0..1 + rng.below(3) * rng.below(2) {
+            let at = 1 + rng.below(line.len() - 1);
+            match rng.below(4) {
+                0 => drop(line.remove(at)),
+                1 => line[at] = words[rng.below(words.len())].to_owned(),
+                2 => line[at] = String::from_utf8_lossy(&input[..input.len().min(40)]).replace(['\0', '/'], ""),
+                _ => line.insert(at, words[rng.below(words.len())].to_owned()),
+            }
+            if line.len() < 2 {
+                break;
+            }
+        }
+        let mut run = assert_cmd::Command::new(env!("CARGO_BIN_EXE_hodograph"));
+        let run = run.current_dir(folder.path()).args(&line).timeout(SOON).write_stdin("{").output().unwrap();
+        let (out, said) = (String::from_utf8_lossy(&run.stdout), String::from_utf8_lossy(&run.stderr));
+        let code = run.status.code();
+        assert!(matches!(code, Some(0 | 1 | 2 | 4)), "{line:?}: {code:?} {said}");
+        assert!(!said.contains("panicked") && !said.contains('\u{1b}') && !out.contains('\u{1b}'), "{line:?}: {said:?}");
+        assert!(code == Some(0) || code == Some(4) || !said.is_empty(), "{line:?}: {code:?} without a word");
+        assert_eq!(fs::read(folder.path().join("scene.json")).unwrap(), before, "{line:?}: the scene was written over");
+        code == Some(0)
+    });
+}

@@ -1,0 +1,137 @@
+//! Mutations of texts: bytes, numbers, pieces of other texts, words that mean something to somebody.
+
+/// Splitmix64 (Steele, Lea, Flood 2014).
+pub struct Rng(u64);
+
+impl Rng {
+    pub fn new(seed: u64) -> Rng {
+        Rng(seed)
+    }
+
+    pub fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Less than `n`; 0 for none.
+    pub fn below(&mut self, n: usize) -> usize {
+        (self.next() % n.max(1) as u64) as usize
+    }
+}
+
+/// Words that mean something to a reader of JSON, SVG, HTML, Markdown, Typst or a terminal, and numbers at the ends of their ranges.
+const HOSTILE: [&str; 40] = [
+    "\\u001b[2J",
+    "\\u0000",
+    "\\ufffe",
+    "\u{1b}",
+    "\u{7f}",
+    "\u{9b}",
+    "\u{fffe}",
+    "\u{202e}",
+    "\\ud800",
+    "\\n\\n",
+    "\\",
+    "\"",
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    ":",
+    "]]>",
+    "<!--",
+    "</script>",
+    "&copy;",
+    "$",
+    "~~~",
+    "---",
+    "#",
+    "*/",
+    "曲",
+    "\u{fffc}",
+    "\u{feff}",
+    "1e308",
+    "-1",
+    "0",
+    "1e-320",
+    "1e999",
+    "180",
+    "360.0000000001",
+    "nan",
+    "null",
+    "1/0",
+];
+
+/// Makes inputs of a corpus.
+pub struct Mutator<'a> {
+    seeds: &'a [String],
+}
+
+impl<'a> Mutator<'a> {
+    pub fn new(seeds: &'a [String]) -> Mutator<'a> {
+        Mutator { seeds }
+    }
+
+    /// One of the texts after one to four mutations. Of two inputs one is changed in its numbers only: it still is what it was, and
+    /// comes further.
+    pub fn input(&self, rng: &mut Rng) -> Vec<u8> {
+        let mut text = self.seeds[rng.below(self.seeds.len())].clone().into_bytes();
+        let gentle = rng.below(2) == 0;
+        for _ in 0..1 + rng.below(4) {
+            if gentle { Mutator::digit(&mut text, rng) } else { self.mutate(&mut text, rng) }
+        }
+        text
+    }
+
+    /// A digit for a digit.
+    fn digit(text: &mut [u8], rng: &mut Rng) {
+        let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
+        if let Some(&at) = digits.get(rng.below(digits.len())) {
+            text[at] = b'0' + rng.below(10) as u8;
+        }
+    }
+
+    fn mutate(&self, text: &mut Vec<u8>, rng: &mut Rng) {
+        let at = rng.below(text.len());
+        match rng.below(8) {
+            0 if at < text.len() => text[at] = rng.next() as u8,
+            1 if at < text.len() => text[at] ^= 1 << rng.below(8),
+            2 => {
+                let end = text.len().min(at + 1 + rng.below(12));
+                text.drain(at..end);
+            }
+            // A piece of another text, from one quotation mark to another.
+            3 => {
+                let other = &self.seeds[rng.below(self.seeds.len())];
+                let marks: Vec<usize> = other.match_indices('"').map(|m| m.0).collect();
+                let (a, b) = (rng.below(marks.len()), rng.below(marks.len()));
+                if let (Some(a), Some(b)) = (marks.get(a.min(b)), marks.get(a.max(b))) {
+                    let piece = &other.as_bytes()[*a..(*b).min(a + 200)];
+                    text.splice(at..at, piece.iter().copied());
+                }
+            }
+            4 => {
+                let end = text.len().min(at + 1 + rng.below(30));
+                let piece = text[at..end].to_vec();
+                text.splice(at..at, piece);
+            }
+            // A number for a number leaves the text what it is.
+            5 | 6 => {
+                let digits: Vec<usize> = (0..text.len()).filter(|i| text[*i].is_ascii_digit()).collect();
+                if let Some(&from) = digits.get(rng.below(digits.len())) {
+                    let to = (from..text.len()).find(|i| !text[*i].is_ascii_digit()).unwrap_or(text.len());
+                    let number = [30, 31, 32, 33, 34, 35, 36].map(|k| HOSTILE[k])[rng.below(7)];
+                    let number = if rng.below(2) == 0 { rng.below(400).to_string() } else { number.to_owned() };
+                    text.splice(from..to, number.bytes());
+                }
+            }
+            _ => {
+                let word = HOSTILE[rng.below(HOSTILE.len())];
+                text.splice(at..at, word.bytes());
+            }
+        }
+    }
+}
