@@ -6,7 +6,7 @@
 
 use super::args::Batch as Args;
 use super::part::Part;
-use super::sweep::{ask, driver_of, stations};
+use super::sweep::{ask, driver_of, stations, within};
 use super::{Failure, Input, Run, choices, files, long, stop, tables};
 use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::Mechanism;
@@ -17,6 +17,9 @@ use crate::sweep::batch::{Batch, Block, Choice};
 use crate::sweep::vary::Variation;
 use std::io;
 use std::path::Path;
+
+/// Most steps of each mechanism: all its rows are in memory at once, of a dozen columns some ten megabytes, in each stage of the work.
+const MOST_POSITIONS: usize = 100_000;
 
 /// Numbers of a block, about: some megabytes, a row group of some 100 000 rows in Parquet.
 const BLOCK: usize = 1 << 20;
@@ -78,7 +81,7 @@ fn plan<'a>(scene: &'a Scene, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     let driver = driver_of(scene, a.range.over.as_deref())?;
     let stations = match a.range.steps {
         None => None,
-        Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, &a.range, steps)?),
+        Some(steps) => Some(stations(&Placed::new(scene, mechanism)?, driver, &a.range, within(steps, MOST_POSITIONS, "a batch")?)?),
     };
     let choice = a.random.map_or(Choice::Grid, |count| Choice::Random { count, seed: a.seed });
     Ok(Batch { scene, mechanism, variation, values, choice, driver, stations })
@@ -104,6 +107,7 @@ fn write(batch: &Batch, head: Head, out: &Path, job: &str) -> Result<Part, Failu
         if part.done < batch.mechanisms() {
             return Ok(());
         }
+        let _naming = stop::undisturbed();
         part.finish(out, &*format, &notes(part.missing))
     });
     if let Err(e) = done {
@@ -144,7 +148,7 @@ fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()>
             return None;
         }
         let to = all.min(from + step);
-        let block = batch.block_in(from, to, used.unwrap_or_default().1);
+        let block = batch.block_unless(from, to, used.unwrap_or_default().1, &stop::asked)?;
         from = to;
         Some((to, block))
     };

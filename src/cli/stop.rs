@@ -1,20 +1,44 @@
 //! Being asked to stop (Ctrl-C, a termination signal) while a file is written: the writer comes to an end by itself, so that nothing
 //! half-written stays. Until somebody watches, such a signal ends the program as it does any other.
+//!
+//! A writer in the middle of a long computation may not look up for seconds. So it is waited for a moment only; then the program ends
+//! all the same. What is under way then stands under a name of its own, as after any end without warning.
 
+use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
+
+/// Held while files get their names, and by who ends the program.
+static DECIDED: Mutex<()> = Mutex::new(());
 
 /// Exit code of an interrupted run, as shells have it.
 pub const INTERRUPTED: u8 = 130;
 
-/// From now on a signal only asks.
+/// How long a writer is waited for: who has pressed a key has an answer within half a second.
+const PATIENCE: Duration = Duration::from_millis(350);
+
+/// From now on a signal asks first.
 pub fn watch() {
     // A second handler in one process is refused; the first does the same.
-    let _ = ctrlc::set_handler(|| ASKED.store(true, Ordering::Relaxed));
+    let _ = ctrlc::set_handler(|| {
+        ASKED.store(true, Ordering::Relaxed);
+        thread::sleep(PATIENCE);
+        let _decided = undisturbed();
+        eprintln!("interrupted: what was being computed is not written");
+        process::exit(i32::from(INTERRUPTED));
+    });
 }
 
 /// Whether the user has asked.
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
+}
+
+/// As long as this is held the program is not ended in the middle: for the moment in which files get their names.
+pub fn undisturbed() -> MutexGuard<'static, ()> {
+    DECIDED.lock().unwrap_or_else(PoisonError::into_inner)
 }

@@ -120,6 +120,27 @@ pub fn stations(placed: &Placed, driver: usize, range: &Range, count: usize) -> 
     Ok(steps(placed, driver, range, count)?.all())
 }
 
+/// So many steps, if they are not more than `what` may have.
+pub fn within(steps: usize, most: usize, what: &str) -> Result<usize, Faults> {
+    if steps <= most {
+        return Ok(steps);
+    }
+    let d = Diagnostic::error("too-many", format!("--steps {steps}: {what} has at most {most} steps"));
+    Err(d.help(format!("write --steps {most} or fewer; `sweep` writes tables of up to ten million rows")).into())
+}
+
+/// Farthest ends of a range, in turns: a mechanism whose links are followed is followed through all of them.
+const MOST_TURNS: f64 = 10_000.0;
+
+/// The end of a range, if it is not too far off.
+fn not_too_far(angle: Angle, name: &str) -> Result<Angle, Faults> {
+    if angle.degrees().abs() <= 360.0 * MOST_TURNS {
+        return Ok(angle);
+    }
+    let d = Diagnostic::error("range", format!("{name} lies {} turns off; at most {MOST_TURNS} are allowed", angle.degrees().abs() / 360.0));
+    Err(d.help("the motion comes again with every turn, or with every few").into())
+}
+
 fn steps(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Faults> {
     let (from, to) = (range.from.as_deref(), range.to.as_deref());
     let Some(d) = placed.scene.drivers.get(driver) else {
@@ -127,7 +148,8 @@ fn steps(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<
     };
     if let DriverKind::Turn { .. } = d.kind {
         let read = |text: Option<&str>, default: f64| text.map_or(Ok(Angle::Deg(default)), edit::angle);
-        return Ok(Steps { way: Way::Turn(read(from, 0.0)?, read(to, 360.0)?), steps });
+        let [from, to] = [not_too_far(read(from, 0.0)?, "--from")?, not_too_far(read(to, 360.0)?, "--to")?];
+        return Ok(Steps { way: Way::Turn(from, to), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match (from, to) {

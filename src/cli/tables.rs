@@ -18,6 +18,9 @@ pub const ALL: [&str; 4] = ["csv", "json", "npy", "parquet"];
 /// Rows of a piece: half a megabyte for each column.
 const ROWS: usize = 1 << 16;
 
+/// Numbers of a piece at most: sixteen megabytes.
+const NUMBERS: usize = 1 << 21;
+
 /// The ending of a file's name, one of those allowed.
 pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Failure> {
     allowed.iter().copied().find(|e| files::ending(path) == Some(e)).ok_or_else(|| {
@@ -74,11 +77,13 @@ fn in_pieces<U: Send>(
     take: impl FnMut(&U) -> io::Result<()>,
 ) -> io::Result<()> {
     let (count, mut from) = (sweep.count(), 0);
+    // What many questions ask comes in shorter pieces, so that a piece is a few megabytes at most.
+    let rows = ROWS.min((NUMBERS / sweep.columns().len().max(1)).max(1));
     let make = |_: Option<Vec<Vec<f64>>>| {
-        let to = count.min(from + ROWS);
+        let to = count.min(from + rows);
         let mut piece: Option<Vec<Vec<f64>>> = None;
         while from < to {
-            let next = to.min(from + sweep.at_once());
+            let next = to.min(from + sweep.at_once().min(rows));
             let rows = sweep.piece(from..next, &stop::asked)?;
             bar.inc((next - from) as u64);
             from = next;
