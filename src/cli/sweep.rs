@@ -137,7 +137,8 @@ fn not_too_far(angle: Angle, name: &str) -> Result<Angle, Faults> {
     if angle.degrees().abs() <= 360.0 * MOST_TURNS {
         return Ok(angle);
     }
-    let d = Diagnostic::error("range", format!("{name} lies {} turns off; at most {MOST_TURNS} are allowed", angle.degrees().abs() / 360.0));
+    let d =
+        Diagnostic::error("range", format!("{name} lies {} turns off; at most {MOST_TURNS} are allowed", angle.degrees().abs() / 360.0));
     Err(d.help("the motion comes again with every turn, or with every few").into())
 }
 

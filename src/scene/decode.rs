@@ -110,7 +110,9 @@ fn words(node: Option<&Node>, what: &str, faults: &mut Faults) -> Vec<Word> {
 fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
     if let Kind::Object(_) = node.kind {
         let f = Fields::open(node, what, keys::TEXT, faults)?;
-        let mut text = |key: &str| f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).and_then(|w| no_longer(w, what, most, faults));
+        let mut text = |key: &str| {
+            f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).and_then(|w| no_longer(w, what, most, faults))
+        };
         let both = RawLocalized { en: text("en"), zh: text("zh") };
         if f.get("en").is_none() && f.get("zh").is_none() {
             faults.push(Diagnostic::error("empty", format!("{what} says nothing")).at(node.span).help("give \"en\", \"zh\" or both"));

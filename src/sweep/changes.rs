@@ -130,3 +130,63 @@ impl Program {
         self.joints.iter().map(|j| sign(j.step)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{Angle, edit, read, templates};
+    use crate::sweep::{Placed, Stations, Table, Width, compile, run};
+
+    fn with<T>(phi: &str, see: impl FnOnce(&Placed) -> T) -> T {
+        let text = templates::instantiate("parallelogram", &[("phi_1", phi)]).unwrap();
+        let scene = read(edit::with_find(&text, &["x_C", "y_C", "v_C", "a_E", "omega_3"]).unwrap()).unwrap().value;
+        let m = Mechanism::new(&scene).unwrap().value;
+        see(&Placed::new(&scene, &m).unwrap())
+    }
+
+    /// Every tenth degree of a turn, in line too, so many turns on.
+    fn turn(placed: &Placed, turns: f64) -> Table {
+        let [from, to] = [10.0, 370.0].map(|deg| Angle::Deg(deg + 360.0 * turns));
+        run(placed, 0, &Stations::turned(from, to, 36), Width::Widest).unwrap()
+    }
+
+    #[test]
+    fn further_turns_are_the_first_one_again() {
+        let first = with("60 deg", |placed| turn(placed, 0.0));
+        assert_eq!(first.rows(), 37);
+        for (phi, turns) in
+            [("60 deg", 1.0), ("60 deg", -3.0), ("60 deg", 5000.0), ("60 deg", -10_000.0), ("1e7 deg", 0.0), ("-99999 deg", 12.0)]
+        {
+            let far = with(phi, |placed| turn(placed, turns));
+            assert_eq!(far.rows(), 37, "{phi}, {turns} turns on: {:?}", far.notes);
+            for (a, b) in first.columns.iter().zip(&far.columns).skip(1) {
+                let size = a.values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+                let off = a.values.iter().zip(&b.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                assert!(off <= 1e-9 * size, "{phi}, {turns} turns on: {} is off by {off}", a.name);
+            }
+            assert!(far.notes.len() < 12, "{:?}", far.notes);
+        }
+    }
+
+    /// The search is that of a few turns, however many there are, and knows where the branches change on the last of them.
+    #[test]
+    fn a_million_turns_are_searched_as_soon_as_a_few() {
+        with("60 deg", |placed| {
+            let program = compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find).unwrap();
+            for sense in [1.0, -1.0] {
+                let now = 60f64.to_radians();
+                let (end, changes) = Probe::of(program.clone(), placed, 0).walk(now + sense * 1e6 * TAU);
+                assert!(end.is_none() && changes.events.len() <= 4, "{changes:?}");
+                // Two change points a turn, each the way into the other's stretch.
+                let at = |turns: f64, deg: f64| changes.stretch(now + sense * (turns * TAU + f64::to_radians(deg)), sense);
+                let kinds = |turns: f64| [at(turns, 90.0), at(turns, 200.0), at(turns, 330.0)];
+                assert_eq!(kinds(7.0), kinds(999_999.0), "{changes:?}");
+                assert!(kinds(7.0)[1] != kinds(7.0)[2], "{changes:?}");
+                let (met, more) = changes.met(now + sense * 1e6 * TAU);
+                assert!(more && met.len() == 2, "{met:?}");
+                assert_eq!(changes.met(now + sense * 0.9 * TAU).1, false);
+            }
+        });
+    }
+}

@@ -88,7 +88,8 @@ impl Raster {
     }
 
     fn fill_bar(&mut self, from: Point, to: Point, half_width_mm: f64, with: u8) {
-        let paper = Rect { min: self.corner, max: self.corner + crate::geom::Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm };
+        let paper =
+            Rect { min: self.corner, max: self.corner + crate::geom::Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm };
         let Some((from, to)) = cost::clipped(from, to, paper) else { return };
         let steps = (from.distance(to) / self.cell_mm).ceil().max(1.0);
         for k in 0..=steps as usize {
@@ -185,7 +186,8 @@ mod tests {
             obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None });
             obstacles.discs.push(super::super::Disc { centre: at(k), radius_mm: 0.6 });
         }
-        let requests = (0..n).map(|k| LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8).optional(k % 3 == 0)).collect();
+        let requests =
+            (0..n).map(|k| LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8).optional(k % 3 == 0)).collect();
         (requests, obstacles, Rect::new(at(0), at(0)).grown(0.5 * side_mm + 20.0))
     }
 
@@ -202,7 +204,10 @@ mod tests {
                 // A line of this crowd is as long as the crowd is wide.
                 let lines = obstacles.bars.iter().map(|b| b.from.distance(b.to) / CELL_MM).sum::<f64>() / n as f64;
                 let each = each - 9.0 * lines;
-                assert!(last.is_none_or(|last| each < 1.3 * last.max(1000.0)), "{n} labels {spacing} mm apart: {each} cells each, {last:?} before");
+                assert!(
+                    last.is_none_or(|last| each < 1.3 * last.max(1000.0)),
+                    "{n} labels {spacing} mm apart: {each} cells each, {last:?} before"
+                );
                 last = Some(each);
             }
         }
