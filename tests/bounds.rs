@@ -79,7 +79,7 @@ fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String)
 fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     let folder = tempfile::tempdir().unwrap();
     for (name, scene, coarse) in [
-        ("chain-20", chain(20), false),
+        ("chain-8", chain(8), false),
         ("chain-60", chain(60), true),
         ("chain-200", chain(200), true),
         ("points-30", points_on_a_link(30), false),

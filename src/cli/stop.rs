@@ -2,7 +2,8 @@
 //! half-written stays. Until somebody watches, such a signal ends the program as it does any other.
 //!
 //! A writer in the middle of a long computation may not look up for seconds. So it is waited for a moment only; then the program ends
-//! all the same. What is under way then stands under a name of its own, as after any end without warning.
+//! all the same, unless the writer has heard and is coming to its end. What is under way then stands under a name of its own, as after
+//! any end without warning.
 
 use std::process;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,6 +13,9 @@ use std::time::Duration;
 
 static ASKED: AtomicBool = AtomicBool::new(false);
 
+/// Whether a writer has learnt that it is to stop.
+static HEARD: AtomicBool = AtomicBool::new(false);
+
 /// Held while files get their names, and by who ends the program.
 static DECIDED: Mutex<()> = Mutex::new(());
 
@@ -19,7 +23,10 @@ static DECIDED: Mutex<()> = Mutex::new(());
 pub const INTERRUPTED: u8 = 130;
 
 /// How long a writer is waited for: who has pressed a key has an answer within half a second.
-const PATIENCE: Duration = Duration::from_millis(350);
+const PATIENCE: Duration = Duration::from_millis(400);
+
+/// How long one is waited for that has heard: it has a file to remove or a line to write, on whatever disk.
+const TO_THE_END: Duration = Duration::from_secs(5);
 
 /// From now on a signal asks first.
 pub fn watch() {
@@ -27,6 +34,9 @@ pub fn watch() {
     let _ = ctrlc::set_handler(|| {
         ASKED.store(true, Ordering::Relaxed);
         thread::sleep(PATIENCE);
+        if HEARD.load(Ordering::Relaxed) {
+            thread::sleep(TO_THE_END);
+        }
         let _decided = undisturbed();
         eprintln!("interrupted: what was being computed is not written");
         process::exit(i32::from(INTERRUPTED));
@@ -35,7 +45,11 @@ pub fn watch() {
 
 /// Whether the user has asked.
 pub fn asked() -> bool {
-    ASKED.load(Ordering::Relaxed)
+    let asked = ASKED.load(Ordering::Relaxed);
+    if asked {
+        HEARD.store(true, Ordering::Relaxed);
+    }
+    asked
 }
 
 /// As long as this is held the program is not ended in the middle: for the moment in which files get their names.

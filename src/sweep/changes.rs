@@ -156,7 +156,7 @@ mod tests {
         let first = with("60 deg", |placed| turn(placed, 0.0));
         assert_eq!(first.rows(), 37);
         for (phi, turns) in
-            [("60 deg", 1.0), ("60 deg", -3.0), ("60 deg", 5000.0), ("60 deg", -10_000.0), ("1e7 deg", 0.0), ("-99999 deg", 12.0)]
+            [("60 deg", 1.0), ("60 deg", -3.0), ("60 deg", 5000.0), ("60 deg", -10_000.0), ("10000100 deg", 0.0), ("-99999 deg", 12.0)]
         {
             let far = with(phi, |placed| turn(placed, turns));
             assert_eq!(far.rows(), 37, "{phi}, {turns} turns on: {:?}", far.notes);
