@@ -6,7 +6,7 @@
 //! any end without warning.
 
 use std::process;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
@@ -15,6 +15,9 @@ static ASKED: AtomicBool = AtomicBool::new(false);
 
 /// Whether a writer has learnt that it is to stop.
 static HEARD: AtomicBool = AtomicBool::new(false);
+
+/// Writers that look up again and again by themselves.
+static LOOKING: AtomicUsize = AtomicUsize::new(0);
 
 /// Held while files get their names, and by who ends the program.
 static DECIDED: Mutex<()> = Mutex::new(());
@@ -25,7 +28,7 @@ pub const INTERRUPTED: u8 = 130;
 /// How long a writer is waited for: who has pressed a key has an answer within half a second.
 const PATIENCE: Duration = Duration::from_millis(400);
 
-/// How long one is waited for that has heard: it has a file to remove or a line to write, on whatever disk.
+/// How long one is waited for that has heard, or soon will: it has a file to remove or a line to write, on whatever disk.
 const TO_THE_END: Duration = Duration::from_secs(5);
 
 /// From now on a signal asks first.
@@ -34,7 +37,7 @@ pub fn watch() {
     let _ = ctrlc::set_handler(|| {
         ASKED.store(true, Ordering::Relaxed);
         thread::sleep(PATIENCE);
-        if HEARD.load(Ordering::Relaxed) {
+        if HEARD.load(Ordering::Relaxed) || LOOKING.load(Ordering::Relaxed) > 0 {
             thread::sleep(TO_THE_END);
         }
         let _decided = undisturbed();
@@ -50,6 +53,23 @@ pub fn asked() -> bool {
         HEARD.store(true, Ordering::Relaxed);
     }
     asked
+}
+
+/// A writer that looks up between two rows: on a machine with much else to do it is waited for longer, and leaves nothing behind.
+pub struct Looking(());
+
+impl Looking {
+    /// From now on, until this is dropped.
+    pub fn begin() -> Looking {
+        LOOKING.fetch_add(1, Ordering::Relaxed);
+        Looking(())
+    }
+}
+
+impl Drop for Looking {
+    fn drop(&mut self) {
+        LOOKING.fetch_sub(1, Ordering::Relaxed);
+    }
 }
 
 /// As long as this is held the program is not ended in the middle: for the moment in which files get their names.

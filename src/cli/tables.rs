@@ -46,6 +46,7 @@ pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Fail
     let ending = ending(path, &ALL)?;
     let head = Head::new(title, sweep.columns());
     stop::watch();
+    let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match ending {
         "json" => by_columns(sweep, &head, out),
         _ => rows(sweep, &*by_rows(ending, head)?, out),
