@@ -50,7 +50,7 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// An error.
     pub fn error(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic { severity: Severity::Error, code, message: message.into(), span: None, help: None }
+        Diagnostic { severity: Severity::Error, code, message: bounded(message.into()), span: None, help: None }
     }
 
     /// A warning.
@@ -71,9 +71,47 @@ impl Diagnostic {
 
     /// The same, with advice.
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(help.into());
+        self.help = Some(bounded(help.into()));
         self
     }
+}
+
+/// A sentence shorter than this is told as it is.
+const LONG: usize = 300;
+/// A longer word between backticks is told by its beginning, its end and its length.
+const LONGEST_WORD: usize = 80;
+/// What remains of its beginning.
+const HEAD: usize = 40;
+/// The same of its end.
+const TAIL: usize = 20;
+/// Longest sentence, in characters.
+const LONGEST: usize = 1200;
+
+/// A sentence in which no name of the input is told whole that nobody would read whole: a file of two megabytes may be one name, and
+/// thousands of faults may tell it.
+fn bounded(text: String) -> String {
+    if text.len() <= LONG {
+        return text;
+    }
+    let count = text.split('`').count();
+    let quoted = |k: usize| k % 2 == 1 && k + 1 < count;
+    let word = |(k, part): (usize, &str)| if quoted(k) { shortened(part) } else { part.to_owned() };
+    let text = text.split('`').enumerate().map(word).collect::<Vec<_>>().join("`");
+    match text.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}… ({} characters)", &text[..end], text.chars().count()),
+        None => text,
+    }
+}
+
+/// A text by its beginning, its end and its length, where it is long.
+pub fn shortened(text: &str) -> String {
+    let count = if text.len() > LONGEST_WORD { text.chars().count() } else { 0 };
+    if count <= LONGEST_WORD {
+        return text.to_owned();
+    }
+    let head: String = text.chars().take(HEAD).collect();
+    let tail: String = text.chars().skip(count - TAIL).collect();
+    format!("{head}…{tail} ({count} characters)")
 }
 
 impl fmt::Display for Diagnostic {
@@ -132,4 +170,23 @@ pub struct Warned<T> {
     pub value: T,
     /// Warnings and notes, never errors.
     pub notes: Vec<Diagnostic>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn huge_names_are_told_by_their_ends() {
+        let name = "x".repeat(200_000);
+        let d = Diagnostic::error("name", format!("`{name}` cannot name a point, `B` can")).help(format!("not `{name}`"));
+        assert!(d.message.len() < 200 && d.message.contains("(200000 characters)") && d.message.contains("`B` can"), "{}", d.message);
+        assert!(d.help.is_some_and(|h| h.len() < 200));
+        // What has no backticks, or only one, is cut.
+        for text in [name.clone(), format!("`{name}"), format!("é{name}`")] {
+            assert!(Diagnostic::note("name", text).message.len() < 2 * LONGEST);
+        }
+        let usual = "`l_AB` is 100 mm".to_owned();
+        assert_eq!(Diagnostic::error("x", usual.clone()).message, usual);
+    }
 }

@@ -4,6 +4,7 @@ use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
 use crate::construct::pencil::Exact;
 use crate::construct::{Action, Construction, Layout, by_hand};
 use crate::diag::Diagnostic;
+use crate::mechanism::Level;
 use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Spot, Step, VertexId};
 use crate::position::Configuration;
@@ -11,6 +12,7 @@ use crate::position::newton::{driver_values, moved};
 use crate::quantity::{shortest, significant};
 use crate::scene::DriverKind;
 use crate::sweep::driver_name;
+use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
 pub const BAD_DEG: f64 = 10.0;
@@ -19,6 +21,9 @@ const GOOD_DEG: f64 = 20.0;
 /// How far the driver is turned in search of one, and in what steps: further away it is another problem.
 const SEARCH_DEG: f64 = 30.0;
 const SEARCH_STEP_DEG: f64 = 5.0;
+
+/// In a construction of more crossings nothing is tried: each trial draws all of it anew.
+const MANY: usize = 100;
 
 /// A crossing under a bad angle.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,7 +64,8 @@ pub struct NearbyPose {
     pub crossing_deg: f64,
 }
 
-/// The crossings under a bad angle, in drawing order, each vertex once.
+/// The crossings under a bad angle, in drawing order, each vertex once; in a construction of more than a hundred crossings without what
+/// helps.
 pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
     let mut bad: Vec<CrossingTolerance> = Vec::new();
     for c in crossings(drawn.construction, pencil_mm) {
@@ -70,15 +76,19 @@ pub fn bad_angles(drawn: &Drawn, pencil_mm: f64) -> Vec<BadAngle> {
     if bad.is_empty() {
         return Vec::new();
     }
+    if crossings(drawn.construction, pencil_mm).len() > MANY {
+        return bad.into_iter().map(|crossing| BadAngle { crossing, pencil_mm, larger: None, special: None, pose: None }).collect();
+    }
     let tolerances = drafting(drawn, pencil_mm).tolerances;
     let larger = larger(&tolerances);
+    let mut search = Search::new(drawn);
     bad.into_iter()
         .map(|crossing| BadAngle {
             crossing,
             pencil_mm,
             larger,
             special: other_point(drawn, crossing.target, pencil_mm, worst(&tolerances)),
-            pose: nearby_pose(drawn, &crossing),
+            pose: search.pose_for(&crossing),
         })
         .collect()
 }
@@ -133,47 +143,78 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
     best
 }
 
-fn nearby_pose(drawn: &Drawn, crossing: &CrossingTolerance) -> Option<NearbyPose> {
-    (0..drawn.scene.drivers.len()).find_map(|driver| {
-        let DriverKind::Turn { angle, .. } = &drawn.scene.drivers[driver].kind else { return None };
-        let mut ways: Vec<Way> = [1.0, -1.0].map(|sign| Way { sign, at: Some(drawn.configuration.clone()) }).into();
+/// A pose of the search, with all its crossings.
+struct Tried {
+    driver: usize,
+    turn_deg: f64,
+    crossings: Vec<CrossingTolerance>,
+}
+
+/// The search for poses nearby, as far as it has gone: the drivers one after the other, each turned step by step, now one way, now the
+/// other. All crossings under a bad angle look at the same poses.
+struct Search<'a> {
+    drawn: &'a Drawn<'a>,
+    /// The sine of each crossing as it is drawn: it changes its sign only through a dead centre, and beyond it, or in another assembly,
+    /// the problem is not the same.
+    was: BTreeMap<(Level, usize), f64>,
+    ahead: Vec<(usize, usize, usize)>,
+    ways: Vec<[Option<Configuration>; 2]>,
+    tried: Vec<Tried>,
+}
+
+/// The ways in which a driver is turned.
+const SENSES: [f64; 2] = [1.0, -1.0];
+
+impl<'a> Search<'a> {
+    fn new(drawn: &'a Drawn<'a>) -> Search<'a> {
+        let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.level, c.target.0), c.sine)).collect();
+        let turning = |driver: &usize| matches!(drawn.scene.drivers[*driver].kind, DriverKind::Turn { .. });
         let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
-        (1..=steps).find_map(|k| {
-            ways.iter_mut().find_map(|way| {
-                let crossing_deg = way.step(drawn, driver, crossing)?;
-                let turn_deg = way.sign * k as f64 * SEARCH_STEP_DEG;
+        let drivers = (0..drawn.scene.drivers.len()).filter(turning);
+        let mut ahead: Vec<_> =
+            drivers.flat_map(|d| (1..=steps).flat_map(move |k| (0..SENSES.len()).map(move |way| (d, k, way)))).collect();
+        ahead.reverse();
+        let ways = drawn.scene.drivers.iter().map(|_| SENSES.map(|_| Some(drawn.configuration.clone()))).collect();
+        Search { drawn, was, ahead, ways, tried: Vec::new() }
+    }
+
+    /// The first pose in which a crossing is good and no other bad.
+    fn pose_for(&mut self, crossing: &CrossingTolerance) -> Option<NearbyPose> {
+        let mut k = 0;
+        loop {
+            while k == self.tried.len() {
+                let (driver, step, way) = self.ahead.pop()?;
+                let turn_deg = SENSES[way] * step as f64 * SEARCH_STEP_DEG;
+                let there = self.step(driver, way).map(|crossings| Tried { driver, turn_deg, crossings });
+                self.tried.extend(there);
+            }
+            let Tried { driver, turn_deg, crossings } = &self.tried[k];
+            let here = crossings.iter().find(|c| (c.level, c.target) == (crossing.level, crossing.target)).map(|c| c.angle_deg());
+            if let Some(crossing_deg) = here.filter(|here| *here >= GOOD_DEG)
+                && crossings.iter().all(|c| c.angle_deg() >= BAD_DEG)
+            {
+                let DriverKind::Turn { angle, .. } = &self.drawn.scene.drivers[*driver].kind else { return None };
                 let to_deg = angle.as_ref().map(|a| a.value.degrees() + turn_deg);
-                Some(NearbyPose { driver, turn_deg, to_deg, crossing_deg })
-            })
-        })
-    })
-}
+                return Some(NearbyPose { driver: *driver, turn_deg: *turn_deg, to_deg, crossing_deg });
+            }
+            k += 1;
+        }
+    }
 
-/// A walk of the mechanism away from its pose, one driver turning one way.
-struct Way {
-    sign: f64,
-    /// Where it is; `None` when it went no further.
-    at: Option<Configuration>,
-}
-
-impl Way {
-    /// One step on; the angle of the crossing there, if it is good and no other is bad.
-    fn step(&mut self, drawn: &Drawn, driver: usize, crossing: &CrossingTolerance) -> Option<f64> {
-        let from = self.at.take()?;
+    /// One step on; the crossings there. `None` when the mechanism goes no further this way.
+    fn step(&mut self, driver: usize, way: usize) -> Option<Vec<CrossingTolerance>> {
+        let drawn = self.drawn;
+        let from = self.ways[driver][way].take()?;
         let mut values = driver_values(drawn.scene, &from);
-        values.0[driver] += (self.sign * SEARCH_STEP_DEG).to_radians();
+        values.0[driver] += (SENSES[way] * SEARCH_STEP_DEG).to_radians();
         let at = moved(drawn.scene, drawn.mechanism, &from, &values)?;
         let paper = redrawn(drawn, &at, &Layout::of(drawn.construction))?;
-        let was = crossings(drawn.construction, 0.0);
-        let now: Vec<_> = crossings(&paper, 0.0);
-        // The sine of a crossing changes its sign only through a dead centre: beyond it, or in another assembly, it is
-        // not the same problem.
-        if !now.iter().all(|c| was.iter().any(|w| (w.level, w.target) == (c.level, c.target) && w.sine * c.sine > 0.0)) {
+        let now = crossings(&paper, 0.0);
+        if !now.iter().all(|c| self.was.get(&(c.level, c.target.0)).is_some_and(|was| was * c.sine > 0.0)) {
             return None;
         }
-        self.at = Some(at);
-        let here = now.iter().find(|c| (c.level, c.target) == (crossing.level, crossing.target))?.angle_deg();
-        (here >= GOOD_DEG && now.iter().all(|c| c.angle_deg() >= BAD_DEG)).then_some(here)
+        self.ways[driver][way] = Some(at);
+        Some(now)
     }
 }
 

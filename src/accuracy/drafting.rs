@@ -60,7 +60,8 @@ impl Drawn<'_> {
 pub struct Drafting {
     /// The pencil error (mm): 95 % of the marks fall within it.
     pub pencil_mm: f64,
-    /// For each question; `None` where it is not drawn, or nothing moves, or where a mark's error may undo the drawing.
+    /// For each question; `None` where it is not drawn, or nothing moves, or where a mark's error may undo the drawing; and everywhere
+    /// in a drawing of more than a thousand marks.
     pub tolerances: Vec<Option<Tolerance>>,
     /// Every crossing, in drawing order.
     pub crossings: Vec<CrossingTolerance>,
@@ -174,10 +175,17 @@ impl Pencil for Slip {
 /// at flat crossings, and the rounding of the drawing, 1e-16 of that side, spoils ten digits fewer than there are.
 const STEP: f64 = 1.0 / 1_048_576.0;
 
-/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` where a displaced mark undoes the drawing.
+/// Each mark is displaced by itself and the rest drawn again: the work grows with the square of the marks. Ten links have some hundred.
+const MOST_MARKS: usize = 1000;
+
+/// The covariances of the answers for marks that miss by `deviation_mm` in x and in y; `None` where a displaced mark undoes the drawing, or there
+/// are more than [`MOST_MARKS`].
 fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Option<Spread>>> {
     let mut first = Slip { marks: Vec::new(), count: 0, displaced: None };
     let base = drawn.read_with(layout, &mut first).ok()?;
+    if first.marks.len() > MOST_MARKS {
+        return None;
+    }
     let mut all: Vec<Option<Spread>> = base.iter().map(|v| v.map(|_| Spread::default())).collect();
     let steps_mm = Level::ALL.map(|level| {
         let [w, h] = drawn.size_mm(level);

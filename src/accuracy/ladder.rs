@@ -3,9 +3,10 @@
 //! What is certified is the mathematics of the scene *as written*: positions by the closed forms (or a proof of the root),
 //! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
 
+use super::apart::apart;
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, Faults};
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
 use crate::number::decimal::{Certain, Enclosure};
@@ -254,16 +255,10 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
         let last = rung == Rung::LAST;
         let find = |i: &usize| &scene.find[worked.results[*i].find];
         // Only what is still open, and only as far as it calls for: the other groups are neither placed nor solved again.
-        let look = |open: &[usize]| {
-            let demand = Demand::of_questions(scene, m, open.iter().map(find));
-            rung.climb(&Look { scene, worked, demand: &demand, open, digits })
-        };
-        let seen: Vec<Seen> = match look(&open) {
-            Ok(seen) => seen,
-            Err(d) if open.len() < 2 => vec![Err(Why::Refused(d))],
-            // One group that does not close must not take the answers of the others with it.
-            Err(_) => open.iter().map(|i| look(&[*i]).map_or_else(|d| Err(Why::Refused(d)), |mut one| one.remove(0))).collect(),
-        };
+        let demand = |open: &[usize]| Demand::of_questions(scene, m, open.iter().map(find));
+        let look = |open: &[usize]| rung.climb(&Look { scene, worked, demand: &demand(open), open, digits });
+        let closes = |demand: &Demand| rung.climb(&Closes { scene, worked, demand });
+        let seen = apart(&open, &look, &demand, &closes);
         for (i, seen) in open.iter().zip(seen) {
             let c = &mut out[*i];
             c.rung = rung;
@@ -290,6 +285,27 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
     out
 }
 
+/// Whether the groups of a demand close, in one kind of number.
+struct Closes<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    demand: &'a Demand,
+}
+
+impl Climb for Closes<'_> {
+    type Found = Result<(), Diagnostic>;
+
+    fn with<N: Certain>(&self) -> Self::Found {
+        let placed = position::recompute::<N>(self.scene, &self.worked.mechanism, self.demand, &self.worked.configuration);
+        placed.map(drop).map_err(not_closed)
+    }
+}
+
+/// Why a group does not close.
+fn not_closed(faults: Faults) -> Diagnostic {
+    faults.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
+}
+
 /// Some answers in one kind of number.
 struct Look<'a> {
     scene: &'a Scene,
@@ -305,9 +321,7 @@ impl Climb for Look<'_> {
 
     fn with<N: Certain>(&self) -> Self::Found {
         let (scene, m) = (self.scene, &self.worked.mechanism);
-        let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(|f| {
-            f.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
-        })?;
+        let at = position::recompute::<N>(scene, m, self.demand, &self.worked.configuration).map_err(not_closed)?;
         let motion = motion::solve(scene, m, &at, self.demand);
         let seen = |i: &usize| {
             let r = &self.worked.results[*i];

@@ -1,6 +1,7 @@
 //! How far drawing and analysis are apart, how many digits of an answer are true, and what the drawing is worth on paper.
 
 mod agreement;
+mod apart;
 mod bad_angle;
 mod drafting;
 pub mod ladder;

@@ -32,7 +32,7 @@ pub(super) fn blocks(rows: &[Row], n: usize) -> Vec<Block> {
     of_lists(&lists, n)
 }
 
-fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<Block> {
+pub(super) fn of_lists(lists: &[Vec<usize>], n: usize) -> Vec<Block> {
     let mut row_of: Vec<Option<usize>> = vec![None; n];
     for r in 0..lists.len() {
         if !matched(r, lists, &mut row_of, &mut vec![false; n]) {

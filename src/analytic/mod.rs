@@ -18,6 +18,7 @@ mod relation;
 mod rows;
 mod series;
 mod singular;
+mod staged;
 mod words;
 
 pub use fork::Decided;
@@ -33,6 +34,7 @@ use crate::scene::{DriverKind, LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use pose::Pose;
 use singular::Blocks;
+use staged::{LARGE, Staged};
 
 /// Velocities and accelerations of all links that the demand reaches, each as far as it is wanted.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,9 +145,14 @@ const SUSPECT: f64 = 1e4;
 /// The rows of a layout and its decomposed Jacobian.
 struct System {
     rows: Vec<relation::Row>,
-    jacobian: DMatrix<f64>,
-    lu: LU<f64, Dyn, Dyn>,
+    factors: Factors,
     condition: f64,
+}
+
+/// A decomposed Jacobian.
+enum Factors {
+    Whole { jacobian: DMatrix<f64>, lu: LU<f64, Dyn, Dyn> },
+    Staged(Staged),
 }
 
 impl System {
@@ -157,6 +164,11 @@ impl System {
         if rows.len() != n {
             return Err(Diagnostic::error("not-square", format!("{} equations for {n} unknowns", rows.len())).into());
         }
+        if n >= LARGE {
+            let staged = Staged::new(&rows, n);
+            let condition = staged.one_norm() * inverse_one_norm(&|b| staged.solve(b), &|b| staged.solve_transposed(b), n);
+            return Ok(System { rows, factors: Factors::Staged(staged), condition });
+        }
         let mut jacobian = DMatrix::zeros(n, n);
         for (i, row) in rows.iter().enumerate() {
             for &(k, c) in &row.coefficients {
@@ -164,12 +176,31 @@ impl System {
             }
         }
         let lu = jacobian.clone().lu();
-        let condition = one_norm(&jacobian) * inverse_one_norm(&lu, n);
-        Ok(System { rows, jacobian, lu, condition })
+        let (l, u, p) = (lu.l(), lu.u(), lu.p());
+        let solve_transposed = |b: &DVector<f64>| -> Option<DVector<f64>> {
+            let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
+            p.inv_permute_rows(&mut y);
+            Some(y)
+        };
+        let condition = one_norm(&jacobian) * inverse_one_norm(&|b| lu.solve(b), &solve_transposed, n);
+        Ok(System { rows, factors: Factors::Whole { jacobian, lu }, condition })
     }
 
-    fn solve(&self, rhs: &DVector<f64>) -> Option<DVector<f64>> {
-        refined(&self.jacobian, &self.lu, rhs)
+    /// Solves and refines once, which makes the result as good as the data where the matrix is badly scaled.
+    fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
+        let x = match &self.factors {
+            Factors::Whole { jacobian, lu } => {
+                let x = lu.solve(b)?;
+                let r = b - jacobian * &x;
+                x + lu.solve(&r)?
+            }
+            Factors::Staged(staged) => {
+                let x = staged.solve(b)?;
+                let r = staged.residual(&x, b);
+                x + staged.solve(&r)?
+            }
+        };
+        x.iter().all(|v| v.is_finite()).then_some(x)
     }
 
     /// The right-hand side of the accelerations at the given rates.
@@ -182,18 +213,14 @@ fn one_norm(m: &DMatrix<f64>) -> f64 {
     m.column_iter().map(|c| c.iter().map(|x| x.abs()).sum::<f64>()).fold(0.0, f64::max)
 }
 
+/// x with J x = b, or with Jᵀ x = b.
+type Solve<'a> = &'a dyn Fn(&DVector<f64>) -> Option<DVector<f64>>;
+
 /// ‖J⁻¹‖₁ by Hager's estimate.
 ///
 /// # Source
 /// W. W. Hager, *Condition estimates*, SIAM J. Sci. Stat. Comput. 5 (1984); N. J. Higham, *Accuracy and Stability*, §15.
-fn inverse_one_norm(lu: &LU<f64, Dyn, Dyn>, n: usize) -> f64 {
-    let (l, u, p) = (lu.l(), lu.u(), lu.p());
-    let solve = |b: &DVector<f64>| lu.solve(b);
-    let solve_transposed = |b: &DVector<f64>| -> Option<DVector<f64>> {
-        let mut y = u.tr_solve_upper_triangular(b).and_then(|y| l.tr_solve_lower_triangular(&y))?;
-        p.inv_permute_rows(&mut y);
-        Some(y)
-    };
+fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
     let mut x = DVector::from_element(n, 1.0 / n as f64);
     let mut estimate = 0.0f64;
     for _ in 0..5 {
@@ -212,14 +239,6 @@ fn inverse_one_norm(lu: &LU<f64, Dyn, Dyn>, n: usize) -> f64 {
         x[best] = 1.0;
     }
     estimate
-}
-
-/// Solves and refines once, which makes the result as good as the data where the matrix is badly scaled.
-fn refined(a: &DMatrix<f64>, lu: &LU<f64, Dyn, Dyn>, b: &DVector<f64>) -> Option<DVector<f64>> {
-    let mut x = lu.solve(b)?;
-    let r = b - a * &x;
-    x += lu.solve(&r)?;
-    x.iter().all(|v| v.is_finite()).then_some(x)
 }
 
 fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {

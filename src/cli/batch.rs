@@ -6,7 +6,7 @@
 
 use super::args::Batch as Args;
 use super::part::Part;
-use super::sweep::{ask, driver_of, stations};
+use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
 use super::{Failure, Input, Run, Told, choices, files, long, stop, tables};
 use crate::diag::{Diagnostic, Faults, Span};
@@ -20,6 +20,8 @@ use std::path::Path;
 
 /// Values of a parameter at most.
 const MOST_VALUES: usize = 10_000_000;
+/// Most steps of each mechanism: all its rows are in memory at once, of a dozen columns some ten megabytes, in each stage of the work.
+const MOST_POSITIONS: usize = 100_000;
 
 /// Numbers of a block, about: some megabytes, a row group of some 100 000 rows in Parquet.
 const BLOCK: usize = 1 << 20;
@@ -87,6 +89,7 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     let stations = match a.range.steps {
         None => None,
         Some(steps) => {
+            let steps = within(steps, MOST_POSITIONS, "a batch")?;
             let placed = Placed::new(scene, mechanism).map_err(|f| input.failed(f))?;
             Some(stations(input, &placed, driver, &a.range, steps)?)
         }
@@ -145,6 +148,7 @@ fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Resu
         if part.done < batch.mechanisms() {
             return Ok(());
         }
+        let _naming = stop::undisturbed();
         part.finish(&*format, &notes(part.missing))
     });
     if let Err(e) = done {
@@ -179,7 +183,7 @@ fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()>
             return None;
         }
         let to = all.min(from + step);
-        let block = batch.block_in(from, to, used.unwrap_or_default().1);
+        let block = batch.block_unless(from, to, used.unwrap_or_default().1, &stop::asked)?;
         from = to;
         Some((to, block))
     };

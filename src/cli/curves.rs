@@ -2,7 +2,7 @@
 
 use super::args::Curves;
 use super::draw::style_of;
-use super::sweep::{STEPS, ask, driver_of, stations};
+use super::sweep::{STEPS, ask, driver_of, stations, within};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults};
 use crate::figure::curves::{Diagram, figure};
@@ -11,6 +11,9 @@ use crate::position::Path;
 use crate::scene::{Asked, PointId};
 use crate::sweep::{self, Placed, Width};
 use std::process::ExitCode;
+
+/// Most steps of a diagram: its lines are drawn point by point, and no paper shows more than a few thousand of them side by side.
+const MOST_STEPS: usize = 100_000;
 
 /// Runs the command.
 pub fn run(a: Curves) -> Run {
@@ -26,7 +29,8 @@ pub fn run(a: Curves) -> Run {
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.range.over.as_deref())?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
-    let stations = stations(&input, &placed, driver, &a.range, a.range.steps.unwrap_or(STEPS))?;
+    let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, "a diagram")?;
+    let stations = stations(&input, &placed, driver, &a.range, steps)?;
     let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(|f| input.failed(f))?;
     if table.rows() < 2 {
         let d = Diagnostic::error("no-motion", "fewer than two positions of the driver can be assembled: there is no curve");

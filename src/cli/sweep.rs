@@ -115,12 +115,35 @@ pub fn stations(input: &Input, placed: &Placed, driver: usize, range: &Range, co
     Ok(steps(input, placed, driver, range, count)?.all())
 }
 
+/// So many steps, if they are not more than `what` may have.
+pub fn within(steps: usize, most: usize, what: &str) -> Result<usize, Failure> {
+    if steps <= most {
+        return Ok(steps);
+    }
+    let d = Diagnostic::error("too-many", format!("--steps {steps}: {what} has at most {most} steps"));
+    let d = d.help(format!("write --steps {most} or fewer; `sweep` writes tables of up to ten million rows"));
+    Err(Failure::argument("--steps", &steps.to_string(), d))
+}
+
+/// Farthest ends of a range, in turns: a mechanism whose links are followed is followed through all of them.
+const MOST_TURNS: f64 = 10_000.0;
+
+/// An end of a range as an angle that is not too far off.
+fn angle(text: &str) -> Result<Angle, Faults> {
+    let angle = edit::angle(text)?;
+    if angle.degrees().abs() <= 360.0 * MOST_TURNS {
+        return Ok(angle);
+    }
+    let d = Diagnostic::error("range", format!("it lies {} turns off; at most {MOST_TURNS} are allowed", angle.degrees().abs() / 360.0));
+    Err(d.help("the motion comes again with every turn, or with every few").into())
+}
+
 fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {
     let Some(d) = placed.scene.drivers.get(driver) else {
         return Err(input.failed(Diagnostic::error("no-driver", "the scene has no driver").into()));
     };
     if let DriverKind::Turn { .. } = d.kind {
-        let [from, to] = bounds(range, edit::angle)?;
+        let [from, to] = bounds(range, angle)?;
         return Ok(Steps { way: Way::Turn(from.unwrap_or(Angle::Deg(0.0)), to.unwrap_or(Angle::Deg(360.0))), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);

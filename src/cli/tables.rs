@@ -19,6 +19,9 @@ pub const ALL: [&str; 4] = ["csv", "json", "npy", "parquet"];
 /// Rows of a piece: half a megabyte for each column.
 const ROWS: usize = 1 << 16;
 
+/// Numbers of a piece at most: sixteen megabytes.
+const NUMBERS: usize = 1 << 21;
+
 /// The ending of a file's name, one of those allowed.
 pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Failure> {
     let named = files::ending(path);
@@ -45,6 +48,7 @@ pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Fail
     let ending = ending(path, &ALL)?;
     let head = Head::new(title, sweep.columns());
     stop::watch();
+    let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match ending {
         "json" => by_columns(sweep, &head, out),
         _ => rows(sweep, &*by_rows(ending, head)?, out),
@@ -76,11 +80,13 @@ fn in_pieces<U: Send>(
     take: impl FnMut(&U) -> io::Result<()>,
 ) -> io::Result<()> {
     let (count, mut from) = (sweep.count(), 0);
+    // What many questions ask comes in shorter pieces, so that a piece is a few megabytes at most.
+    let rows = ROWS.min((NUMBERS / sweep.columns().len().max(1)).max(1));
     let make = |_: Option<Vec<Vec<f64>>>| {
-        let to = count.min(from + ROWS);
+        let to = count.min(from + rows);
         let mut piece: Option<Vec<Vec<f64>>> = None;
         while from < to {
-            let next = to.min(from + sweep.at_once());
+            let next = to.min(from + sweep.at_once().min(rows));
             let rows = sweep.piece(from..next, &stop::asked)?;
             bar.inc((next - from) as u64);
             from = next;

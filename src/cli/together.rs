@@ -83,6 +83,7 @@ impl Together {
         if let Some(first) = self.files.iter().map(|f| &f.name).chain(self.streams.iter().map(|s| &s.0)).next() {
             unless_stopped(first, Ok(()))?;
         }
+        let _naming = stop::undisturbed();
         // One file needs no way back: renaming is whole by itself.
         let lone = self.files.len() + self.streams.len() == 1;
         let mut done = Undo::default();

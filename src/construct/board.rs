@@ -226,9 +226,10 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             let between = open.remove(next);
             // The alternative of the group that was drawn may show it.
             let terms = between.terms();
+            let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.level, t) || p.edge_of(&[*t]).is_some());
             let shown = match between {
-                Between::Join(_) | Between::Perpendicular { .. } => terms.iter().all(|t| p.edge_of(&[*t]).is_some()),
-                Between::LayOff { .. } => p.edge_of(&terms).is_some(),
+                Between::Join(_) | Between::Perpendicular { .. } => each,
+                Between::LayOff { .. } => each && p.edge_of(&terms).is_some(),
             };
             if !shown {
                 self.between(p, between)?;

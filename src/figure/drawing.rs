@@ -3,14 +3,14 @@
 //! Decided here: that every item has a name of its own, and when labels are placed (once, when all lines are there).
 //! Not decided here: what is drawn, and where the part stands on the sheet.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 use crate::geom::{Point, Vec2};
 
 use super::extent::{Rect, bounds, translate};
-use super::item::{Item, PLACED, Shape, tag};
+use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{Habit, LabelRequest, Obstacles, Placement, place_or_leave};
+use super::place::{Habit, LabelRequest, Obstacles, Placement, is_coarse, place_or_leave};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -65,6 +65,8 @@ pub struct Drawing {
     obstacles: Obstacles,
     wanted: Vec<Wanted>,
     names: HashSet<String>,
+    /// For each wish, up to which number its names are taken.
+    counts: HashMap<String, usize>,
     owners: u32,
     link: Option<usize>,
 }
@@ -81,8 +83,8 @@ struct Wanted {
 impl Drawing {
     /// An empty drawing; `kind` is the first word of every class and name in it.
     pub fn new(kind: &'static str, style: Style) -> Drawing {
-        let (obstacles, names) = (Obstacles::default(), HashSet::new());
-        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, owners: 0, link: None }
+        let (obstacles, names, counts) = (Obstacles::default(), HashSet::new(), HashMap::new());
+        Drawing { kind, style, items: Vec::new(), obstacles, wanted: Vec::new(), names, counts, owners: 0, link: None }
     }
 
     /// What is drawn from now on belongs to this link, or to none.
@@ -146,10 +148,14 @@ impl Drawing {
     /// A name not used before: `velocity-edge-v_CB`, then `velocity-edge-v_CB-2`.
     fn name(&mut self, wish: &str) -> String {
         let base = id(self.kind, wish);
-        let free = (1..).map(|k| if k == 1 { base.clone() } else { format!("{base}-{k}") }).find(|n| !self.names.contains(n));
-        let free = free.expect("numbers do not run out");
-        self.names.insert(free.clone());
-        free
+        let taken = self.counts.entry(base.clone()).or_default();
+        loop {
+            *taken += 1;
+            let name = if *taken == 1 { base.clone() } else { format!("{base}-{taken}") };
+            if self.names.insert(name.clone()) {
+                return name;
+            }
+        }
     }
 
     /// Places the labels.
@@ -162,13 +168,14 @@ impl Drawing {
     pub fn finish_after(mut self, habits: &mut Habits) -> Part {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
-        let first = habits.is_empty();
+        let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };
-            for (k, mut item) in p.items(&w.request, &w.class, self.style.thin).into_iter().rev().enumerate() {
+            let class = if coarse { w.class.replace(PLACED, &format!("{COARSE} {PLACED}")) } else { w.class.clone() };
+            for (k, mut item) in p.items(&w.request, &class, self.style.thin).into_iter().rev().enumerate() {
                 item.link = w.link;
                 let id = &w.id;
                 if k > 0 {

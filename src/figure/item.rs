@@ -3,6 +3,7 @@
 //! Decided here: nothing about looks. An item is finished: its writer needs no style, no scene and no solution.
 //! Items are drawn in the order of the list. Only the SVG writer turns y over.
 
+use crate::diag::Diagnostic;
 use crate::geom::Point;
 
 use super::arrow::Head;
@@ -34,10 +35,22 @@ impl Figure {
         let placed = |i: &&Item| matches!(i.shape, Shape::Label { .. }) && i.class.split(' ').next_back() == Some(PLACED);
         self.items.iter().filter(placed).count()
     }
+
+    /// What the reader of the figure should know of how it was made: that its labels were too many for a careful search.
+    pub fn remarks(&self) -> Vec<Diagnostic> {
+        let coarse = |i: &&Item| i.class.rsplit(' ').nth(1) == Some(COARSE);
+        let count = self.items.iter().filter(coarse).count();
+        let message = format!("{count} labels are more than can be weighed against one another: each took the best place that was left");
+        let help = "draw fewer points, or ask for less in \"find\"; --figure draws one part alone";
+        (count > 0).then(|| Diagnostic::note("coarse-labels", message).help(help)).into_iter().collect()
+    }
 }
 
 /// The last word of the class of every label that was placed by search.
 pub(super) const PLACED: &str = "label";
+
+/// The word before it where there were so many that they were placed one after the other.
+pub(super) const COARSE: &str = "coarse";
 
 /// One element of a figure.
 #[derive(Clone, Debug, PartialEq)]

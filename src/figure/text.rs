@@ -2,9 +2,10 @@
 //!
 //! Decided here: sizes and places of scripts, after the MATH table of STIX Two Math (constants below, in em of the label).
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, shortened};
 
 use super::font::{Face, Glyph, Ink, Slant, own::Fonts};
 use super::label::{Label, Node, Role};
@@ -29,6 +30,9 @@ const BINARY_SPACE: f64 = 0.222;
 const THIN_SPACE: f64 = 0.167;
 /// Advance of a character that no font has, so that its place stays visible beside the diagnostic.
 const MISSING_ADVANCE: f64 = 0.5;
+
+/// Characters of one label that are told to be missing: who has read of so many knows that the fonts do not suit the text.
+const MISSING_MAX: usize = 12;
 
 /// A label set in type; all measures in em of the label's size.
 #[derive(Clone, Debug, PartialEq)]
@@ -85,8 +89,10 @@ fn set_anew(label: &Label) -> Typeset {
     let mut setter = Setter { fonts: label.fonts(), missing: Vec::new() };
     let line = setter.row(label.row());
     let mut faults = label.faults().to_vec();
-    for c in setter.missing {
-        let message = format!("label `{}`: no embedded font has the character {c} (U+{:04X})", label.source(), u32::from(c));
+    let mut told = BTreeSet::new();
+    for c in setter.missing.into_iter().filter(|c| told.insert(*c)).take(MISSING_MAX) {
+        let label = shortened(label.source());
+        let message = format!("label `{label}`: no embedded font has the character {c} (U+{:04X})", u32::from(c));
         faults.push(Diagnostic::warning("missing-glyph", message).help("write it with other characters"));
     }
     let (bottom, top) = line.vertical_ink();

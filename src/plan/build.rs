@@ -4,6 +4,7 @@ use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
 use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need};
 use crate::scene::{LinkId, PointId, Scene};
+use std::collections::{HashMap, HashSet};
 
 /// The plan of a scene's demand.
 ///
@@ -22,7 +23,8 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         vertices: Vec::new(),
         velocity: Vec::new(),
         acceleration: Vec::new(),
-        known: [Vec::new(), Vec::new()],
+        interned: HashMap::new(),
+        known: [HashSet::new(), HashSet::new()],
         sources: [Vec::new(), Vec::new()],
         pending: Vec::new(),
         undrawable: undrawable.to_vec(),
@@ -59,8 +61,10 @@ pub(super) struct Builder<'a> {
     pub(super) vertices: Vec<Vertex>,
     pub(super) velocity: Vec<GroupSteps>,
     pub(super) acceleration: Vec<GroupSteps>,
+    /// Where each vertex stands in the list.
+    interned: HashMap<(Spot, Option<LinkId>), VertexId>,
     /// Known vertices at each level.
-    pub(super) known: [Vec<VertexId>; 2],
+    pub(super) known: [HashSet<VertexId>; 2],
     /// How each body's turning can be found at each level, once its group is done.
     sources: [Vec<(Body, Rate)>; 2],
     /// Steps of the group being written.
@@ -79,8 +83,8 @@ pub(super) fn slot(level: Level) -> usize {
 
 impl Builder<'_> {
     pub(super) fn intern(&mut self, spot: Spot, on: Option<LinkId>) -> VertexId {
-        if let Some(i) = self.vertices.iter().position(|v| v.spot == spot && v.on == on) {
-            return VertexId(i);
+        if let Some(known) = self.interned.get(&(spot, on)) {
+            return *known;
         }
         let ground = self.scene.ground;
         let (number, fixed) = match (spot, on) {
@@ -91,8 +95,10 @@ impl Builder<'_> {
             }
             (Spot::Special { .. }, None) => (None, false),
         };
+        let id = VertexId(self.vertices.len());
         self.vertices.push(Vertex { spot, on, number, fixed });
-        VertexId(self.vertices.len() - 1)
+        self.interned.insert((spot, on), id);
+        id
     }
 
     /// A pin gets a number when a moving link has a point of its own at the same place.
@@ -124,18 +130,15 @@ impl Builder<'_> {
 
     fn learn(&mut self, level: Level, v: VertexId) {
         if !self.is_known(level, v) {
-            self.known[slot(level)].push(v);
+            self.known[slot(level)].insert(v);
         }
     }
 
-    /// The known points of a link at a level: its own points first, then coincident ones.
+    /// The first two known points of a link at a level: its own points come first, then coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
-        let carried = self.scene.links[l.0]
-            .points
-            .iter()
-            .filter_map(|p| self.vertices.iter().position(|v| v.spot == Spot::Point(*p) && v.on.is_none()));
-        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| i);
-        carried.chain(coincident).map(VertexId).filter(|v| self.is_known(level, *v)).collect()
+        let carried = self.scene.links[l.0].points.iter().filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
+        let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| VertexId(i));
+        carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
 
     /// Whether α of a body vanishes for topological reasons.

@@ -103,7 +103,9 @@ pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
     };
     let pages: Vec<Page> = figures.iter().map(page).collect();
     let (title, lang) = figures.first().map_or(("", "en"), |f| (f.title.as_str(), f.lang.as_str()));
-    document(&pages, title, lang)
+    let mut file = document(&pages, title, lang)?;
+    file.notes.extend(figures.iter().flat_map(Figure::remarks));
+    Ok(file)
 }
 
 /// Writes a document; `lang` is a language tag such as `en` or `zh`.

@@ -90,7 +90,9 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     }
     let mut value = document.to_string();
     value.push('\n');
-    Ok(Warned { value, notes: writer.faults.list })
+    let mut notes = writer.faults.list;
+    notes.extend(figure.remarks());
+    Ok(Warned { value, notes })
 }
 
 /// Items as elements, one string each, for pages that put documents together by themselves.

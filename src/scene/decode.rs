@@ -13,16 +13,20 @@ pub(super) const MAX_LINKS: usize = 500;
 pub(super) const MAX_POINTS: usize = 2000;
 /// The same for every other list of the file.
 const MAX_ENTRIES: usize = 5000;
+/// Longest title, in characters: it is one line of a figure, and of half a thousand letters already one of two metres.
+const MAX_TITLE: usize = 500;
+/// Longest statement: some pages, broken into lines word by word.
+const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
 pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, "a scene", keys::SCENE, faults)?;
     let mut raw = RawScene::default();
     if let Some(node) = f.get("title") {
-        raw.title = localized(node, "\"title\"", faults);
+        raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
     }
     if let Some(node) = f.get("statement") {
-        raw.statement = localized(node, "\"statement\"", faults);
+        raw.statement = localized(node, "\"statement\"", MAX_STATEMENT, faults);
     }
     for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
         raw.parameters.extend(quantity(node, &format!("parameter `{}`", key.text), faults).map(|q| (key.clone(), q)));
@@ -103,17 +107,30 @@ fn words(node: Option<&Node>, what: &str, faults: &mut Faults) -> Vec<Word> {
     items(node, what, faults).iter().filter_map(|n| word(n, &format!("an entry of {what}"), faults)).collect()
 }
 
-fn localized(node: &Node, what: &'static str, faults: &mut Faults) -> Option<RawLocalized> {
+fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
     if let Kind::Object(_) = node.kind {
         let f = Fields::open(node, what, keys::TEXT, faults)?;
-        let mut text = |key: &str| f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).map(|w| w.text);
+        let mut text = |key: &str| {
+            f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).and_then(|w| no_longer(w, what, most, faults))
+        };
         let both = RawLocalized { en: text("en"), zh: text("zh") };
         if f.get("en").is_none() && f.get("zh").is_none() {
             faults.push(Diagnostic::error("empty", format!("{what} says nothing")).at(node.span).help("give \"en\", \"zh\" or both"));
         }
         return Some(both);
     }
-    word(node, what, faults).map(|w| RawLocalized { en: Some(w.text.clone()), zh: Some(w.text) })
+    let text = word(node, what, faults).and_then(|w| no_longer(w, what, most, faults));
+    text.map(|text| RawLocalized { en: Some(text.clone()), zh: Some(text) })
+}
+
+/// A text of no more than so many characters.
+fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<String> {
+    let count = word.text.chars().count();
+    if count > most {
+        faults.push(Diagnostic::error("too-long", format!("{what} has {count} characters; at most {most} are allowed")).at(word.span));
+        return None;
+    }
+    Some(word.text)
 }
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {

@@ -5,7 +5,8 @@
 
 use super::chunks::run_on_branches;
 use super::general::{General, driver_name};
-use super::station::{Stations, angle_per_value, position_now};
+use super::pieces::{Stop, never};
+use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
 use super::{Placed, Width, beside, compile, moved};
 use crate::accuracy::toggle::with_driver_at;
@@ -123,6 +124,11 @@ impl Batch<'_> {
 
     /// [`Batch::block`] in the memory of a block that is no longer needed: fresh memory costs as much as the numbers in it.
     pub fn block_in(&self, from: u64, to: u64, used: Block) -> Block {
+        self.block_unless(from, to, used, &never).unwrap_or_default()
+    }
+
+    /// The same; `None` when asked to stop.
+    pub fn block_unless(&self, from: u64, to: u64, used: Block, stop: Stop) -> Option<Block> {
         let (width, positions) = (self.columns().len(), self.positions().max(1));
         let mut columns = used.columns;
         columns.resize_with(width, Vec::new);
@@ -132,15 +138,16 @@ impl Batch<'_> {
             parts.iter_mut().zip(column.chunks_mut(positions)).for_each(|(part, c)| part.push(c));
         }
         let demand = Demand::of(self.scene, self.mechanism);
-        let missing: Vec<Vec<usize>> = parts
+        let missing: Option<Vec<Vec<usize>>> = parts
             .into_par_iter()
             .enumerate()
-            .map_init(|| self.scene.clone(), |scene, (i, part)| self.one(scene, &demand, from + i as u64, part))
+            .map_init(|| self.scene.clone(), |scene, (i, part)| (!stop()).then(|| self.one(scene, &demand, from + i as u64, part)))
             .collect();
+        let missing = missing?;
         let gaps: Vec<usize> =
             (0..).step_by(positions).zip(&missing).flat_map(|(first, rows)| rows.iter().map(move |k| first + k)).collect();
         columns.par_iter_mut().for_each(|c| close(c, &gaps));
-        Block { columns, missing: gaps.len() as u64 }
+        Some(Block { columns, missing: gaps.len() as u64 })
     }
 
     /// Fills the columns of a mechanism; returns the rows that are missing.
@@ -158,7 +165,7 @@ impl Batch<'_> {
         let scene = moved.as_ref().unwrap_or(scene);
         let placed = Placed { scene, mechanism: self.mechanism, demand: demand.clone(), at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
-        let here = || Stations::of_values(vec![position_now(scene, &placed.at, self.driver)], per_value);
+        let here = || Stations::of_values(vec![compile::driver_positions(scene, &placed.at)[self.driver]], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
         let answers = columns.split_off(1);
@@ -166,7 +173,7 @@ impl Batch<'_> {
         let rows = match compile(scene, self.mechanism, &placed.at, Some(self.driver), &scene.find) {
             Ok(program) => {
                 let (mut rows, _) = run_on_branches(&program, &placed, self.driver, &stations, Width::Widest, answers);
-                rows.complete(&general, &stations, &|row| beside(&program, &placed, self.driver, stations.values[row]));
+                rows.complete(&general, &stations, &never, &|row| beside(&program, &placed, self.driver, stations.values[row]));
                 rows
             }
             Err(_) => moved::follow(&placed, self.driver, &stations).0.copied_to(answers),

@@ -5,6 +5,7 @@ use super::general::{self, General};
 use super::kernel::Reg;
 use super::lane::Width;
 use super::limit::{SUSPECT, dense};
+use super::pieces::Stop;
 use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
@@ -28,18 +29,24 @@ pub(super) struct Rows<C = Vec<f64>> {
     pub open: Vec<usize>,
 }
 
+/// The numbers next to a row.
+type Near<'a> = &'a (dyn Fn(usize) -> Option<Vec<f64>> + Sync);
+
 impl<C: DerefMut<Target = [f64]>> Rows<C> {
     /// Hands the rows whose numbers are not all finite to the general solver; where it finds several ways on, the one that goes
-    /// with what is `near` is meant.
-    pub fn complete(&mut self, general: &General, stations: &Stations, near: &(dyn Fn(usize) -> Option<Vec<f64>> + Sync)) {
+    /// with what is `near` is meant. Comes to an early end, and says false, when asked to stop.
+    pub fn complete(&mut self, general: &General, stations: &Stations, stop: Stop, near: Near) -> bool {
         let open = std::mem::take(&mut self.open);
-        let solved: Vec<_> = open.par_iter().map(|&i| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)))).collect();
+        let solve = |i: usize| general.solve(stations, i).map(|ways| pick_way(ways, || near(i)));
+        let solved: Option<Vec<_>> = open.par_iter().map(|&i| (!stop()).then(|| solve(i))).collect();
+        let Some(solved) = solved else { return false };
         for (i, row) in open.into_iter().zip(solved) {
             match row {
                 Ok(row) => self.columns.iter_mut().zip(row).for_each(|(c, v)| c[i] = v),
                 Err(why) => drop(self.missing.insert(i, why)),
             }
         }
+        true
     }
 
     /// Asks the general solver why the first of each run of missing rows is missing, where nobody has said it yet.

@@ -33,7 +33,7 @@ impl<'a> General<'a> {
     /// each way on.
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
-        let scene = with_driver_at(p.scene, self.driver, stations.values[row]);
+        let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
         let at = position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?;
         self.answers(&scene, &at)
     }
@@ -103,6 +103,12 @@ pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagn
         "change-point",
         format!("at {at} {links} lie in line (a change point); the motion is carried on smoothly to the other side"),
     )
+}
+
+/// What is told of change points that come again as far as a value.
+pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic {
+    let until = driver_words(scene, driver, until);
+    Diagnostic::note("change-point", format!("the same change points come again, on every further turn, as far as {until}"))
 }
 
 /// What a limit of the driver is told as.

@@ -145,42 +145,12 @@ impl<'a> Probe<'a> {
         registers[joint.crossing.0 as usize]
     }
 
-    /// The way from where the driver stands to `until`: what ends it, and the change points on it. Each change point turns the
-    /// sign of its joint for what follows, so that the program is that of the way's end afterwards.
-    pub fn walk(&mut self, until: f64) -> (Option<Event>, Vec<Event>) {
-        let mut changes = Vec::new();
-        if !self.program.tracks.is_empty() {
-            return (self.walk_tracks(until), changes);
-        }
-        let mut from = self.now;
-        // A change point is left behind by half a step; there are no more of them than steps.
-        loop {
-            let steps = self.steps_to(from, until);
-            let step = (until - from) / steps as f64;
-            // One sample more than the way has, so that what lies at its very end is seen too.
-            let xs: Vec<f64> = (0..=steps + 1).map(|i| from + step * i as f64).collect();
-            match self.first_event(&xs) {
-                None => return (None, changes),
-                Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
-                Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
-                Some(change) => {
-                    from = change.value + 0.5 * step;
-                    self.program.flip(change.joint.unwrap_or(0));
-                    changes.push(change);
-                    if (until - from) * step <= 0.0 {
-                        return (None, changes);
-                    }
-                }
-            }
-        }
-    }
-
-    fn steps_to(&self, from: f64, until: f64) -> usize {
+    pub(super) fn steps_to(&self, from: f64, until: f64) -> usize {
         ((until - from).abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize
     }
 
     /// With followed links: only where it ends.
-    fn walk_tracks(&self, until: f64) -> Option<Event> {
+    pub(super) fn walk_tracks(&self, until: f64) -> Option<Event> {
         let mut state = self.start.clone()?;
         let steps = self.steps_to(self.now, until);
         for i in 1..=steps {
@@ -215,7 +185,7 @@ impl<'a> Probe<'a> {
     }
 
     /// The first limit or change point on a way.
-    fn first_event(&self, xs: &[f64]) -> Option<Event> {
+    pub(super) fn first_event(&self, xs: &[f64]) -> Option<Event> {
         let c = self.sampled(xs);
         for i in 0..xs.len() {
             for j in 0..c.len() {
@@ -357,12 +327,13 @@ fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
 pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
     let mut probe = Probe::of(program.clone(), placed, driver);
     let (now, reach) = (probe.now, probe.reach());
-    let (up, mut changes) = probe.walk(now + reach);
+    let (up, changes) = probe.walk(now + reach);
+    let mut changes = changes.events;
     if up.is_none() && program.angular {
         return Range { now, ends: [None, None], changes, reach };
     }
     let (down, others) = Probe::of(program, placed, driver).walk(now - reach);
-    changes.extend(others);
+    changes.extend(others.events);
     Range { now, ends: [down, up], changes, reach }
 }
 

@@ -1,14 +1,14 @@
 //! Long sweeps, piece by piece: the rows of [`super::run()`], in the memory of a piece.
 
+use super::changes::Changes;
 use super::chunks::{Rows, run_parts, run_with};
 use super::course::{Course, STRIDE};
 use super::general::{self, General};
-use super::limit::Event;
 use super::moved::{self, Moved};
 use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
 use super::tracked::{self, Tracked};
-use super::{Placed, Stations, Steps, Width, beside, change_points, compile, ends, span, stretches};
+use super::{Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ enum Way<'a> {
         /// The ends of the whole way.
         reach: Stations,
         now: f64,
-        changes: [Vec<Event>; 2],
+        changes: [Changes; 2],
     },
     /// With links that are followed.
     Tracked { course: Box<Course<Tracked<'a>>>, reach: Stations },
@@ -81,7 +81,9 @@ impl<'a> Long<'a> {
             }
             Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
         };
-        numbers.complete(general, stations, &|row| beside(program, placed, driver, stations.values[row]));
+        if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
+            return None;
+        }
         numbers.explain(general, stations);
         Some(numbers)
     }
@@ -123,8 +125,9 @@ impl Pieces for Long<'_> {
         let limits = |program: &Program, reach| if lost { ends(program, self.placed, self.driver, reach) } else { Vec::new() };
         let mut notes = match &self.way {
             Way::Free { program, reach, changes, .. } => {
-                let changes = changes.iter().flatten().map(|c| general::change_note(scene, self.driver, c));
-                changes.chain(limits(program, reach)).collect()
+                let mut notes = change_notes(self.placed, self.driver, changes, span(self.placed, self.driver, reach).1);
+                notes.extend(limits(program, reach));
+                notes
             }
             Way::Tracked { course, reach } => limits(course.follow().program(), reach),
             Way::Moved { course, why } => std::iter::once(why.clone()).chain(moved::ends(course)).collect(),

@@ -13,6 +13,7 @@
 
 pub mod batch;
 pub mod carry;
+mod changes;
 mod chunks;
 pub mod closure;
 pub mod compile;
@@ -41,6 +42,8 @@ pub mod vary;
 mod walked;
 pub mod zoom;
 
+use pieces::never;
+
 pub use compile::compile;
 pub use lane::Width;
 pub use station::{Stations, Steps};
@@ -50,10 +53,11 @@ use crate::diag::{Diagnostic, Faults};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
 use crate::scene::Scene;
+use changes::Changes;
 use chunks::{run_on_branches, run_parts, sized};
 use general::General;
 pub use general::driver_name;
-use limit::{Event, Probe};
+use limit::Probe;
 use program::Program;
 
 /// A scene placed at its instant, ready to be swept.
@@ -126,7 +130,7 @@ impl<'a> Sweep<'a> {
                 let columns = sized(stock, program, stations);
                 let (mut rows, changes) = run_on_branches(program, placed, *driver, stations, width, columns);
                 notes.extend(changes);
-                rows.complete(&general, stations, &|row| beside(program, placed, *driver, stations.values[row]));
+                rows.complete(&general, stations, &never, &|row| beside(program, placed, *driver, stations.values[row]));
                 rows.explain(&general, stations);
                 if !rows.missing.is_empty() {
                     notes.extend(ends(program, placed, *driver, stations));
@@ -175,13 +179,24 @@ fn ends(program: &Program, placed: &Placed, driver: usize, stations: &Stations) 
 fn branches(program: Program, placed: &Placed, driver: usize, stations: &Stations) -> (Vec<(Program, Vec<usize>)>, Vec<Diagnostic>) {
     let (now, span) = span(placed, driver, stations);
     let changes = change_points(&program, placed, driver, now, span);
-    let notes = changes.iter().flatten().map(|c| general::change_note(placed.scene, driver, c)).collect();
+    let notes = change_notes(placed, driver, &changes, span);
     (stretches(program, now, &changes, stations), notes)
 }
 
+/// A note for each change point of the driver's way, and one where they come again on further turns.
+fn change_notes(placed: &Placed, driver: usize, changes: &[Changes; 2], span: [f64; 2]) -> Vec<Diagnostic> {
+    let mut notes = Vec::new();
+    for (changes, until) in changes.iter().zip(span) {
+        let (met, more) = changes.met(until);
+        notes.extend(met.iter().map(|c| general::change_note(placed.scene, driver, c)));
+        notes.extend(more.then(|| general::again_note(placed.scene, driver, until)));
+    }
+    notes
+}
+
 /// The change points of the driver's way from where it stands downward, and those upward.
-fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Vec<Event>; 2] {
-    let mut changes = [Vec::new(), Vec::new()];
+fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, span: [f64; 2]) -> [Changes; 2] {
+    let mut changes = [Changes::default(), Changes::default()];
     if program.tracks.is_empty() && program.suspects().next().is_some() {
         // Both ways are searched by one program.
         program.fused_crossings();
@@ -193,27 +208,28 @@ fn change_points(program: &Program, placed: &Placed, driver: usize, now: f64, sp
 }
 
 /// The program of each stretch between change points, with its stations.
-fn stretches(program: Program, now: f64, changes: &[Vec<Event>; 2], stations: &Stations) -> Vec<(Program, Vec<usize>)> {
+fn stretches(program: Program, now: f64, changes: &[Changes; 2], stations: &Stations) -> Vec<(Program, Vec<usize>)> {
     let all: Vec<usize> = (0..stations.len()).collect();
-    if changes.iter().all(Vec::is_empty) {
+    if changes.iter().all(|c| c.events.is_empty()) {
         return vec![(program, all)];
     }
-    // How many change points lie between the instant and a station, downward or upward.
-    let passed = |value: f64| {
-        let [down, up] = changes;
-        if value < now { (0, down.iter().filter(|c| c.value > value).count()) } else { (1, up.iter().filter(|c| c.value < value).count()) }
-    };
+    let [down, up] = changes;
+    let mut rows: [Vec<Vec<usize>>; 2] = [vec![Vec::new(); down.stretches()], vec![Vec::new(); up.stretches()]];
+    for i in all {
+        let value = stations.values[i];
+        if value < now { rows[0][down.stretch(value, -1.0)].push(i) } else { rows[1][up.stretch(value, 1.0)].push(i) }
+    }
     let mut parts: Vec<(Program, Vec<usize>)> = Vec::new();
-    for (way, changes) in changes.iter().enumerate() {
+    for (changes, rows) in changes.iter().zip(rows) {
         let mut program = program.clone();
-        for k in 0..=changes.len() {
-            let rows: Vec<usize> = all.iter().copied().filter(|&i| passed(stations.values[i]) == (way, k)).collect();
-            parts.push((program.clone(), rows));
-            if let Some(joint) = changes.get(k).and_then(|c| c.joint) {
+        for (k, rows) in rows.into_iter().enumerate() {
+            if !rows.is_empty() {
+                parts.push((program.clone(), rows));
+            }
+            if let Some(joint) = changes.events.get(k).and_then(|c| c.joint) {
                 program.flip(joint);
             }
         }
     }
-    parts.retain(|(_, rows)| !rows.is_empty());
     parts
 }

@@ -149,7 +149,7 @@ pub(super) fn rows(
     let driver = course.follow().driver;
     let done = course.states(part, values, stop, &mut |position, state| {
         let i = row(position);
-        let there = |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.values[i]), &state.at);
+        let there = |state: &Standing| general.answers(&with_driver_at(scene, driver, stations.place(i, scene, driver)), &state.at);
         match state.map_err(Clone::clone).and_then(there) {
             Ok(ways) => columns.iter_mut().zip(&ways[0]).for_each(|(c, v)| c[i] = *v),
             Err(why) => drop(missing.insert(i, why)),

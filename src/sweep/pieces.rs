@@ -7,7 +7,12 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 /// Whether to stop, asked again and again while a piece is made.
-pub type Stop<'a> = &'a dyn Fn() -> bool;
+pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// Nobody asks.
+pub(super) fn never() -> bool {
+    false
+}
 
 /// The rows of a sweep under way, in their order.
 pub trait Pieces: Send {
@@ -33,7 +38,7 @@ pub fn gather(pieces: &mut dyn Pieces) -> Table {
     let mut columns: Vec<Column> = pieces.columns().into_iter().map(|(name, unit)| Column { name, unit, values: Vec::new() }).collect();
     let (count, step) = (pieces.count(), pieces.at_once());
     for from in (0..count).step_by(step) {
-        let piece = pieces.piece(from..count.min(from + step), &|| false).unwrap_or_default();
+        let piece = pieces.piece(from..count.min(from + step), &never).unwrap_or_default();
         columns.iter_mut().zip(piece).for_each(|(c, p)| c.values.extend(p));
     }
     Table { columns, notes: pieces.notes() }

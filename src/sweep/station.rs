@@ -4,6 +4,7 @@ use super::compile::driver_positions;
 use crate::position::{Configuration, Path};
 use crate::scene::{Angle, DriverKind, Scene};
 use crate::trig;
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Values of a driver (rad or m), in order.
@@ -38,6 +39,15 @@ impl Stations {
     pub fn pick(&self, rows: &[usize]) -> Stations {
         let of = |values: &[f64]| rows.iter().map(|&i| values[i]).collect();
         Stations { values: of(&self.values), cosines: of(&self.cosines), sines: of(&self.sines) }
+    }
+
+    /// Where one puts a driver of a scene: its value, of an angle beyond a turn without the whole turns, as exactly as cosine and
+    /// sine have it.
+    pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
+        match scene.drivers[driver].kind {
+            DriverKind::Turn { .. } if self.values[i].abs() > TAU => libm::atan2(self.sines[i], self.cosines[i]),
+            _ => self.values[i],
+        }
     }
 
     /// Their indices in the order of their values.
@@ -146,7 +156,17 @@ pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 
     }
 }
 
-/// Where a driver stands at the instant (rad or m).
+/// Where a driver stands at the instant (rad or m). Of an angle of more than a turn only the part of a turn counts: the pose is the
+/// same, and the way from it is counted in turns of the stations, not in those that a scene has written.
 pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
-    driver_positions(scene, at)[driver]
+    let written = match &scene.drivers[driver].kind {
+        DriverKind::Turn { angle: Some(angle), .. } => Some(angle.value),
+        DriverKind::Turn { angle: None, .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+    };
+    match written {
+        // The remainder of floating-point numbers is exact.
+        Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
+        Some(Angle::Rad(r)) if r.abs() > TAU => libm::atan2(libm::sin(r), libm::cos(r)),
+        _ => driver_positions(scene, at)[driver],
+    }
 }

@@ -114,7 +114,7 @@ mod tests {
             let changes = |way: f64| {
                 let mut probe = Probe::of(program.clone(), &placed, 0);
                 let (now, reach) = (probe.now, probe.reach());
-                probe.walk(now + way * reach).1.len()
+                probe.walk(now + way * reach).1.events.len()
             };
             let found = changes(1.0) + changes(-1.0) > 0;
             match (program.suspects().next().is_some(), found) {

@@ -5,7 +5,7 @@
 
 use super::chunks::{Rows, run_program};
 use super::general::General;
-use super::pieces::{Gaps, Pieces, Stop};
+use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
 use super::{Placed, Width, moved};
 use crate::diag::{Diagnostic, Faults};
@@ -309,25 +309,19 @@ impl Pieces for Varied<'_> {
     }
 
     fn piece(&mut self, rows: Range<usize>, stop: Stop) -> Option<Vec<Vec<f64>>> {
-        if stop() {
-            return None;
-        }
         let (first, width) = (rows.start, self.columns().len());
-        let made: Vec<Result<Vec<f64>, Faults>> = rows
-            .into_par_iter()
-            .map_init(
-                || self.scene.clone(),
-                |scene, i| {
-                    let value = self.span.value(i);
-                    self.variation.set(scene, &[value])?;
-                    let placed = Placed::new(scene, self.mechanism)?;
-                    let now = position_now(scene, &placed.at, 0);
-                    let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
-                    let row = one_row(&placed, &stations)?;
-                    Ok(std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0])).collect())
-                },
-            )
-            .collect();
+        let one = |scene: &mut Scene, i: usize| -> Result<Vec<f64>, Faults> {
+            let value = self.span.value(i);
+            self.variation.set(scene, &[value])?;
+            let placed = Placed::new(scene, self.mechanism)?;
+            let now = position_now(scene, &placed.at, 0);
+            let stations = Stations::of_values(vec![now], super::station::angle_per_value(scene, &placed.at, 0));
+            let row = one_row(&placed, &stations)?;
+            Ok(std::iter::once(value.si()).chain(row.columns.iter().map(|c| c[0])).collect())
+        };
+        let made: Option<Vec<Result<Vec<f64>, Faults>>> =
+            rows.into_par_iter().map_init(|| self.scene.clone(), |scene, i| (!stop()).then(|| one(scene, i))).collect();
+        let made = made?;
         let mut columns = vec![Vec::with_capacity(made.len()); width];
         let mut missing = BTreeMap::new();
         for (i, row) in made.into_iter().enumerate() {
@@ -352,7 +346,7 @@ fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
     let mut rows = match super::compile(placed.scene, placed.mechanism, &placed.at, Some(0), &placed.scene.find) {
         Ok(program) => {
             let mut rows = run_program(&program, placed, 0, stations, Width::Widest);
-            rows.complete(&General::new(placed, 0), stations, &|_| None);
+            rows.complete(&General::new(placed, 0), stations, &never, &|_| None);
             rows
         }
         Err(_) => moved::follow(placed, 0, stations).0,

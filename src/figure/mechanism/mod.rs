@@ -312,8 +312,8 @@ impl<'a> Draft<'a> {
             let crossing = crate::geom::cross_lines(a, u, *c, v);
             let free = |p: Point, q: Point| crossing.at.distance(p).min(crossing.at.distance(q)) > CROSSING_FREE_MM;
             let on = |p: Point, q: Point| form::on_segment(crossing.at, p, q, SAME_MM);
-            let clear = !self.forms.iter().flatten().any(|f| form::inside(crossing.at, &f.plate));
-            if crossing.sine.abs() > CROSSING_SINE && on(a, b) && on(*c, *d) && free(a, b) && free(*c, *d) && clear {
+            let clear = || !self.forms.iter().flatten().any(|f| form::inside(crossing.at, &f.plate));
+            if crossing.sine.abs() > CROSSING_SINE && on(a, b) && on(*c, *d) && free(a, b) && free(*c, *d) && clear() {
                 let half = v * ((width / 2.0 + GAP_MM) / crossing.sine.abs());
                 gaps.push((crossing.at - half, crossing.at + half));
             }

@@ -118,10 +118,7 @@ impl<'a> Around<'a> {
                 cost += TOUCH + PER_DEPTH * area;
             }
         }
-        let inside = c.rect.overlap_mm2(self.paper);
-        if inside < c.rect.width_mm() * c.rect.height_mm() - 1e-9 {
-            cost += OUTSIDE;
-        }
+        cost += outside(c.rect, self.paper);
         if let Some((a, b)) = c.leader {
             let reach = Rect::new(a, b);
             let near = self.bars.iter().filter(|l| !l.own && !l.meets && touch(reach, l.bounds));
@@ -145,6 +142,11 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
         || obstacles.heads.iter().any(under)
         || obstacles.discs.iter().any(|d| nearest(rect, d.centre).distance(d.centre) < d.radius_mm)
         || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
+}
+
+/// What it costs to leave the paper.
+pub(super) fn outside(rect: Rect, paper: Rect) -> f64 {
+    if rect.overlap_mm2(paper) < rect.width_mm() * rect.height_mm() - 1e-9 { OUTSIDE } else { 0.0 }
 }
 
 /// What two places cost beside one another.
@@ -214,15 +216,26 @@ fn touch(a: Rect, b: Rect) -> bool {
     a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y
 }
 
-/// Length of the segment inside the box (Liang and Barsky's clipping).
+/// Length of the segment inside the box.
 pub(super) fn clipped_mm(a: Point, b: Point, rect: Rect) -> f64 {
+    inside(a, b, rect).map_or(0.0, |[t0, t1]| (t1 - t0) * (b - a).norm())
+}
+
+/// The part of a segment inside the box; one of no length has none.
+pub(super) fn clipped(a: Point, b: Point, rect: Rect) -> Option<(Point, Point)> {
+    inside(a, b, rect).map(|[t0, t1]| (a + (b - a) * t0, a + (b - a) * t1))
+}
+
+/// From which part of a segment to which it is inside the box (Liang and Barsky's clipping).
+#[inline]
+fn inside(a: Point, b: Point, rect: Rect) -> Option<[f64; 2]> {
     let d = b - a;
     let (mut t0, mut t1) = (0.0_f64, 1.0_f64);
     for (p, lo, hi) in [(d.x, rect.min.x - a.x, rect.max.x - a.x), (d.y, rect.min.y - a.y, rect.max.y - a.y)] {
         // Exactly parallel to the side: outside for good, or no bound from it; any other slope divides safely.
         if p == 0.0 {
             if lo > 0.0 || hi < 0.0 {
-                return 0.0;
+                return None;
             }
         } else {
             let (near, far) = if p > 0.0 { (lo / p, hi / p) } else { (hi / p, lo / p) };
@@ -230,7 +243,7 @@ pub(super) fn clipped_mm(a: Point, b: Point, rect: Rect) -> f64 {
             t1 = t1.min(far);
         }
     }
-    if t1 > t0 { (t1 - t0) * d.norm() } else { 0.0 }
+    (t1 > t0).then_some([t0, t1])
 }
 
 /// Distance from a box to a segment; 0 where they meet.

@@ -3,11 +3,13 @@
 //! Every label has a fixed list of places (`candidate`), each with a static cost (`cost`: what it covers, how far
 //! it strays, whether it stands nearer to a foreign line than to its own); `search` picks one each so that the sum
 //! with the overlaps of pairs is small. A label whose best place is still poor is offered places farther off, with a
-//! leader line. Fixed order, no randomness: the same requests give the same places.
+//! leader line. Fixed order, no randomness: the same requests give the same places. More than a hundred labels are placed one after
+//! the other (`coarse`): weighing them against one another takes time that grows with the square of their number.
 //!
 //! Costs are in millimetres of foreign line covered; the constants say what they are worth against each other.
 
 mod candidate;
+mod coarse;
 mod cost;
 mod obstacle;
 mod search;
@@ -151,10 +153,20 @@ pub fn place(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect) -> 
 /// The same in a figure that follows another one of a series: a label with a [`Placement::index`] in `before` keeps that
 /// place beside its thing unless something has come in its way.
 pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<usize>]) -> Vec<Placement> {
+    if is_coarse(requests.len()) {
+        let none_left: Vec<LabelRequest> = requests.iter().map(|r| r.clone().optional(false)).collect();
+        let habits: Vec<Option<Habit>> = before.iter().map(|b| b.map(Habit::At)).collect();
+        return coarse::place(&none_left, obstacles, bounds, &habits).0.into_iter().flatten().collect();
+    }
     let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
     let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
     let all: Vec<usize> = (0..labels.len()).collect();
     search::run(&mut offers, &all, before).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
+}
+
+/// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
+pub fn is_coarse(labels: usize) -> bool {
+    labels > coarse::MANY
 }
 
 /// What a label of a series did in the figure before.
@@ -170,6 +182,9 @@ pub enum Habit {
 /// their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
 /// when there is a clear place beside all others, so that names do not come and go.
 pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<Habit>]) -> Vec<Option<Placement>> {
+    if is_coarse(requests.len()) {
+        return coarse::place(requests, obstacles, bounds, before).0;
+    }
     let absent = |i: &usize| requests[*i].optional && before.get(*i) == Some(&Some(Habit::LeftOut));
     let (away, mut kept): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(absent);
     let mut out = vec![None; requests.len()];

@@ -16,7 +16,7 @@ const POOR: f64 = 5.5;
 
 /// What it costs a label of a series of figures to leave the place that it had in the figure before: less than touching
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
-const LEAVE: f64 = 6.0;
+pub(super) const LEAVE: f64 = 6.0;
 
 /// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
 /// for again without some of its neighbours, which changes nothing of this.

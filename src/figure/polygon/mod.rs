@@ -220,7 +220,7 @@ impl Draft<'_> {
     }
 
     fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
-        let same = |a: &&mut Arrow| a.from.distance(from) < SAME_MM && a.to.distance(to) < SAME_MM;
+        let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
                 if !a.symbols.contains(&symbol) {
@@ -235,7 +235,7 @@ impl Draft<'_> {
     }
 
     fn letter(&mut self, at: Point, letter: String, step: usize) {
-        match self.letters.iter_mut().find(|l| l.at.distance(at) < SAME_MM) {
+        match self.letters.iter_mut().find(|l| is_one(l.at, at)) {
             Some(l) if l.letters.contains(&letter) => {}
             Some(l) => l.letters.push(letter),
             None => self.letters.push(Letter { at, letters: vec![letter], step }),
@@ -270,7 +270,7 @@ impl Draft<'_> {
 
     /// Where the part of a vector begins that no shorter one covers: there its name belongs.
     fn own_part(&self, a: &Arrow) -> Point {
-        let inside = |b: &&Arrow| b.from.distance(a.from) < SAME_MM && b.to.distance(a.to) > LABEL_ROOM_MM && covers((a.from, a.to), b.to);
+        let inside = |b: &&Arrow| is_one(b.from, a.from) && covers((a.from, a.to), b.to) && b.to.distance(a.to) > LABEL_ROOM_MM;
         let far = self.arrows.iter().filter(inside).max_by(|b, c| a.from.distance(b.to).total_cmp(&a.from.distance(c.to)));
         far.map_or(a.from, |b| b.to)
     }
@@ -340,7 +340,7 @@ impl Draft<'_> {
         let whole = a.symbols.iter().any(|s| !s.contains("^{n}"));
         let names: Vec<&String> = a.symbols.iter().filter(|s| !whole || !s.contains("^{n}")).collect();
         let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
-        let lettered = |p: Point| self.letters.iter().any(|l| l.at.distance(p) < SAME_MM);
+        let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
         let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
         let outward = (from + (to - from) * 0.5) - middle;
         let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
@@ -371,8 +371,18 @@ fn middle(points: impl Iterator<Item = Point> + Clone) -> Point {
     points.fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / n))
 }
 
+/// Whether two ends are one point on paper.
+fn is_one(p: Point, q: Point) -> bool {
+    // Most are far apart, which is seen without a root.
+    (p.x - q.x).abs() < SAME_MM && (p.y - q.y).abs() < SAME_MM && p.distance(q) < SAME_MM
+}
+
 /// Whether a point lies on a segment.
 fn covers((a, b): (Point, Point), p: Point) -> bool {
+    let apart = |p: f64, a: f64, b: f64| p < a.min(b) - SAME_MM || p > a.max(b) + SAME_MM;
+    if apart(p.x, a.x, b.x) || apart(p.y, a.y, b.y) {
+        return false;
+    }
     let d = b - a;
     let t = ((p - a).dot(d) / d.norm2()).clamp(0.0, 1.0);
     p.distance(a + d * t) < SAME_MM

@@ -1,0 +1,94 @@
+//! Answers that are looked at together although some of them may rest on a group that does not close.
+
+use super::ladder::Why;
+use crate::diag::Diagnostic;
+use crate::mechanism::Demand;
+
+/// Looks at some answers together.
+type Look<'a, T> = &'a dyn Fn(&[usize]) -> Result<Vec<Result<T, Why>>, Diagnostic>;
+
+/// What is seen of some answers together. One group that does not close must not take the answers of the others with it: the first such
+/// group is looked for by halving, since those before it close; what rests on it is refused, and the rest is looked at again.
+pub(super) fn apart<T>(
+    open: &[usize],
+    look: Look<T>,
+    demand: &dyn Fn(&[usize]) -> Demand,
+    closes: &dyn Fn(&Demand) -> Result<(), Diagnostic>,
+) -> Vec<Result<T, Why>> {
+    let mut out: Vec<Option<Result<T, Why>>> = open.iter().map(|_| None).collect();
+    let mut left: Vec<usize> = (0..open.len()).collect();
+    while !left.is_empty() {
+        let these: Vec<usize> = left.iter().map(|k| open[*k]).collect();
+        let mut why = match look(&these) {
+            Ok(seen) => {
+                left.drain(..).zip(seen).for_each(|(k, seen)| out[k] = Some(seen));
+                break;
+            }
+            Err(why) => why,
+        };
+        let whole = demand(&these);
+        let first = |groups: usize| {
+            let mut part = whole.clone();
+            part.groups[groups..].fill(None);
+            closes(&part).err()
+        };
+        let (mut sound, mut broken) = (0, whole.groups.len());
+        while broken - sound > 1 {
+            let middle = sound + (broken - sound) / 2;
+            match first(middle) {
+                Some(fault) => (broken, why) = (middle, fault),
+                None => sound = middle,
+            }
+        }
+        let rests = |k: &usize| demand(&[open[*k]]).groups.get(sound).is_some_and(Option::is_some);
+        let (mut lost, rest): (Vec<usize>, Vec<usize>) = left.iter().copied().partition(rests);
+        if lost.is_empty() {
+            // It is no group that does not close: nothing that is asked for can be told.
+            lost.clone_from(&left);
+            left.clear();
+        } else {
+            left = rest;
+        }
+        lost.into_iter().for_each(|k| out[k] = Some(Err(Why::Refused(why.clone()))));
+    }
+    out.into_iter().map(|seen| seen.unwrap_or(Err(Why::NoValue))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Level;
+    use std::cell::Cell;
+
+    /// A chain of groups, each resting on the one before it, of which one does not close: what rests on it is refused, the rest is told,
+    /// and the number of times that positions are found grows with the logarithm of the chain's length.
+    #[test]
+    fn a_group_that_does_not_close_takes_only_what_rests_on_it() {
+        for n in [1, 2, 50, 100, 200, 400] {
+            for bad in [0, n / 3, n - 1, n] {
+                let tried = Cell::new(0);
+                let demand = |open: &[usize]| {
+                    let deepest = open.iter().max().map_or(0, |k| k + 1);
+                    let groups = (0..n).map(|g| (g < deepest).then_some(Level::Velocity)).collect();
+                    Demand { groups, level: Level::Velocity, needs: Vec::new() }
+                };
+                let closes = |demand: &Demand| {
+                    tried.set(tried.get() + 1);
+                    let wanted = demand.groups.get(bad).copied().flatten();
+                    wanted.map_or(Ok(()), |_| Err(Diagnostic::error("cannot-assemble", format!("group {bad}"))))
+                };
+                let look = |open: &[usize]| closes(&demand(open)).map(|()| open.iter().map(|k| Ok(*k)).collect());
+                let open: Vec<usize> = (0..n).collect();
+                let seen = apart(&open, &look, &demand, &closes);
+                for (k, seen) in seen.iter().enumerate() {
+                    match seen {
+                        Ok(_) => assert!(k < bad, "{n} groups, {bad} does not close: {k} is told"),
+                        Err(Why::Refused(d)) => assert!(k >= bad && d.message == format!("group {bad}"), "{d}"),
+                        Err(why) => panic!("{why:?}"),
+                    }
+                }
+                assert!(tried.get() <= 4 + n.ilog2() as usize + 1, "{n} groups, {bad} does not close: {} trials", tried.get());
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! A large system solved block by block, in the order in which the blocks rest on one another.
+//!
+//! A mechanism of many groups falls into as many small blocks. Their factors cost as much as the blocks are many, where those of the
+//! whole cost the cube of its unknowns.
+
+use super::blocks::{Block, blocks};
+use super::relation::Row;
+use nalgebra::{DMatrix, DVector, Dyn, LU, PermutationSequence};
+
+/// From so many unknowns on (some fifty links) a system is solved in stages.
+pub(super) const LARGE: usize = 150;
+
+/// The factors of a system's blocks.
+pub(super) struct Staged {
+    coefficients: Vec<Vec<(usize, f64)>>,
+    parts: Vec<Part>,
+}
+
+/// A block and its factors.
+struct Part {
+    block: Block,
+    lu: LU<f64, Dyn, Dyn>,
+    l: DMatrix<f64>,
+    u: DMatrix<f64>,
+    p: PermutationSequence<Dyn>,
+}
+
+impl Part {
+    fn new(block: Block, coefficients: &[Vec<(usize, f64)>]) -> Part {
+        let n = block.rows.len();
+        let mut a = DMatrix::zeros(n, n);
+        for (i, row) in block.rows.iter().enumerate() {
+            for (k, c) in &coefficients[*row] {
+                if let Ok(k) = block.unknowns.binary_search(k) {
+                    a[(i, k)] += c;
+                }
+            }
+        }
+        let lu = a.lu();
+        let (l, u, p) = (lu.l(), lu.u(), lu.p().clone());
+        Part { block, lu, l, u, p }
+    }
+
+    fn has(&self, unknown: usize) -> bool {
+        self.block.unknowns.binary_search(&unknown).is_ok()
+    }
+}
+
+impl Staged {
+    /// Factors the equations of `n` unknowns, as many as these.
+    pub fn new(rows: &[Row], n: usize) -> Staged {
+        Staged::of(rows.iter().map(|r| r.coefficients.clone()).collect(), blocks(rows, n))
+    }
+
+    /// The same of these blocks.
+    fn of(coefficients: Vec<Vec<(usize, f64)>>, blocks: Vec<Block>) -> Staged {
+        let parts = blocks.into_iter().map(|block| Part::new(block, &coefficients)).collect();
+        Staged { coefficients, parts }
+    }
+
+    /// The largest sum of a column's magnitudes.
+    pub fn one_norm(&self) -> f64 {
+        let mut sums = vec![0.0; self.coefficients.len()];
+        for (k, c) in self.coefficients.iter().flatten() {
+            sums[*k] += c.abs();
+        }
+        sums.into_iter().fold(0.0, f64::max)
+    }
+
+    /// x with A x = b.
+    pub fn solve(&self, b: &DVector<f64>) -> Option<DVector<f64>> {
+        let mut x = DVector::zeros(b.len());
+        for part in &self.parts {
+            // What stands outside the block has been found before it.
+            let known = |row: usize| self.coefficients[row].iter().filter(|(k, _)| !part.has(*k)).map(|(k, c)| c * x[*k]).sum::<f64>();
+            let rhs = DVector::from_iterator(part.block.rows.len(), part.block.rows.iter().map(|row| b[*row] - known(*row)));
+            let found = part.lu.solve(&rhs)?;
+            part.block.unknowns.iter().zip(found.iter()).for_each(|(k, v)| x[*k] = *v);
+        }
+        Some(x)
+    }
+
+    /// y with Aᵀ y = c: the blocks in reverse.
+    pub fn solve_transposed(&self, c: &DVector<f64>) -> Option<DVector<f64>> {
+        let (mut rest, mut y) = (c.clone(), DVector::zeros(c.len()));
+        for part in self.parts.iter().rev() {
+            let rhs = DVector::from_iterator(part.block.unknowns.len(), part.block.unknowns.iter().map(|k| rest[*k]));
+            let mut found = part.u.tr_solve_upper_triangular(&rhs).and_then(|z| part.l.tr_solve_lower_triangular(&z))?;
+            part.p.inv_permute_rows(&mut found);
+            for (row, v) in part.block.rows.iter().zip(found.iter()) {
+                y[*row] = *v;
+                self.coefficients[*row].iter().filter(|(k, _)| !part.has(*k)).for_each(|(k, c)| rest[*k] -= c * v);
+            }
+        }
+        Some(y)
+    }
+
+    /// b − A x.
+    pub fn residual(&self, x: &DVector<f64>, b: &DVector<f64>) -> DVector<f64> {
+        let product = |row: &Vec<(usize, f64)>| row.iter().map(|(k, c)| c * x[*k]).sum::<f64>();
+        DVector::from_iterator(b.len(), self.coefficients.iter().zip(b.iter()).map(|(row, b)| b - product(row)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::blocks::of_lists;
+    use super::*;
+
+    /// Blocks of three, each resting on the one before it, their equations and unknowns shuffled.
+    fn chain(blocks: usize) -> Vec<Vec<(usize, f64)>> {
+        let n = 3 * blocks;
+        // Strides that are prime to every number of unknowns here.
+        let (unknown, row) = (|k: usize| (k * 7 + 5) % n, |i: usize| (i * 11 + 2) % n);
+        let mut rows = vec![Vec::new(); n];
+        for i in 0..n {
+            let first = (i / 3 * 3).saturating_sub(3);
+            rows[row(i)] = (first..i / 3 * 3 + 3)
+                .map(|k| (unknown(k), 0.3 * (((i * 5 + k * 3) % 13) as f64 - 6.5) + if i == k { 20.0 } else { 0.0 }))
+                .collect();
+        }
+        rows
+    }
+
+    #[test]
+    fn blocks_give_what_the_whole_gives() {
+        for count in [1, 2, 10, 40, 100] {
+            let coefficients = chain(count);
+            let n = coefficients.len();
+            let lists: Vec<Vec<usize>> = coefficients.iter().map(|row| row.iter().map(|c| c.0).collect()).collect();
+            let staged = Staged::of(coefficients.clone(), of_lists(&lists, n));
+            // The work is that of so many small blocks.
+            assert!(staged.parts.len() == count && staged.parts.iter().all(|p| p.block.rows.len() == 3));
+            let mut whole = DMatrix::<f64>::zeros(n, n);
+            for (i, row) in coefficients.iter().enumerate() {
+                row.iter().for_each(|(k, c)| whole[(i, *k)] += c);
+            }
+            let b = DVector::from_fn(n, |i, _| (i % 17) as f64 - 8.0);
+            let (x, y) = (staged.solve(&b).unwrap(), staged.solve_transposed(&b).unwrap());
+            assert!((&whole * &x - &b).amax() < 1e-10 && (whole.transpose() * &y - &b).amax() < 1e-10, "{count} blocks");
+            assert!((staged.residual(&y, &b) - (&b - &whole * &y)).amax() < 1e-10);
+            let sums = whole.column_iter().map(|c| c.iter().map(|v| v.abs()).sum::<f64>()).fold(0.0, f64::max);
+            assert!((staged.one_norm() - sums).abs() < 1e-9);
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Bounds: what grows with a scene grows no faster than about in proportion, what cannot be bounded is refused with its limit, and a
+//! signal is heeded in the middle of a computation.
+//!
+//! Times are not measured here. What once took minutes has a deadline that only a return of the old growth can miss; the growth itself
+//! is counted where it arises (`figure::place::coarse`, `sweep::changes`, `accuracy::apart`).
+
+use assert_cmd::Command;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Longer than anything here takes on a busy machine in a debug build, shorter than what it took before.
+const DEADLINE: Duration = Duration::from_secs(240);
+
+fn hodograph() -> Command {
+    let mut command = Command::cargo_bin("hodograph").unwrap();
+    command.timeout(DEADLINE);
+    command
+}
+
+/// A crank and `n` dyads, each moved by the one before it: parallelograms side by side.
+fn chain(n: usize) -> Value {
+    let mut links = json!({"1": ["O0", "P0"]});
+    let mut points = json!({"O0": ["0 mm", "0 mm"]});
+    let mut lengths = json!({"O0,P0": "50 mm"});
+    let mut side = json!({});
+    for i in 1..=n {
+        let (before, pin, pivot) = (format!("P{}", i - 1), format!("P{i}"), format!("O{i}"));
+        links[format!("{}", 2 * i)] = json!([before, pin]);
+        links[format!("{}", 2 * i + 1)] = json!([pin, pivot]);
+        points[&pivot] = json!([format!("{} mm", 100 * i), "0 mm"]);
+        lengths[format!("{before},{pin}")] = json!("100 mm");
+        lengths[format!("{pin},{pivot}")] = json!("50 mm");
+        side[&pin] = json!(format!("left of {before},{pivot}"));
+    }
+    let ground = format!("{}", 2 * n + 2);
+    links[&ground] = (0..=n).map(|i| json!(format!("O{i}"))).collect();
+    json!({
+        "title": format!("{n} dyads"), "links": links, "ground": ground, "points": points, "lengths": lengths, "side": side,
+        "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}
+    })
+}
+
+/// A crank-rocker with `n` further points on its coupler.
+fn points_on_a_link(n: usize) -> Value {
+    let mut coupler = json!(["B", "C"]);
+    let mut points = json!({});
+    for i in 0..n {
+        let (x, y) = (5.0 + 240.0 * i as f64 / n as f64, 20.0 + 60.0 * (0.7 * i as f64).sin());
+        coupler.as_array_mut().unwrap().push(json!(format!("P{i}")));
+        points[format!("P{i}")] = json!({"base": "BC", "x": format!("{x:.3} mm"), "y": format!("{y:.3} mm")});
+    }
+    json!({
+        "title": format!("{n} points"), "links": {"1": ["A", "B"], "2": coupler, "3": ["C", "D"], "4": ["A", "D"]}, "ground": "4",
+        "points": points, "lengths": {"AB": "100 mm", "BC": "250 mm", "CD": "200 mm", "AD": "300 mm"},
+        "driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"}
+    })
+}
+
+fn written(folder: &Path, name: &str, scene: &Value) -> PathBuf {
+    let path = folder.join(name);
+    std::fs::write(&path, format!("{scene:#}")).unwrap();
+    path
+}
+
+fn template(folder: &Path, name: &str, set: &[&str]) -> PathBuf {
+    let path = folder.join("scene.json");
+    hodograph().args(["new", name, "-o"]).arg(&path).args(set.iter().flat_map(|s| ["--set", s])).assert().success();
+    path
+}
+
+/// The exit code and what is said on standard error.
+fn run(arguments: &[&str], scene: &Path, output: &Path) -> (Option<i32>, String) {
+    let out = hodograph().arg(arguments[0]).arg(scene).args(&arguments[1..]).arg("-o").arg(output).output().unwrap();
+    (out.status.code(), String::from_utf8_lossy(&out.stderr).into_owned())
+}
+
+#[test]
+fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, scene, coarse) in [
+        ("chain-8", chain(8), false),
+        ("chain-60", chain(60), true),
+        ("chain-200", chain(200), true),
+        ("points-30", points_on_a_link(30), false),
+        ("points-400", points_on_a_link(400), true),
+        ("points-1900", points_on_a_link(1900), true),
+    ] {
+        let scene = written(folder.path(), &format!("{name}.json"), &scene);
+        let output = folder.path().join(format!("{name}.svg"));
+        let (code, said) = run(&["draw"], &scene, &output);
+        assert_eq!(code, Some(0), "{name}: {said}");
+        assert_eq!(said.contains("coarse-labels"), coarse, "{name}: {said}");
+        let figure = std::fs::read_to_string(output).unwrap();
+        assert!(figure.matches("label").count() > 30, "{name}");
+    }
+}
+
+#[test]
+fn more_than_can_be_drawn_is_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, scene, limit) in [("chain", chain(300), "500"), ("points", points_on_a_link(2100), "2000")] {
+        let scene = written(folder.path(), &format!("{name}.json"), &scene);
+        let (code, said) = run(&["draw"], &scene, &folder.path().join("o.svg"));
+        assert_eq!(code, Some(2), "{name}: {said}");
+        assert!(said.contains(limit), "{name}: {said}");
+    }
+}
+
+#[test]
+fn turns_through_change_points_cost_no_more_than_a_few() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = folder.path().join("o.csv");
+    for (set, arguments, output) in [
+        ("phi_1=1e5", &["curves"][..], "o.svg"),
+        ("phi_1=1e7", &["sweep", "--steps", "4"], "o.csv"),
+        ("phi_1=60", &["curves", "--to", "72000deg"], "o.svg"),
+        ("phi_1=60", &["sweep", "--to", "3600000deg", "--steps", "1000"], "o.csv"),
+    ] {
+        let scene = template(folder.path(), "parallelogram", &[set]);
+        let (code, said) = run(arguments, &scene, &folder.path().join(output));
+        assert_eq!(code, Some(0), "{arguments:?}: {said}");
+        assert!(said.len() < 5000, "{arguments:?}: {said}");
+    }
+    assert_eq!(std::fs::read_to_string(table).unwrap().lines().filter(|l| !l.starts_with('#')).count(), 1002);
+}
+
+#[test]
+fn ranges_and_steps_beyond_their_limits_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = template(folder.path(), "crank-rocker", &[]);
+    for (arguments, output, limit) in [
+        (&["curves", "--steps", "10000000"][..], "o.svg", "100000"),
+        (&["batch", "--vary", "l_AB=90..100:3", "--steps", "10000000"], "o.csv", "100000"),
+        (&["sweep", "--to", "1e12deg"], "o.csv", "10000"),
+        (&["curves", "--from", "-1e12deg"], "o.svg", "10000"),
+    ] {
+        let output = folder.path().join(output);
+        let (code, said) = run(arguments, &scene, &output);
+        assert_eq!(code, Some(2), "{arguments:?}: {said}");
+        assert!(said.contains(limit), "{arguments:?}: {said}");
+        assert!(!output.exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn long_texts_and_names_are_refused_and_not_echoed() {
+    let folder = tempfile::tempdir().unwrap();
+    let huge = "w".repeat(200_000);
+    let with = |edit: &dyn Fn(&mut Value)| {
+        let mut scene = points_on_a_link(1);
+        edit(&mut scene);
+        written(folder.path(), "scene.json", &scene)
+    };
+    let edits: [&dyn Fn(&mut Value); 9] = [
+        &|s| s["title"] = json!(huge),
+        &|s| s["title"] = json!("a\n".repeat(20_000)),
+        &|s| s["statement"] = json!({"en": huge}),
+        &|s| s["find"] = json!([format!("v_{huge}")]),
+        &|s| s["links"][&huge] = json!(["A", "B"]),
+        &|s| s["links"]["5"] = json!([huge]),
+        &|s| s["lengths"][&huge] = json!("1 mm"),
+        &|s| s["parameters"] = json!({huge.as_str(): huge}),
+        &|s| s[&huge] = json!(1),
+    ];
+    for (k, edit) in edits.into_iter().enumerate() {
+        let scene = with(edit);
+        for (arguments, output) in [(&["draw"][..], "o.svg"), (&["worksheet"], "o.pdf")] {
+            let (code, said) = run(arguments, &scene, &folder.path().join(output));
+            assert_eq!(code, Some(2), "edit {k}, {arguments:?}: {}", &said[..said.len().min(2000)]);
+            assert!(said.len() < 20_000, "edit {k}, {arguments:?}: {} bytes are said", said.len());
+        }
+    }
+    // The longest that are allowed are drawn.
+    let scene = with(&|s| (s["title"], s["statement"]) = (json!("速".repeat(500)), json!("wide word ".repeat(1000))));
+    for (arguments, output) in [(&["draw"][..], "o.svg"), (&["worksheet"], "o.pdf")] {
+        assert_eq!(run(arguments, &scene, &folder.path().join(output)).0, Some(0), "{arguments:?}");
+    }
+}
+
+/// A computation that does not look up for many seconds ends all the same.
+#[cfg(unix)]
+#[test]
+fn a_signal_ends_a_long_computation() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = template(folder.path(), "class-iii-six-bar", &[]);
+    for (arguments, output) in [
+        (&["sweep", "--steps", "10000000"][..], "o.npy"),
+        (&["batch", "--steps", "100000", "--vary", "l_OA=80..80.001:1000"], "o.csv"),
+        (&["sweep", "--over", "l_OA", "--from", "80", "--to", "80.001", "--steps", "10000000"], "p.csv"),
+    ] {
+        for signal in ["-INT", "-TERM"] {
+            let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_hodograph"))
+                .arg(arguments[0])
+                .arg(&scene)
+                .args(&arguments[1..])
+                .arg("-o")
+                .arg(folder.path().join(output))
+                .stdout(std::process::Stdio::null())
+                .stderr(std::process::Stdio::null())
+                .spawn()
+                .unwrap();
+            // Until it writes, a signal ends it as any other program.
+            std::thread::sleep(Duration::from_secs(2));
+            assert!(child.try_wait().unwrap().is_none(), "{arguments:?} has ended by itself");
+            let kill = std::process::Command::new("kill").arg(signal).arg(child.id().to_string()).status().unwrap();
+            assert!(kill.success());
+            let asked = Instant::now();
+            while child.try_wait().unwrap().is_none() {
+                // A third of a second on a machine that is free.
+                assert!(asked.elapsed() < Duration::from_secs(20), "{arguments:?} does not heed {signal}");
+                std::thread::sleep(Duration::from_millis(20));
+            }
+            assert!(!folder.path().join(output).exists(), "{arguments:?} {signal}");
+        }
+    }
+}
