@@ -19,7 +19,7 @@ mod singular;
 mod words;
 
 pub use fork::Decided;
-pub use pose::{Refused, SingularKind, Singularity};
+pub use pose::{Near, Refused, SingularKind, Singularity};
 pub use singular::Why;
 
 use crate::answer::Source;
@@ -50,6 +50,8 @@ pub struct Solution {
     pub singular: Vec<Singularity>,
     /// The parts that have no motion in this pose (dead centres and the like), in solving order.
     pub refused: Vec<Refused>,
+    /// The parts that are nearly singular, the worst first; empty in a pose that has singular ones.
+    pub near: Vec<Near>,
     /// What the reader should know of the pose.
     pub notes: Vec<Diagnostic>,
     /// Number of unknowns solved for, at velocity and at acceleration level.
@@ -90,6 +92,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         condition: 1.0,
         singular: Vec::new(),
         refused: Vec::new(),
+        near: Vec::new(),
         notes: Vec::new(),
         size: [0; 2],
     };
@@ -110,7 +113,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
             if blocks.singular() {
                 return Ok(pose.singular(&system.rows, &blocks, solution));
             }
-            solution.notes.extend(pose.near_singular(&system.rows, &blocks, rounding, system.condition));
+            solution.near = pose.near(&system.rows, &blocks, rounding);
         }
         let rhs = DVector::from_iterator(layout.unknowns, system.rows.iter().map(|r| r.rate));
         let rates = system.solve(&rhs).ok_or_else(|| overflow(scene, &layout))?;

@@ -5,7 +5,7 @@ use super::{Failure, Input, Run, choices, files, tables};
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
-use crate::scene::{self, Angle, DriverKind, Scene, edit};
+use crate::scene::{self, DriverKind, Scene, edit};
 use crate::sweep::extreme;
 use crate::sweep::long::Long;
 use crate::sweep::pieces::Pieces;
@@ -126,8 +126,8 @@ fn steps(placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<
         return Err(Diagnostic::error("no-driver", "the scene has no driver").into());
     };
     if let DriverKind::Turn { .. } = d.kind {
-        let read = |text: Option<&str>, default: f64| text.map_or(Ok(Angle::Deg(default)), edit::angle);
-        return Ok(Steps { way: Way::Turn(read(from, 0.0)?, read(to, 360.0)?), steps });
+        let [from, to] = edit::angles(from.unwrap_or("0"), to.unwrap_or("360"))?;
+        return Ok(Steps { way: Way::Turn(from, to), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match (from, to) {
