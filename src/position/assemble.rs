@@ -3,10 +3,10 @@
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Severity, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Leg, Mechanism, Passive};
-use crate::number::Real;
+use crate::number::{Ball, Big, Dd, Real, within};
 use crate::scene::exact::Inputs;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
@@ -16,7 +16,37 @@ use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, Poi
 /// Missing and contradictory lengths, groups that cannot be assembled (with the links and the amount by which they miss),
 /// poses that nothing fixes. All faults of independent groups are reported together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
-    Assembly::new(scene, mechanism, demand, None).place(demand)?.finish()
+    let faults = match Assembly::new(scene, mechanism, demand, None).place(demand) {
+        Ok(placed) => return placed.finish(),
+        Err(faults) => faults,
+    };
+    // Two points less than a unit in the last place apart are one in `f64`: the direction between them is that of longer numbers.
+    let hidden = |d: &Diagnostic| d.severity != Severity::Error || HIDDEN.contains(&d.code);
+    if !faults.list.iter().all(hidden) {
+        return Err(faults);
+    }
+    let longer = placed_in::<Ball<Dd>>(scene, mechanism, demand)
+        .or_else(|| BITS.into_iter().find_map(|bits| within(bits, || placed_in::<Ball<Big>>(scene, mechanism, demand))));
+    let Some(Warned { value: at, notes }) = longer else { return Err(faults) };
+    let mut checked = Assembly::<f64>::new(scene, mechanism, demand, None);
+    checked.check(&at);
+    if checked.faults.has_errors() { Err(checked.faults) } else { Ok(Warned { value: at, notes: [notes, checked.notes].concat() }) }
+}
+
+/// Faults that may be none in longer numbers.
+const HIDDEN: [&str; 2] = ["degenerate-guide", "coincident-points"];
+
+/// Bits of the longer numbers beyond double-double.
+const BITS: [usize; 3] = [192, 384, 768];
+
+/// The whole assembly in numbers of another kind, rounded; `None` where these cannot tell it either.
+fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Option<Warned<Configuration>> {
+    let mut placed = Assembly::<N>::new(scene, mechanism, demand, None).place(demand).ok()?.settled();
+    let notes = std::mem::take(&mut placed.notes);
+    let at = placed.into_configuration().approx();
+    let points = at.points.iter().flatten().all(|p| p.is_finite());
+    let told = points && at.poses.iter().flatten().all(|p| p.origin.is_finite() && p.axis.is_finite());
+    told.then_some(Warned { value: at, notes })
 }
 
 /// The same assembly in other numbers: nothing is chosen or checked again, only computed.

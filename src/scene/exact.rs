@@ -208,4 +208,35 @@ mod tests {
         }
         assert!(checked > 200, "{checked}");
     }
+
+    /// Expressions of absurd numbers: what is read is within its bound of the true value, and rounded from it, on every rung.
+    #[test]
+    fn absurd_expressions_are_read_as_they_are_written() {
+        let lost = ["1e20 mm + 5 mm - 1e20 mm", "(1e60 - 1e60 + 3)/7*1 m", "sin(1e22 deg + 30 deg)*1 m", "cos(1e25 rad)*1 m"];
+        let plain = ["(1.0000000001^1e10)*1 m", "2^0.5*1e-60 km", "sqrt(2)^60.5*1 mm", "atan(1e-40)*1 m", "(9.99^-60)*1 in", "x*1e-70*1 m"];
+        let more = ["(1 + 1e-70 - 1)*1e70*1 m", "0.1 m*3 - 0.3 m + 1e-30 m", "acos(1 - 1e-40)*1 m", "x - x + 7 mm*x/x", "tan(90 deg - 1e-20 deg)*1 m"];
+        for text in lost.into_iter().chain(plain).chain(more) {
+            let scene = format!(
+                r#"{{"parameters": {{"x": "1e80/3", "l": "{text}"}}, "units": {{"length": "m"}}, "links": {{"1": ["A", "B"], "2": ["A"]}}, "ground": "2",
+                "points": {{"A": [0, 0]}}, "lengths": {{"AB": "abs(l) + 1 m"}}, "driver": {{"link": "1", "angle": "0 deg", "omega": "1 rad/s"}}, "find": ["v_B"]}}"#
+            );
+            // `x*…` is a pure number times a length only where x is one; what is refused is no wrong number.
+            let Ok(scene) = read(&scene) else { continue };
+            let (_, given) = &scene.value.parameters[1];
+            let truth = within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());
+            let Some(truth) = truth else { panic!("{text} has no value in 3000 bits") };
+            let off = (truth.approx - given.value).abs();
+            assert!(off <= given.radius + truth.radius, "{text}: {given:?}, it is {truth:?}");
+            assert!(given.radius <= 1e-12 * given.value.abs(), "{text}: {given:?}");
+            let seen = [
+                Inputs::<Ball<f64>>::of(&scene.value).number(given).enclosure(),
+                Inputs::<Ball<Dd>>::of(&scene.value).number(given).enclosure(),
+                within(192, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+                within(768, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+            ];
+            for (rung, seen) in seen.into_iter().enumerate() {
+                assert!(seen.as_ref().is_none_or(|s| s.meets(&truth)), "{text}, rung {rung}: {seen:?}, it is {truth:?}");
+            }
+        }
+    }
 }

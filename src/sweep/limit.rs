@@ -100,6 +100,10 @@ pub(super) fn dense(placed: &Placed, driver: usize, stations: &Stations) -> bool
     ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
 }
 
+/// After so many times its reach a sliding driver is looked at in steps that grow, each by this factor on the one before.
+const FAR: f64 = 4.0;
+const GROWTH: f64 = 1.05;
+
 /// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
 /// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
 const TOUCHING: f64 = 1e-14;
@@ -155,10 +159,8 @@ impl<'a> Probe<'a> {
         let mut from = self.now;
         // A change point is left behind by half a step; there are no more of them than steps.
         loop {
-            let steps = self.steps_to(from, until);
-            let step = (until - from) / steps as f64;
-            // One sample more than the way has, so that what lies at its very end is seen too.
-            let xs: Vec<f64> = (0..=steps + 1).map(|i| from + step * i as f64).collect();
+            let xs = self.samples(from, until);
+            let step = xs[1] - xs[0];
             match self.first_event(&xs) {
                 None => return (None, changes),
                 Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
@@ -175,16 +177,36 @@ impl<'a> Probe<'a> {
         }
     }
 
-    fn steps_to(&self, from: f64, until: f64) -> usize {
-        ((until - from).abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize
+    /// Where a way is looked at: in equal steps, and once beyond its end, so that what lies at the very end is seen too.
+    ///
+    /// A driver that slides has left the mechanism behind after some times its size; from there on the steps grow with the way, so
+    /// that neither their number nor the gap in which a limit lies is out of measure.
+    fn samples(&self, from: f64, until: f64) -> Vec<f64> {
+        let way = until - from;
+        let near = FAR * self.reach();
+        let equal = |way: f64| {
+            let steps = (way.abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize;
+            let step = way / steps as f64;
+            (0..=steps + 1).map(move |i| from + step * i as f64)
+        };
+        if self.per_value != 0.0 || way.abs() <= near || near == 0.0 {
+            return equal(way).collect();
+        }
+        let mut xs: Vec<f64> = equal(near.copysign(way)).collect();
+        let mut gone = xs[xs.len() - 1] - from;
+        while gone.abs() <= way.abs() {
+            gone *= GROWTH;
+            xs.push(from + gone);
+        }
+        xs
     }
 
     /// With followed links: only where it ends.
     fn walk_tracks(&self, until: f64) -> Option<Event> {
         let mut state = self.start.clone()?;
-        let steps = self.steps_to(self.now, until);
-        for i in 1..=steps {
-            let x = self.now + (until - self.now) * (i as f64 / steps as f64);
+        let xs = self.samples(self.now, until);
+        for &x in &xs[1..xs.len() - 1] {
+            let x = if (x - until) * (until - self.now) > 0.0 { until } else { x };
             match self.program.advance(&state, x, &|x| self.turn(x)) {
                 Ok(reached) => state = reached,
                 Err(stuck) => return Some(self.fold(&stuck, until)),
