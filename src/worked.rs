@@ -5,7 +5,8 @@
 
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{
-    Agreement, BadAngle, Drafting, Drawn, Kept, Regular, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular, settled,
+    Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
+    settled,
 };
 use crate::analytic::{self, Refused, Solution};
 use crate::answer::{Value, evaluate, level_of};
@@ -194,27 +195,31 @@ fn stages(
     };
     let (mut plan, mut construction, mut drawn) = draw(&singular)?;
     let mut near: Option<Kept> = None;
-    if let Some(worst) = solution.near.first() {
-        let size = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
-        near = if measured { kept(scene, &mechanism, &demand, &configuration, &solution, size) } else { None };
+    if measured && (written.is_some() || !solution.near.is_empty()) {
+        let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+        let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
+        let ways = Ways { solution: &solution, drawn: &read, scale };
+        near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
         let agreed = |i: usize| {
-            let (level, read) = (level_of(&scene.find[i].what), drawn[i].as_ref()?);
+            let (level, read) = (level_of(&scene.find[i].what), read[i]?);
             let computed = evaluate(scene, &configuration, &solution, &scene.find[i].what)?;
-            (level > Level::Position).then(|| compare(read.value, computed, size(level, &computed), magnified(&construction, level)))
+            (level > Level::Position).then(|| compare(read, computed, scale(level, &computed), magnified(&construction, level)))
         };
-        let is_lost = |near: &Kept| (0..scene.find.len()).filter(|i| near.lost(*i, agreed(*i))).collect::<Vec<_>>();
-        let lost = near.as_ref().map_or_else(Vec::new, |near| lost_groups(scene, &mechanism, &solution, &is_lost(near)));
-        match near.as_ref().filter(|_| !lost.is_empty()) {
-            Some(near) => {
-                notes.push(near_singular(&worst.words, &near.truth));
-                (singular, written) = (lost, Some(near.truth.clone()));
-                (plan, construction, drawn) = draw(&singular)?;
-            }
-            None => {
-                let told = estimated(worst, solution.condition);
-                notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
-            }
+        // What longer numbers answer already is not lost.
+        let open = |i: &usize| read[*i].is_some() || written.is_none();
+        let lost = |near: &Kept| (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect::<Vec<_>>();
+        let more = near.as_ref().map_or_else(Vec::new, |near| lost_groups(scene, &mechanism, &solution, &lost(near)));
+        if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
+            let words = solution.near.first().map_or("the links lie nearly as in a singular pose", |worst| &worst.words);
+            notes.extend(written.is_none().then(|| near_singular(words, &near.truth)));
+            singular.extend(more);
+            written = Some(near.truth.clone());
+            (plan, construction, drawn) = draw(&singular)?;
         }
+    }
+    if let (Some(worst), None) = (solution.near.first(), &written) {
+        let told = estimated(worst, solution.condition);
+        notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
     }
     notes.extend(solution.notes.iter().cloned());
     let blur = blur_of(&solution);

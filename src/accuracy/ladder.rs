@@ -348,8 +348,8 @@ fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> O
         _ => return None,
     };
     let mut length_mm = number(size / mu)?;
-    // Less than a thousandth of a millimetre is nothing that a ruler gives.
-    length_mm.zero = length_mm.enclosure.largest() < 1e-3;
+    // Less than a thousandth of a millimetre is nothing that a ruler gives; beside an answer that is surely not zero it is told.
+    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3;
     Some(Reading { length_mm, arm_m: arm.and_then(number) })
 }
 

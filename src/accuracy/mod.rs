@@ -19,7 +19,7 @@ pub use bad_angle::{BAD_DEG, BadAngle, NearbyPose, OtherPoint, bad_angles};
 pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, drafting};
 pub use ladder::{Certified, certify};
 pub use larger::Larger;
-pub use near::{Kept, estimated, kept};
+pub use near::{Kept, Ways, estimated, kept};
 pub use places::settled;
 pub use simulate::{Errors, simulate};
 pub use steps::{Steps, steps};

@@ -21,27 +21,39 @@ const PRINTED: f64 = 6.0;
 pub struct Kept {
     /// The answers.
     pub truth: Regular,
-    /// For each question how far the loop equations are off, relative as [`Agreement::difference`]; `None` for positions.
+    /// For each question how far the loop equations are off, or the drawing where that is more, relative as
+    /// [`Agreement::difference`]; `None` for positions.
     pub errors: Vec<Option<f64>>,
 }
 
-/// Measures what the loop equations keep of a scene's answers; `None` where no rung of the ladder has them all. `scale` is the size
-/// against which an answer is judged.
-pub fn kept(
+/// What there is to be measured: the two ways, and the size against which an answer is judged.
+pub struct Ways<'a, S> {
+    /// The loop equations.
+    pub solution: &'a Solution,
+    /// What was read off the paper, for each question.
+    pub drawn: &'a [Option<Value>],
+    /// The size of what an answer of a level is measured against.
+    pub scale: S,
+}
+
+/// Measures what the two ways keep of a scene's answers; `None` where no rung of the ladder has them all. `truth`: the answers, where
+/// they are known already.
+pub fn kept<S: Fn(Level, &Value) -> f64>(
     scene: &Scene,
-    m: &Mechanism,
-    demand: &Demand,
+    (m, demand): (&Mechanism, &Demand),
     at: &Configuration,
-    solution: &Solution,
-    scale: impl Fn(Level, &Value) -> f64,
+    ways: &Ways<S>,
+    truth: Option<Regular>,
 ) -> Option<Kept> {
-    let truth = regular(scene, m, demand, at, &scene.find)?;
-    let error = |(find, true_value): (&crate::scene::Find, &Option<Value>)| {
-        let level = level_of(&find.what);
-        let (computed, true_value) = (evaluate(scene, at, solution, &find.what)?, (*true_value)?);
-        (level > Level::Position).then(|| compare(computed, true_value, scale(level, &true_value), 1.0).difference)
+    let truth = truth.or_else(|| regular(scene, m, demand, at, &scene.find))?;
+    let error = |i: usize| {
+        let (level, true_value) = (level_of(&scene.find[i].what), truth.values[i]?);
+        let off = |value: Value| compare(value, true_value, (ways.scale)(level, &true_value), 1.0).difference;
+        let computed = evaluate(scene, at, ways.solution, &scene.find[i].what).map(off);
+        let drawn = ways.drawn[i].map(off);
+        computed.into_iter().chain(drawn).reduce(f64::max).filter(|_| level > Level::Position)
     };
-    let errors = scene.find.iter().zip(&truth.values).map(error).collect();
+    let errors = (0..scene.find.len()).map(error).collect();
     Some(Kept { truth, errors })
 }
 

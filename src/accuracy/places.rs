@@ -11,15 +11,16 @@ use crate::number::decimal::Certain;
 use crate::position::{self, Configuration, Path, Pose};
 use crate::scene::Scene;
 
-/// Positions whose bound is within this part of the mechanism's size are taken as they are: a dozen operations in `f64` leave a
-/// bound of some ten units in the last place, a chain of a few dyads of several times that.
-const PLAIN: f64 = 64.0 * f64::EPSILON;
+/// Positions whose bound is within this part of the mechanism's size are taken as they are. A crossing under the angle φ magnifies
+/// rounding by 1/sin φ; a bound of 1e-12 stands for a crossing under some tenth of a degree, or for a chain of many dyads.
+const PLAIN: f64 = 4096.0 * f64::EPSILON;
 
 /// Known to this part of the size, a rounded position is within a unit in the last place of the true one.
 const KNOWN: f64 = f64::EPSILON / 8.0;
 
-/// Positions off by less than this stay as the closed forms gave them: they are as good as their rounding.
-const OFF: f64 = 8.0 * f64::EPSILON;
+/// Positions off by less than this stay as the closed forms gave them: the bound of a long chain is far larger than its error, and
+/// what else is asked for must not move a digit of it.
+const OFF: f64 = 64.0 * f64::EPSILON;
 
 /// The configuration of a scene at its instant with every position rounded from its certified value, where `f64` has lost digits
 /// of any; unchanged where it has not, or where no rung can tell (a group that is not proved, one that closes only within rounding).
@@ -145,12 +146,7 @@ impl Rounding {
     }
 
     /// What one of the two has not, the other has not either.
-    fn option<A, B>(
-        &mut self,
-        here: &mut Option<A>,
-        there: &Option<B>,
-        each: impl Fn(&mut Self, &mut A, &B) -> Option<()>,
-    ) -> Option<()> {
+    fn option<A, B>(&mut self, here: &mut Option<A>, there: &Option<B>, each: impl Fn(&mut Self, &mut A, &B) -> Option<()>) -> Option<()> {
         match (here, there) {
             (Some(here), Some(there)) => each(self, here, there),
             (None, None) => Some(()),

@@ -5,7 +5,7 @@
 //! is written, and a group whose pivots are surely not zero has one motion.
 
 use super::ladder::{Climb, Rung};
-use crate::answer::{Value, evaluate, level_of};
+use crate::answer::{Value, evaluate};
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::motion;
@@ -82,7 +82,7 @@ impl Climb for Written<'_> {
             return None;
         }
         let answers: Vec<Option<Value<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
-        let kind = |i: usize| (level_of(&self.questions[i].what), matches!(answers[i], Some(Value::Scalar(_))));
+        let kind = |i: usize| matches!(answers[i], Some(Value::Scalar(_)));
         let largest = |i: usize| {
             let of_kind = (0..answers.len()).filter(|k| kind(*k) == kind(i));
             of_kind.filter_map(|k| Some(approx(&answers[k]?).magnitude())).fold(0.0, f64::max)
@@ -92,11 +92,10 @@ impl Climb for Written<'_> {
         for (i, answer) in answers.iter().enumerate() {
             let nothing = NOTHING * largest(i);
             let mut number = |x: N, size: f64| {
-                if x.approx().abs() <= x.radius() && x.radius() <= nothing {
-                    return 0.0;
-                }
-                known &= x.is_decided() && x.radius() <= KNOWN * size;
-                x.approx()
+                // What cannot be told from zero has no sign and no digit.
+                let zero = x.approx().abs() <= x.radius();
+                known &= x.is_decided() && x.radius() <= if zero { nothing } else { KNOWN * size };
+                if zero { 0.0 } else { x.approx() }
             };
             values.push(answer.map(|value| match value {
                 Value::Scalar(s) => Value::Scalar(number(s, s.approx().abs())),

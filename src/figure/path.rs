@@ -301,7 +301,7 @@ impl Page<'_> {
                 words
                     .replace("{}", name)
                     .replace("{travel}", travel)
-                    .replace("{slow}", &plain(slow))
+                    .replace("{slow}", &plain(if slow.is_finite() { slow } else { f64::NAN }))
                     .replace("{fast}", &if self.cut { "∞".to_owned() } else { plain(fast) })
                     .replace("{first}", &first.map_or("—".to_owned(), plain)),
             );

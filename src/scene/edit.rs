@@ -1,10 +1,10 @@
 //! Small changes to a scene from outside its file: other questions, and quantities that a command line gives.
 
 use super::eval::{NoValue, Value, evaluate};
-use super::{exact, expr};
 use super::json::{self, Kind};
 use super::model::Angle;
 use super::units::Dim;
+use super::{exact, expr};
 use crate::diag::{Diagnostic, Faults};
 use crate::number::Ball;
 

@@ -169,8 +169,7 @@ impl<'a> Values<'a> {
 
     /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
     fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
-        let result =
-            self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
+        let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
         match result {
             Ok(found) => Some(found),
             Err(fault) => {

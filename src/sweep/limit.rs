@@ -400,3 +400,38 @@ impl Program {
         self.runs = Default::default();
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{read, templates};
+    use crate::sweep::compile;
+
+    /// A way beyond all measure ends where one of the mechanism's own size does.
+    #[test]
+    fn a_limit_is_where_it_is_however_far_the_way_goes() {
+        for name in ["excavator", "oscillating-cylinder", "scotch-yoke", "robot-arm"] {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &m).unwrap();
+            let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
+            for sign in [1.0, -1.0] {
+                let end = |until: f64| Probe::of(program.clone(), &placed, 0).walk(until).0;
+                let probe = Probe::of(program.clone(), &placed, 0);
+                if probe.per_value != 0.0 {
+                    continue;
+                }
+                let near = end(probe.now + sign * probe.reach());
+                for far in [1e3, 1e13, 1e80] {
+                    let there = end(probe.now + sign * far);
+                    match (&near, &there) {
+                        (Some(a), Some(b)) => assert!((a.value - b.value).abs() <= 1e-12 * a.value.abs(), "{name}: {a:?}, {b:?}"),
+                        (None, None) => {}
+                        _ => panic!("{name} to {far:e}: {near:?}, {there:?}"),
+                    }
+                }
+            }
+        }
+    }
+}

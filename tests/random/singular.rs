@@ -35,7 +35,8 @@ impl Frame {
 
     fn place(&self, x: f64, y: f64) -> [String; 2] {
         let [c, s] = self.turn;
-        let of = |u: &str, v: &str, sign: &str, shift: f64| format!("({:?}*({u}*({x:?}) {sign} {v}*({y:?})) + ({shift:?}))*1 m", self.scale);
+        let of =
+            |u: &str, v: &str, sign: &str, shift: f64| format!("({:?}*({u}*({x:?}) {sign} {v}*({y:?})) + ({shift:?}))*1 m", self.scale);
         [of(c, s, "-", self.shift.x), of(s, c, "+", self.shift.y)]
     }
 }
@@ -327,7 +328,12 @@ fn a_triad_whose_legs_meet_in_a_point() {
 #[test]
 fn scaling_by_a_power_of_two_changes_no_digit() {
     let solve = |k: f64| {
-        let text = scene_in(Frame::scaled(k), FOUR_BAR, &PARALLELOGRAM, &format!(r#"{}, "find": ["omega_3", "alpha_3", "omega_2"]"#, drive(1, 1.3, 0.7)));
+        let text = scene_in(
+            Frame::scaled(k),
+            FOUR_BAR,
+            &PARALLELOGRAM,
+            &format!(r#"{}, "find": ["omega_3", "alpha_3", "omega_2"]"#, drive(1, 1.3, 0.7)),
+        );
         let (_, done, _) = run(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         done.results.iter().map(|o| (o.value(), o.others.clone())).collect::<Vec<_>>()
     };
