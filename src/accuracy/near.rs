@@ -24,6 +24,8 @@ pub struct Kept {
     /// For each question how far the loop equations are off, or the drawing where that is more, relative as
     /// [`Agreement::difference`]; `None` for positions.
     pub errors: Vec<Option<f64>>,
+    /// The same of the loop equations alone.
+    computed: Vec<Option<f64>>,
 }
 
 /// What there is to be measured: the two ways, and the size against which an answer is judged.
@@ -46,15 +48,14 @@ pub fn kept<S: Fn(Level, &Value) -> f64>(
     truth: Option<Regular>,
 ) -> Option<Kept> {
     let truth = truth.or_else(|| regular(scene, m, demand, at, &scene.find))?;
-    let error = |i: usize| {
+    let error = |i: usize, value: Option<Value>| {
         let (level, true_value) = (level_of(&scene.find[i].what), truth.values[i]?);
-        let off = |value: Value| compare(value, true_value, (ways.scale)(level, &true_value), 1.0).difference;
-        let computed = evaluate(scene, at, ways.solution, &scene.find[i].what).map(off);
-        let drawn = ways.drawn[i].map(off);
-        computed.into_iter().chain(drawn).reduce(f64::max).filter(|_| level > Level::Position)
+        (level > Level::Position).then_some(compare(value?, true_value, (ways.scale)(level, &true_value), 1.0).difference)
     };
-    let errors = (0..scene.find.len()).map(error).collect();
-    Some(Kept { truth, errors })
+    let computed: Vec<Option<f64>> =
+        (0..scene.find.len()).map(|i| error(i, evaluate(scene, at, ways.solution, &scene.find[i].what))).collect();
+    let errors = (0..scene.find.len()).map(|i| computed[i].into_iter().chain(error(i, ways.drawn[i])).reduce(f64::max)).collect();
+    Some(Kept { truth, errors, computed })
 }
 
 impl Kept {
@@ -67,7 +68,7 @@ impl Kept {
     /// Whether double precision has lost an answer: the loop equations are farther off than any agreement may promise, or the
     /// drawing is, by what its crossings explain.
     pub fn lost(&self, question: usize, agreement: Option<Agreement>) -> bool {
-        let off = self.errors[question].is_some_and(|e| e.is_nan() || e > Agreement::MOST);
+        let off = self.computed[question].is_some_and(|e| e.is_nan() || e > Agreement::MOST);
         off || agreement.is_some_and(|a| !a.holds() && a.difference <= a.bound)
     }
 
