@@ -281,10 +281,16 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
                 Err(why) => c.why = Some(why),
             }
         }
-        // What does not close as written no longer number mends.
-        open.retain(|i| !matches!(&out[*i].why, None | Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. }))));
+        // A group that does not close on this rung may close on the next: an angle of many turns fills the short ones.
+        open.retain(|i| out[*i].why.is_some());
         if open.is_empty() {
             break;
+        }
+    }
+    // What does not close as written, in the longest numbers, has no digits, however many a shorter rung saw.
+    for c in &mut out {
+        if let Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. })) = c.why {
+            (c.parts, c.reading) = (Vec::new(), None);
         }
     }
     out

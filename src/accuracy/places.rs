@@ -12,8 +12,8 @@ use crate::position::{self, Configuration, Path, Pose};
 use crate::scene::Scene;
 
 /// Positions whose bound is within this part of the mechanism's size are taken as they are. A crossing under the angle φ magnifies
-/// rounding by 1/sin φ; a bound of 1e-12 stands for a crossing under some tenth of a degree, or for a chain of many dyads.
-const PLAIN: f64 = 4096.0 * f64::EPSILON;
+/// rounding by 1/sin φ: a bound of 6e-14 stands for a crossing under a degree or two, or for a chain of many dyads.
+const PLAIN: f64 = 256.0 * f64::EPSILON;
 
 /// Known to this part of the size, a rounded position is within a unit in the last place of the true one.
 const KNOWN: f64 = f64::EPSILON / 8.0;

@@ -81,9 +81,9 @@ pub struct Near {
     pub loss: f64,
 }
 
-/// A part that may lose more than this is near to being singular: of sixteen digits eleven are left, one of them to the few
-/// operations that follow.
-const SLIGHT: f64 = 1e-12;
+/// A part that may lose more than this is near to being singular: some hundred roundings in its velocities, ten thousand in its
+/// accelerations, and a thousand times that where these are small against the largest.
+const SLIGHT: f64 = 2e-14;
 
 impl Pose<'_> {
     /// Whether a block's places come out of lengths: then its pose near a limit is known to the root of their rounding only.

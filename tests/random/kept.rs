@@ -244,7 +244,7 @@ fn what_is_written_is_told_from_the_exact_dead_centre() {
             }
             assert_eq!(scene.find[done.results[0].find].text, first);
             // Velocities go with 1/h.
-            let first = certified(&certify(&scene, &done, 12)[0]).unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
+            let first = certified(&certify(&scene, &done, 15)[0]).unwrap_or_else(|| panic!("{name} at {h:e}: no certificate"));
             let product = first.magnitude() * h;
             if let Some(last) = last {
                 assert!((product - last).abs() <= (100.0 * h + 1e-13) * last, "{name} at {h:e}: {product:e} after {last:e}");
