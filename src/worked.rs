@@ -256,7 +256,10 @@ fn stages(
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
                 let agreement = compare(d.value, computed, scale, magnified(&construction, level));
-                Some(near.as_ref().map_or(agreement, |near| near.promised(i, agreement)))
+                Some(match &near {
+                    Some(near) => near.promised(i, agreement),
+                    None => agreement.no_better_than(solution.near.first().map_or(0.0, |worst| worst.loss)),
+                })
             }
         };
         let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));

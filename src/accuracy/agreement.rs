@@ -19,6 +19,11 @@ impl Agreement {
     /// explains beyond that is no agreement but a loss of both.
     pub const MOST: f64 = 1e-6;
 
+    /// The same where the loop equations themselves may be off by as much as `loss`, relative, in a single operation.
+    pub fn no_better_than(self, loss: f64) -> Agreement {
+        Agreement { bound: self.bound.max(STEPS * loss), ..self }
+    }
+
     /// Whether the difference is within what rounding explains; if not, the error is ours.
     pub fn holds(&self) -> bool {
         self.difference <= self.bound.min(Agreement::MOST)

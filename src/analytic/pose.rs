@@ -101,10 +101,10 @@ impl Pose<'_> {
         if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
     }
 
-    /// The blocks that are near to being singular, the worst first.
+    /// The blocks that are near to being singular, but not taken for it, the worst first.
     pub fn near(&self, system: &[Row], blocks: &Blocks, rounding: f64) -> Vec<Near> {
         let loss = |p: &Part| rounding * p.factor.magnified / p.factor.ratio;
-        let mut near: Vec<&Part> = blocks.list.iter().filter(|p| loss(p) > SLIGHT).collect();
+        let mut near: Vec<&Part> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
         near.sort_by(|a, b| loss(b).total_cmp(&loss(a)));
         let told = |p: &Part| Near {
             links: words::links_of(self.layout, p),
