@@ -6,7 +6,7 @@
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{
     Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
-    settled,
+    settled, settled_finely,
 };
 use crate::analytic::{self, Refused, Solution};
 use crate::answer::{Value, evaluate, level_of};
@@ -154,7 +154,7 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let placed = position::configure(scene, &mechanism, &demand)?;
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
-    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, true)?;
+    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, Digits::Measured)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
@@ -169,16 +169,27 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 /// # Errors
 /// The faults of the first stage that has any.
 pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
-    stages(scene, mechanism, demand, configuration, false)
+    stages(scene, mechanism, demand, configuration, Digits::Estimated)
 }
 
-/// The same; `measured`: whether the digits that double precision keeps next to a singular pose are measured.
+/// What is known of the digits that double precision keeps next to a singular pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Digits {
+    /// An estimate has to do.
+    Estimated,
+    /// They are measured.
+    Measured,
+    /// They are measured, and the positions are good to the last digit.
+    Settled,
+}
+
+/// The same; where digits are lost with positions as they are, with positions to the last digit.
 fn stages(
     scene: &Scene,
     mechanism: Mechanism,
     demand: Demand,
     configuration: Configuration,
-    measured: bool,
+    digits: Digits,
 ) -> Result<Warned<Worked>, Faults> {
     let mut notes = Vec::new();
     let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
@@ -195,7 +206,7 @@ fn stages(
     };
     let (mut plan, mut construction, mut drawn) = draw(&singular)?;
     let mut near: Option<Kept> = None;
-    if measured && (written.is_some() || !solution.near.is_empty()) {
+    if digits != Digits::Estimated && (written.is_some() || !solution.near.is_empty()) {
         let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
         let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
         let ways = Ways { solution: &solution, drawn: &read, scale };
@@ -209,6 +220,12 @@ fn stages(
         let open = |i: &usize| read[*i].is_some() || written.is_none();
         let lost = |near: &Kept| (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect::<Vec<_>>();
         let more = near.as_ref().map_or_else(Vec::new, |near| lost_groups(scene, &mechanism, &solution, &lost(near)));
+        if digits == Digits::Measured && !more.is_empty() {
+            let better = settled_finely(scene, &mechanism, &demand, configuration.clone());
+            if better != configuration {
+                return stages(scene, mechanism, demand, better, Digits::Settled);
+            }
+        }
         if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
             let words = solution.near.first().map_or("the links lie nearly as in a singular pose", |worst| &worst.words);
             notes.extend(written.is_none().then(|| near_singular(words, &near.truth)));

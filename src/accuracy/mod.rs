@@ -20,7 +20,7 @@ pub use drafting::{CrossingTolerance, Drafting, Drawn, Tolerance, crossings, dra
 pub use ladder::{Certified, certify};
 pub use larger::Larger;
 pub use near::{Kept, Ways, estimated, kept};
-pub use places::settled;
+pub use places::{settled, settled_finely};
 pub use simulate::{Errors, simulate};
 pub use steps::{Steps, steps};
 pub use written::{Regular, groups_of_question, regular};

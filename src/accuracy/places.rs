@@ -25,12 +25,22 @@ const OFF: f64 = 64.0 * f64::EPSILON;
 /// The configuration of a scene at its instant with every position rounded from its certified value, where `f64` has lost digits
 /// of any; unchanged where it has not, or where no rung can tell (a group that is not proved, one that closes only within rounding).
 pub fn settled(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration) -> Configuration {
+    settled_beyond(scene, m, demand, at, [PLAIN, OFF])
+}
+
+/// The same to the last digit, for a pose in which even rounding is magnified beyond what may be said.
+pub fn settled_finely(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration) -> Configuration {
+    settled_beyond(scene, m, demand, at, [0.0, f64::EPSILON / 4.0])
+}
+
+/// `plain` and `least`: see [`PLAIN`] and [`OFF`].
+fn settled_beyond(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration, [plain, least]: [f64; 2]) -> Configuration {
     let extent = at.extent();
     let places = Places { scene, m, demand, at: &at, extent };
     let mut last = None;
     for rung in Rung::LADDER {
         let Some(found) = rung.climb(&places) else { continue };
-        if rung == Rung::Double && found.bound <= PLAIN * extent {
+        if rung == Rung::Double && found.bound <= plain * extent {
             return at;
         }
         let known = found.bound <= KNOWN * extent;
@@ -41,7 +51,7 @@ pub fn settled(scene: &Scene, m: &Mechanism, demand: &Demand, at: Configuration)
     }
     match last {
         // What is no better known than that is no correction.
-        Some(found) if found.bound <= PLAIN * extent && found.off > OFF * extent => found.at,
+        Some(found) if found.bound <= PLAIN * extent && found.off > least * extent => found.at,
         _ => at,
     }
 }
