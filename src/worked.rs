@@ -275,7 +275,11 @@ fn stages(
                 let agreement = compare(d.value, computed, scale, magnified(&construction, level));
                 Some(match &near {
                     Some(near) => near.promised(i, agreement),
-                    None => agreement.no_better_than(solution.near.first().map_or(0.0, |worst| worst.loss)),
+                    // The loop equations are those of the singular pose next to it.
+                    None if !solution.singular.is_empty() => {
+                        agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss).max(blur))
+                    }
+                    None => agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss)),
                 })
             }
         };

@@ -529,7 +529,8 @@ fn a_power_of_two_changes_no_digit() {
                 };
                 // Positions that `f64` loses digits of are those of the decimals as written, and 2^k times a decimal is another one.
                 let written = settled(&c) || settled(&b);
-                if scale(was) != is && !(written && difference(scale(was), is) <= 1e-9 * size(is)) {
+                let close = difference(scale(was), is) <= 1e-9 * size(is) + 1e-11 * size(scale(Value::Scalar(1.0)));
+                if scale(was) != is && !(written && close) {
                     c.fail(format!("2^{k} changes {text} from {was:?} to {is:?}\n{}\nand", b.text));
                 }
                 // The paper's scales are 1, 2, 2.5, 5 × 10^k: what is read off it is rounded otherwise.
