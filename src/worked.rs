@@ -275,10 +275,8 @@ fn stages(
                 let agreement = compare(d.value, computed, scale, magnified(&construction, level));
                 Some(match &near {
                     Some(near) => near.promised(i, agreement),
-                    // The loop equations are those of the singular pose next to it.
-                    None if !solution.singular.is_empty() => {
-                        agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss).max(blur))
-                    }
+                    // Taken for the singular pose next to it, the pose is told to the root of its rounding.
+                    None if !(solution.singular.is_empty() && solution.refused.is_empty()) => agreement.no_better_than(f64::EPSILON.sqrt()),
                     None => agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss)),
                 })
             }
