@@ -229,9 +229,16 @@ fn stages(
         if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
             let words = solution.near.first().map_or("the links lie nearly as in a singular pose", |worst| &worst.words);
             notes.extend(written.is_none().then(|| near_singular(words, &near.truth)));
-            singular.extend(more);
+            singular.extend(&more);
             written = Some(near.truth.clone());
             (plan, construction, drawn) = draw(&singular)?;
+        }
+        if !more.is_empty() {
+            // What is left is judged by what is left on the paper.
+            let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+            let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
+            let ways = Ways { solution: &solution, drawn: &read, scale };
+            near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
         }
     }
     if let (Some(worst), None) = (solution.near.first(), &written) {
