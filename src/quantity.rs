@@ -7,9 +7,21 @@ pub fn metres(value_m: f64) -> String {
 
 /// A number with `digits` significant digits, without an exponent between 1e-4 and 1e6.
 ///
-/// Zero is `0`. Trailing zeros are kept: they are digits.
+/// Zero is `0`. Trailing zeros are kept: they are digits. What is beyond all bounds is `∞`, what has no value `—`.
 pub fn significant(value: f64, digits: usize) -> String {
+    if !value.is_finite() {
+        return unbounded(value).into();
+    }
     plain(&format!("{:.*e}", digits.max(1) - 1, value))
+}
+
+/// What stands in the place of a number that is none.
+fn unbounded(value: f64) -> &'static str {
+    match value {
+        _ if value.is_nan() => "—",
+        _ if value > 0.0 => "∞",
+        _ => "-∞",
+    }
 }
 
 /// A number in e notation as people write it: without an exponent between 1e-4 and 1e6, its digits kept.
@@ -63,6 +75,9 @@ pub fn direction_degrees(angle_rad: f64) -> f64 {
 
 /// A number as short as it can be written, for scales and given values: `0.002`, `60`, `2.5`.
 pub fn shortest(value: f64) -> String {
+    if !value.is_finite() {
+        return unbounded(value).into();
+    }
     let rounded: f64 = format!("{value:.12e}").parse().expect("a formatted float parses");
     let rounded = rounded + 0.0;
     if rounded != 0.0 && !(1e-4..1e7).contains(&rounded.abs()) { format!("{rounded:e}") } else { format!("{rounded}") }
@@ -80,6 +95,8 @@ mod tests {
         assert_eq!(significant(123456.0, 4), "123500");
         assert_eq!(significant(1.5e9, 4), "1.500e9");
         assert_eq!(significant(0.0, 4), "0");
+        assert_eq!([f64::INFINITY, -f64::INFINITY, f64::NAN].map(|x| significant(x, 4)), ["∞", "-∞", "—"]);
+        assert_eq!(shortest(f64::INFINITY), "∞");
     }
 
     #[test]

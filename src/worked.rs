@@ -4,7 +4,10 @@
 //! stage is public by itself as well.
 
 use crate::accuracy::ladder::Rung;
-use crate::accuracy::{Agreement, BadAngle, Drafting, Drawn, Regular, bad_angles, compare, drafting, regular};
+use crate::accuracy::{
+    Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
+    settled, settled_finely,
+};
 use crate::analytic::{self, Refused, Solution};
 use crate::answer::{Value, level_of};
 use crate::construct::scale::Boxes;
@@ -13,7 +16,7 @@ use crate::diag::{Diagnostic, Faults, Warned};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::plan::{self, Plan};
 use crate::position::{self, Configuration};
-use crate::scene::{Find, LinkId, Place, PointId, Scene};
+use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -150,7 +153,8 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     }
     let placed = position::configure(scene, &mechanism, &demand)?;
     notes.extend(placed.notes);
-    let Warned { value: mut worked, notes: more } = work_placed(scene, mechanism, demand, placed.value)?;
+    let configuration = settled(scene, &mechanism, &demand, placed.value);
+    let Warned { value: mut worked, notes: more } = stages(scene, mechanism, demand, configuration, Digits::Measured)?;
     notes.extend(more);
     let drawn = worked.drawn(scene);
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
@@ -160,24 +164,89 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 }
 
 /// The stages from positions on, for callers who followed the mechanism to a pose by themselves; crossings under bad angles
-/// are not looked for.
+/// are not looked for, and what double precision keeps next to a singular pose is estimated, not measured.
 ///
 /// # Errors
 /// The faults of the first stage that has any.
 pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
+    stages(scene, mechanism, demand, configuration, Digits::Estimated)
+}
+
+/// What is known of the digits that double precision keeps next to a singular pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Digits {
+    /// An estimate has to do.
+    Estimated,
+    /// They are measured.
+    Measured,
+    /// They are measured, and the positions are good to the last digit.
+    Settled,
+}
+
+/// The same; where digits are lost with positions as they are, with positions to the last digit.
+fn stages(
+    scene: &Scene,
+    mechanism: Mechanism,
+    demand: Demand,
+    configuration: Configuration,
+    digits: Digits,
+) -> Result<Warned<Worked>, Faults> {
     let mut notes = Vec::new();
     let mut solution = analytic::solve(scene, &mechanism, &configuration, &demand)?;
-    let singular = singular_groups(&mechanism, &solution);
-    let by_lengths = |g: &usize| mechanism.groups[*g].links.iter().flat_map(|l| &scene.links[l.0].points).any(|p| !is_given(scene, *p));
-    let written = if singular.iter().any(by_lengths) { regular(scene, &mechanism, &demand, &configuration, &scene.find) } else { None };
+    let mut singular = singular_groups(&mechanism, &solution);
+    let mut written = if singular.is_empty() { None } else { regular(scene, &mechanism, &demand, &configuration, &scene.find) };
     if let Some(written) = &written {
         solution.taken_for_singular(|words| near_singular(words, written));
     }
+    let draw = |without: &[usize]| -> Result<_, Faults> {
+        let plan = plan::plan_without(scene, &mechanism, &demand, without);
+        let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
+        let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
+        Ok((plan, construction, drawn))
+    };
+    let (mut plan, mut construction, mut drawn) = draw(&singular)?;
+    let mut near: Option<Kept> = None;
+    if digits != Digits::Estimated && (written.is_some() || !solution.near.is_empty()) {
+        let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+        let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
+        let ways = Ways { solution: &solution, drawn: &read, scale };
+        near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
+        let agreed = |i: usize| {
+            let (level, read) = (level_of(&scene.find[i].what), read[i]?);
+            let computed = solution.answer(scene, &configuration, &scene.find[i].what)?;
+            (level > Level::Position).then(|| compare(read, computed, scale(level, &computed), magnified(&construction, level)))
+        };
+        // What longer numbers answer already is not lost.
+        let open = |i: &usize| read[*i].is_some() || written.is_none();
+        let lost = |near: &Kept| (0..scene.find.len()).filter(open).filter(|i| near.lost(*i, agreed(*i))).collect::<Vec<_>>();
+        let more = near.as_ref().map_or_else(Vec::new, |near| lost_groups(scene, &mechanism, &solution, &lost(near)));
+        if digits == Digits::Measured && !more.is_empty() {
+            let better = settled_finely(scene, &mechanism, &demand, configuration.clone());
+            if better != configuration {
+                return stages(scene, mechanism, demand, better, Digits::Settled);
+            }
+        }
+        if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
+            let words = solution.near.first().map_or("the links lie nearly as in a singular pose", |worst| &worst.words);
+            notes.extend(written.is_none().then(|| near_singular(words, &near.truth)));
+            singular.extend(&more);
+            written = Some(near.truth.clone());
+            (plan, construction, drawn) = draw(&singular)?;
+        }
+        if !more.is_empty() {
+            // What is left is judged by what is left on the paper.
+            let scale = |level, value: &Value| scale_of(scene, &construction, &configuration, level, value);
+            let read: Vec<Option<Value>> = drawn.iter().map(|a| a.as_ref().map(|a| a.value)).collect();
+            let ways = Ways { solution: &solution, drawn: &read, scale };
+            near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
+        }
+    }
+    if let (Some(worst), None) = (solution.near.first(), &written) {
+        let told = estimated(worst, solution.condition);
+        notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
+    }
     notes.extend(solution.notes.iter().cloned());
-    let plan = plan::plan_without(scene, &mechanism, &demand, &singular);
-    let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
     let blur = blur_of(&solution);
-    let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
     let (mut results, mut unanswered) = (Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
     let beside = |find: &Find| {
@@ -210,8 +279,13 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
         let agreement = match (&drawn, level) {
             (_, Level::Position) | (None, _) => None,
             (Some(d), _) => {
-                let worst = construction.magnification[usize::from(level == Level::Acceleration)];
-                Some(compare(d.value, computed, scale, worst))
+                let agreement = compare(d.value, computed, scale, magnified(&construction, level));
+                Some(match &near {
+                    Some(near) => near.promised(i, agreement),
+                    // Taken for the singular pose next to it, the pose is told to the root of its rounding.
+                    None if !(solution.singular.is_empty() && solution.refused.is_empty()) => agreement.no_better_than(f64::EPSILON.sqrt()),
+                    None => agreement.no_better_than(solution.near.first().map_or(0.0, |n| n.loss)),
+                })
             }
         };
         let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
@@ -247,9 +321,23 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     Ok(Warned { value: worked, notes })
 }
 
-/// Whether the scene gives a point by its coordinates.
-fn is_given(scene: &Scene, p: PointId) -> bool {
-    matches!(scene.points[p.0].place, Place::At(_))
+/// How many times rounding is magnified at the worst crossing of a level.
+fn magnified(paper: &Construction, level: Level) -> f64 {
+    paper.magnification[usize::from(level == Level::Acceleration)]
+}
+
+/// The nearly singular groups on which answers rest that double precision has lost; where none of them is, all on which they rest.
+fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]) -> Vec<usize> {
+    let near: Vec<usize> = solution.near.iter().flat_map(|n| groups_of(m, &n.links, &n.pins)).collect();
+    let mut groups: Vec<usize> = Vec::new();
+    for i in lost {
+        let all = groups_of_question(scene, m, &scene.find[*i]);
+        let some: Vec<usize> = all.iter().copied().filter(|g| near.contains(g)).collect();
+        groups.extend(if some.is_empty() { all } else { some });
+    }
+    groups.sort_unstable();
+    groups.dedup();
+    groups
 }
 
 /// What is said of a pose that only longer numbers tell from a singular one.
@@ -258,7 +346,7 @@ fn near_singular(words: &str, regular: &Regular) -> Diagnostic {
     Diagnostic::warning(
         "near-singular",
         format!(
-            "{words} but for a hair: as written the pose is not singular, which only numbers of more digits than double precision tell ({numbers}); the answers there are theirs, they are neither drawn nor checked by the loop equations"
+            "{words} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations"
         ),
     )
     .help("choose a pose further off, or one that is singular as written")

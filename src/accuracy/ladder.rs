@@ -276,10 +276,16 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
                 Err(why) => c.why = Some(why),
             }
         }
-        // What does not close as written no longer number mends.
-        open.retain(|i| !matches!(&out[*i].why, None | Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. }))));
+        // A group that does not close on this rung may close on the next: an angle of many turns fills the short ones.
+        open.retain(|i| out[*i].why.is_some());
         if open.is_empty() {
             break;
+        }
+    }
+    // What does not close as written, in the longest numbers, has no digits, however many a shorter rung saw.
+    for c in &mut out {
+        if let Some(Why::Refused(Diagnostic { code: "cannot-assemble", .. })) = c.why {
+            (c.parts, c.reading) = (Vec::new(), None);
         }
     }
     out
@@ -362,8 +368,8 @@ fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> O
         _ => return None,
     };
     let mut length_mm = number(size / mu)?;
-    // Less than a thousandth of a millimetre is nothing that a ruler gives.
-    length_mm.zero = length_mm.enclosure.largest() < 1e-3;
+    // Less than a thousandth of a millimetre is nothing that a ruler gives; beside an answer that is surely not zero it is told.
+    length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3;
     Some(Reading { length_mm, arm_m: arm.and_then(number) })
 }
 

@@ -1,33 +1,59 @@
-//! Whether a pose is singular as it is written, where `f64` cannot tell.
+//! What a pose is as it is written, where `f64` cannot tell, or loses the digits of the answers.
 //!
-//! A pose by lengths is known in `f64` to the root of its rounding only: within some 1e-8 of a dead point or a limit the loop
-//! equations must take it for one. In longer numbers the lengths are what is written, and a group whose pivots are surely not
-//! zero has one motion.
+//! Within some 1e-8 of a dead point or a limit (a pose by lengths, known in `f64` to the root of its rounding), within 1e-13 of it
+//! (one by coordinates), the loop equations must take a pose for a singular one. In longer numbers lengths and coordinates are what
+//! is written, and a group whose pivots are surely not zero has one motion.
 
 use super::ladder::{Climb, Rung};
 use crate::answer::{Value, evaluate};
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::motion;
+use crate::number::Real;
 use crate::number::decimal::Certain;
 use crate::position::{self, Configuration};
-use crate::scene::{Find, Scene};
+use crate::scene::{Find, Place, Scene};
 
 /// A pose that is not singular as written.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Regular {
     /// The answer to each question, to `f64`; `None` where it has none.
     pub values: Vec<Option<Value>>,
-    /// The rung that told the pose from a singular one.
+    /// The rung that told the pose from a singular one, and its answers to the last digit of an `f64`.
     pub rung: Rung,
 }
 
-/// The answers to some questions, whose demand is given, in a pose that `f64` takes for singular, if on some rung every group surely has one motion; `None` where the
-/// pose is singular as written, or does not close.
+/// The answers to some questions, whose demand is given, if on some rung every group surely has one motion; `None` where the
+/// pose is singular as written, does not close, or is not the one that is written but one to which the mechanism was followed.
 pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
-    let written = Written { scene, m, demand, at, questions };
-    Rung::LADDER.into_iter().find_map(|rung| Some(Regular { values: rung.climb(&written)?, rung }))
+    let extent = at.extent();
+    let given = |p: usize| match &scene.points[p].place {
+        Place::At([x, y]) => at.points[p].is_none_or(|here| (here.x - x.value).hypot(here.y - y.value) <= SAME_POSE * extent),
+        _ => true,
+    };
+    if !(0..scene.points.len()).all(given) {
+        return None;
+    }
+    let written = Written { scene, m, demand, at, questions, extent };
+    let mut found = None;
+    for rung in Rung::LADDER {
+        let Some((values, known)) = rung.climb(&written) else { continue };
+        found = Some(Regular { values, rung });
+        if known {
+            break;
+        }
+    }
+    found
 }
+
+/// Near a limit `f64` knows the pose to some 1e-8 of the mechanism's size; what is farther off is another pose.
+const SAME_POSE: f64 = 1e-6;
+
+/// An answer known to this part of itself is the nearest `f64` but for a unit in the last place.
+const KNOWN: f64 = f64::EPSILON / 2.0;
+
+/// What may be zero, and is surely less than this part of the largest answer of its kind, is zero.
+const NOTHING: f64 = 1e-30;
 
 struct Written<'a> {
     scene: &'a Scene,
@@ -35,19 +61,64 @@ struct Written<'a> {
     demand: &'a Demand,
     at: &'a Configuration,
     questions: &'a [Find],
+    extent: f64,
 }
 
 impl Climb for Written<'_> {
-    type Found = Option<Vec<Option<Value>>>;
+    /// The answers, and whether all are known to the last digit.
+    type Found = Option<(Vec<Option<Value>>, bool)>;
 
     fn with<N: Certain>(&self) -> Self::Found {
         let at = position::recompute::<N>(self.scene, self.m, self.demand, self.at).ok()?;
-        let motion = motion::solve(self.scene, self.m, &at, self.demand);
-        let value = |v: Value<N>| match v {
-            Value::Scalar(s) => Value::Scalar(s.approx()),
-            Value::Vector(v) => Value::Vector(Vec2::approx(v)),
+        let near = |p: usize| match (at.points[p], self.at.points[p]) {
+            (Some(there), Some(here)) => (there.approx() - here).norm() <= SAME_POSE * self.extent,
+            _ => true,
         };
-        let answer = |find: &Find| evaluate(self.scene, &at, &motion, &find.what).map(value);
-        motion.singular.is_empty().then(|| self.questions.iter().map(answer).collect())
+        if !(0..self.scene.points.len()).all(near) {
+            return None;
+        }
+        let motion = motion::solve(self.scene, self.m, &at, self.demand);
+        if !motion.singular.is_empty() {
+            return None;
+        }
+        let answers: Vec<Option<Value<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
+        let kind = |i: usize| matches!(answers[i], Some(Value::Scalar(_)));
+        let largest = |i: usize| {
+            let of_kind = (0..answers.len()).filter(|k| kind(*k) == kind(i));
+            of_kind.filter_map(|k| Some(approx(&answers[k]?).magnitude())).fold(0.0, f64::max)
+        };
+        let mut known = true;
+        let mut values = Vec::with_capacity(answers.len());
+        for (i, answer) in answers.iter().enumerate() {
+            let nothing = NOTHING * largest(i);
+            let mut number = |x: N, size: f64| {
+                // What cannot be told from zero has no sign and no digit.
+                let zero = x.approx().abs() <= x.radius();
+                known &= x.is_decided() && x.radius() <= if zero { nothing } else { KNOWN * size };
+                if zero { 0.0 } else { x.approx() }
+            };
+            values.push(answer.map(|value| match value {
+                Value::Scalar(s) => Value::Scalar(number(s, s.approx().abs())),
+                Value::Vector(v) => {
+                    let size = v.approx().norm();
+                    Value::Vector(Vec2::new(number(v.x, size), number(v.y, size)))
+                }
+            }));
+        }
+        let decided = values.iter().flatten().all(|v| v.magnitude().is_finite());
+        decided.then_some((values, known))
     }
+}
+
+fn approx<N: Real>(value: &Value<N>) -> Value {
+    match value {
+        Value::Scalar(s) => Value::Scalar(s.approx()),
+        Value::Vector(v) => Value::Vector(v.approx()),
+    }
+}
+
+/// The groups on which a question rests.
+pub fn groups_of_question(scene: &Scene, m: &Mechanism, find: &Find) -> Vec<usize> {
+    let asked = Demand::of_questions(scene, m, [find]);
+    (0..m.groups.len()).filter(|g| asked.groups[*g].is_some()).collect()
 }

@@ -22,7 +22,7 @@ mod staged;
 mod words;
 
 pub use fork::Decided;
-pub use pose::{Refused, SingularKind, Singularity};
+pub use pose::{Near, Refused, SingularKind, Singularity};
 pub use singular::Why;
 
 use crate::answer::Source;
@@ -54,6 +54,8 @@ pub struct Solution {
     pub singular: Vec<Singularity>,
     /// The parts that have no motion in this pose (dead centres and the like), in solving order.
     pub refused: Vec<Refused>,
+    /// The parts that are nearly singular, the worst first; those that are singular are not among them.
+    pub near: Vec<Near>,
     /// What the reader should know of the pose.
     pub notes: Vec<Diagnostic>,
     /// Number of unknowns solved for, at velocity and at acceleration level.
@@ -94,6 +96,7 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
         condition: 1.0,
         singular: Vec::new(),
         refused: Vec::new(),
+        near: Vec::new(),
         notes: Vec::new(),
         size: [0; 2],
     };
@@ -111,10 +114,10 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
             let pose = Pose { scene, at, demand, layout: &layout };
             let rounding = layout.rounding(at);
             let blocks = Blocks::new(&system.rows, layout.unknowns, rounding, |b| pose.blur(b, rounding));
+            solution.near = pose.near(&system.rows, &blocks, rounding);
             if blocks.singular() {
                 return Ok(pose.singular(&system.rows, &blocks, solution));
             }
-            solution.notes.extend(pose.near_singular(&system.rows, &blocks, rounding, system.condition));
         }
         let rhs = DVector::from_iterator(layout.unknowns, system.rows.iter().map(|r| r.rate));
         let rates = system.solve(&rhs).ok_or_else(|| overflow(scene, &layout))?;
@@ -138,9 +141,9 @@ pub fn solve(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand) 
     Ok(solution)
 }
 
-/// Above this condition number the blocks are looked at one by one: below it, double precision leaves ten digits even where
-/// it counts twice (a pose by lengths near its limit), which is more than is printed.
-const SUSPECT: f64 = 1e4;
+/// Above this condition number the blocks are looked at one by one: below it, double precision leaves eleven digits, which is what
+/// two ways that agree promise.
+const SUSPECT: f64 = 1e3;
 
 /// The rows of a layout and its decomposed Jacobian.
 struct System {

@@ -8,7 +8,6 @@ use super::{Solution, blocks::Block, words};
 use crate::diag::Diagnostic;
 use crate::mechanism::{Demand, Level};
 use crate::position::Configuration;
-use crate::quantity::significant;
 use crate::scene::{LinkId, Place, PointId, Scene};
 use nalgebra::DVector;
 
@@ -69,8 +68,22 @@ pub(super) struct Pose<'a> {
     pub layout: &'a Layout,
 }
 
-/// How many digits text answers print at most; a warning is due where fewer are true.
-const PRINTED: f64 = 6.0;
+/// A part of a mechanism whose equations are nearly singular in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Near {
+    /// Its links.
+    pub links: Vec<LinkId>,
+    /// Pins of it that sit on no link.
+    pub pins: Vec<PointId>,
+    /// The links that nearly lie in line, in words: `link 1 (AB) and link 2 (BC) lie in line at B`.
+    pub words: String,
+    /// What the rounding of the coordinates may come to in its velocities, relative to the largest.
+    pub loss: f64,
+}
+
+/// A part that may lose more than this is near to being singular: some hundred roundings in its velocities, ten thousand in its
+/// accelerations, and a thousand times that where these are small against the largest.
+const SLIGHT: f64 = 2e-14;
 
 impl Pose<'_> {
     /// Whether a block's places come out of lengths: then its pose near a limit is known to the root of their rounding only.
@@ -88,29 +101,18 @@ impl Pose<'_> {
         if self.by_lengths(block) { (8.0 * rounding).sqrt() } else { 0.0 }
     }
 
-    /// A warning for the block that loses most digits, where it loses any that are printed.
-    pub fn near_singular(&self, system: &[Row], blocks: &Blocks, rounding: f64, condition: f64) -> Option<Diagnostic> {
-        let loss = |p: &Part| {
-            let pivot = p.factor.ratio;
-            rounding * p.factor.magnified / if self.by_lengths(&p.block) { pivot * pivot } else { pivot }
+    /// The blocks that are near to being singular, but not taken for it, the worst first.
+    pub fn near(&self, system: &[Row], blocks: &Blocks, rounding: f64) -> Vec<Near> {
+        let loss = |p: &Part| rounding * p.factor.magnified / p.factor.ratio;
+        let mut near: Vec<&Part> = blocks.list.iter().filter(|p| p.deficiency == 0 && loss(p) > SLIGHT).collect();
+        near.sort_by(|a, b| loss(b).total_cmp(&loss(a)));
+        let told = |p: &Part| Near {
+            links: words::links_of(self.layout, p),
+            pins: self.bare_pins(p),
+            words: words::held(self.scene, self.at, self.layout, system, p).text,
+            loss: loss(p),
         };
-        let worst = blocks.list.iter().reduce(|a, b| if loss(b) > loss(a) { b } else { a })?;
-        // A decimal place more is lost by the few operations that follow.
-        let digits = (-libm::log10(10.0 * loss(worst))).floor();
-        if digits >= PRINTED {
-            return None;
-        }
-        let held = words::held(self.scene, self.at, self.layout, system, worst);
-        let true_digits = if digits < 1.0 { "no digit".to_string() } else { format!("about {digits} digits") };
-        let d = Diagnostic::warning(
-            "near-singular",
-            format!(
-                "{} but for a hair: the condition number is {}, and double precision keeps {true_digits} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
-                held.text,
-                significant(condition, 2)
-            ),
-        );
-        Some(d.help("choose a pose further off; where it is given by lengths, coordinates of the joints keep more digits"))
+        near.into_iter().map(told).collect()
     }
 
     /// The motion through a singular pose, as far as there is one.

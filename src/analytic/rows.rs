@@ -225,7 +225,14 @@ impl Layout {
                     Path::Line { through, direction } => {
                         let Some(carrier) = self.body(scene, g.on, through) else { return };
                         if runner.first.is_some() || carrier.first.is_some() {
-                            rows.push(projection(runner, carrier, direction, (place - through) * self.scale, [rate, acceleration], Pair::Driver(d)));
+                            rows.push(projection(
+                                runner,
+                                carrier,
+                                direction,
+                                (place - through) * self.scale,
+                                [rate, acceleration],
+                                Pair::Driver(d),
+                            ));
                         }
                     }
                     Path::Arc { centre, radius } => {

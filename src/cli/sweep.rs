@@ -143,8 +143,10 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
         return Err(input.failed(Diagnostic::error("no-driver", "the scene has no driver").into()));
     };
     if let DriverKind::Turn { .. } = d.kind {
-        let [from, to] = bounds(range, angle)?;
-        return Ok(Steps { way: Way::Turn(from.unwrap_or(Angle::Deg(0.0)), to.unwrap_or(Angle::Deg(360.0))), steps });
+        bounds(range, angle)?;
+        let (from, to) = (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
+        let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;
+        return Ok(Steps { way: Way::Turn(first, last), steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match bounds(range, edit::length)? {

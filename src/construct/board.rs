@@ -404,7 +404,13 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     /// Lays known terms off one after another; the last ends in the image of `target`, if one is given.
-    fn lay_off(&mut self, p: &mut Polygon<N>, from: (Mark, Point<N>), known: &[Term], target: Option<VertexId>) -> Result<(Mark, Point<N>), Faults> {
+    fn lay_off(
+        &mut self,
+        p: &mut Polygon<N>,
+        from: (Mark, Point<N>),
+        known: &[Term],
+        target: Option<VertexId>,
+    ) -> Result<(Mark, Point<N>), Faults> {
         let mu: N = scale::number(p.mu);
         let mut at = from;
         let last_drawn = known.iter().rposition(|t| !self.plan.vanishes(self.scene, p.level, t));
@@ -516,7 +522,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 // Carried back to the link: the part square to the arm turns it.
                 let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
                 let length = if square.approx() < 0.0 { -square } else { square };
-                RateReading { level, body, value: square * mu / l, measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }) }
+                RateReading {
+                    level,
+                    body,
+                    value: square * mu / l,
+                    measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }),
+                }
             }
         };
         self.done.rates.push(reading);

@@ -300,7 +300,16 @@ impl Page<'_> {
             let plain = |v: f64| crate::quantity::significant(v, 3);
             let fast = if self.cut { "∞".to_owned() } else { plain(fast) };
             let first = first.map_or("—".to_owned(), plain);
-            said.push(fill(words, &[("", name), ("travel", travel), ("slow", &plain(slow)), ("fast", &fast), ("first", &first)]));
+            said.push(fill(
+                words,
+                &[
+                    ("", name),
+                    ("travel", travel),
+                    ("slow", &plain(if slow.is_finite() { slow } else { f64::NAN })),
+                    ("fast", &fast),
+                    ("first", &first),
+                ],
+            ));
         }
         said.join(" ")
     }

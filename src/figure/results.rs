@@ -3,8 +3,8 @@
 
 use crate::accuracy::ladder::{Certified, Number, Part as Kind, READING_DIGITS, Why};
 use crate::answer::{Value, level_of};
-use crate::mechanism::Level;
 use crate::construct::ShownAs;
+use crate::mechanism::Level;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;

@@ -64,7 +64,10 @@ fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
             Some(Joined::Guide(_)) | None => {
                 let (a, b) = (name(a), name(b));
                 error(
-                    format!("`{}`: {a} and {b} are on no common link, so their relative acceleration has no normal and tangential part", find.text),
+                    format!(
+                        "`{}`: {a} and {b} are on no common link, so their relative acceleration has no normal and tangential part",
+                        find.text
+                    ),
                     format!("ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder"),
                 )
             }
@@ -75,7 +78,10 @@ fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
                 let (a, b) = (name(a), name(b));
                 error(
                     format!("`{}`: no guide joins {a} and {b}, so neither slides along the other", find.text),
-                    format!("ask v_{a}{b} or a_{a}{b}, or name the coincident points of a slider and the link that carries its guide{}", example(scene)),
+                    format!(
+                        "ask v_{a}{b} or a_{a}{b}, or name the coincident points of a slider and the link that carries its guide{}",
+                        example(scene)
+                    ),
                 )
             }
         },

@@ -6,6 +6,7 @@
 use super::Real;
 use dashu_float::round::mode::HalfEven;
 use dashu_float::{Context, FBig};
+use dashu_int::IBig;
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -64,6 +65,18 @@ fn push(r: &mut Region, x: Long) -> Big {
 
 fn is_zero(x: &Long) -> bool {
     *x == Long::ZERO
+}
+
+/// What is left of degrees after whole turns, in (−360, 360) and without rounding: the number is significand · 2^e with whole
+/// numbers, so that the remainder is one of whole numbers too, however many turns there are.
+fn less_turns(degrees: &Long, bits: usize) -> Long {
+    let (whole, exponent) = (degrees.repr().significand(), degrees.repr().exponent());
+    let turn = IBig::from(360);
+    let (rest, exponent) = match usize::try_from(exponent) {
+        Ok(up) => ((whole << up) % turn, 0),
+        Err(_) => (whole % (turn << exponent.unsigned_abs()), exponent),
+    };
+    Long::from_parts(rest, exponent).with_precision(bits).value()
 }
 
 impl Big {
@@ -194,9 +207,9 @@ impl Real for Big {
     }
 
     fn sin_cos_degrees(self) -> (Big, Big) {
-        let quarter = libm::rint(libm::fmod(self.approx(), 360.0) / 90.0);
-        let turns = libm::trunc(self.approx() / 360.0);
-        let rest = self - Big::from_f64(360.0 * turns) - Big::from_f64(90.0 * quarter);
+        let turn = self.unary(|x, bits| Some(less_turns(x, bits)));
+        let quarter = libm::rint(turn.approx() / 90.0);
+        let rest = turn - Big::from_f64(90.0 * quarter);
         let exactly = |d: f64| rest == Big::from_f64(d);
         let root = |x: f64| Big::from_f64(x).sqrt();
         let half = Big::from_f64(0.5);

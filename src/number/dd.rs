@@ -138,6 +138,9 @@ impl Div for Dd {
 const PI: Dd = Dd::of(std::f64::consts::PI, 1.224_646_799_147_353_2e-16);
 const HALF_PI: Dd = Dd::of(std::f64::consts::FRAC_PI_2, 6.123_233_995_736_766e-17);
 
+/// Beyond 2^50 quarters of a turn (some 1e15 rad) the rounding of x/(π/2), relative 2^-52, comes near half a quarter.
+const MOST_QUARTERS: f64 = 1_125_899_906_842_624.0;
+
 impl Real for Dd {
     fn from_f64(x: f64) -> Dd {
         Dd::of(x, 0.0)
@@ -179,12 +182,18 @@ impl Real for Dd {
 
     fn sin_cos(self) -> (Dd, Dd) {
         let quarter = libm::rint(self.hi / HALF_PI.hi);
+        // Of more quarters the quotient does not tell the last ones.
+        if quarter.abs() > MOST_QUARTERS {
+            let nothing = Dd::of(f64::NAN, f64::NAN);
+            return (nothing, nothing);
+        }
         let (s, c) = Dd::first_octants(self - HALF_PI * Dd::from_f64(quarter));
         super::quarter_turns(quarter, s, c)
     }
 
     fn sin_cos_degrees(self) -> (Dd, Dd) {
-        let turn = Dd::sum(libm::fmod(self.hi, 360.0), self.lo);
+        // Both remainders are exact, and so is their sum.
+        let turn = Dd::sum(libm::fmod(self.hi, 360.0), libm::fmod(self.lo, 360.0));
         let quarter = libm::rint(turn.hi / 90.0);
         let rest = turn - Dd::from_f64(90.0 * quarter);
         let half = Dd::from_f64(0.5);

@@ -11,6 +11,8 @@ mod big;
 mod dd;
 pub mod decimal;
 mod float;
+#[cfg(test)]
+mod turns;
 
 pub use ball::Ball;
 pub use big::{Big, Kept, within};

@@ -55,13 +55,16 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
     let arc = |g: crate::scene::GuideId| matches!(scene.guides[g.0].path, GuidePath::Arc { .. });
     let still = |g: crate::scene::GuideId| m.never_turns[scene.guides[g.0].on.0];
     let guide = |guide| By::Guide { guide, driver: None };
-    let even = |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
+    let even =
+        |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
     match what {
         Asked::Velocity(p) | Asked::Acceleration(p) => whole(p, false),
         Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(b) => whole(a, false),
         Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(a) => whole(b, true),
         Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) => match joined(scene, a, b) {
-            Some(Joined::Guide(g)) if matches!(what, Asked::RelativeVelocity(..)) || (still(g) && !arc(g)) => terms(a, b, &[Slide], guide(g)),
+            Some(Joined::Guide(g)) if matches!(what, Asked::RelativeVelocity(..)) || (still(g) && !arc(g)) => {
+                terms(a, b, &[Slide], guide(g))
+            }
             Some(Joined::Guide(g)) => terms(a, b, &[Relative], guide(g)),
             Some(Joined::Cylinder(d)) => terms(a, b, &[Relative], By::Cylinder(d)),
             Some(Joined::Link(l)) => terms(a, b, &[Relative], By::Turning(body_of(scene, m, l))),

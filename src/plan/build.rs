@@ -283,7 +283,13 @@ impl Builder<'_> {
                 }
                 continue;
             }
-            self.list(level).push(GroupSteps { group: g, alternatives: Vec::new(), between: Vec::new(), rates: Vec::new(), further: Vec::new() });
+            self.list(level).push(GroupSteps {
+                group: g,
+                alternatives: Vec::new(),
+                between: Vec::new(),
+                rates: Vec::new(),
+                further: Vec::new(),
+            });
             let alternatives = self.group(level, g);
             self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);

@@ -3,10 +3,10 @@
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Severity, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Leg, Mechanism, Passive};
-use crate::number::Real;
+use crate::number::{Ball, Big, Dd, Real, within};
 use crate::scene::exact::Inputs;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
@@ -17,6 +17,12 @@ use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, Poi
 /// poses that nothing fixes. All faults of independent groups are reported together.
 pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Result<Warned<Configuration>, Faults> {
     let first = Assembly::new(scene, mechanism, demand, None).go(demand);
+    if !first.faults.has_errors() {
+        return first.finish();
+    }
+    if let Some(longer) = in_longer_numbers(scene, mechanism, demand, &first.faults) {
+        return longer;
+    }
     let does_not_close = |d: &Diagnostic| DOES_NOT_CLOSE.contains(&d.code);
     if first.open.is_empty() || !first.faults.list.iter().any(does_not_close) {
         return first.closed()?.finish();
@@ -38,6 +44,42 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
         }
         faults
     })
+}
+
+/// The assembly in longer numbers, where its faults may be none there: two points less than a unit in the last place apart are one in
+/// `f64`, and the direction between them is that of longer numbers. `None` where these cannot tell it either.
+fn in_longer_numbers(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    demand: &Demand,
+    faults: &Faults,
+) -> Option<Result<Warned<Configuration>, Faults>> {
+    let hidden = |d: &Diagnostic| d.severity != Severity::Error || HIDDEN.contains(&d.code);
+    if !faults.list.iter().all(hidden) {
+        return None;
+    }
+    let longer = placed_in::<Ball<Dd>>(scene, mechanism, demand)
+        .or_else(|| BITS.into_iter().find_map(|bits| within(bits, || placed_in::<Ball<Big>>(scene, mechanism, demand))));
+    let Warned { value: at, notes } = longer?;
+    let mut checked = Assembly::<f64>::new(scene, mechanism, demand, None);
+    checked.check(&at);
+    Some(if checked.faults.has_errors() { Err(checked.faults) } else { Ok(Warned { value: at, notes: [notes, checked.notes].concat() }) })
+}
+
+/// Faults that may be none in longer numbers.
+const HIDDEN: [&str; 2] = ["degenerate-guide", "coincident-points"];
+
+/// Bits of the longer numbers beyond double-double.
+const BITS: [usize; 3] = [192, 384, 768];
+
+/// The whole assembly in numbers of another kind, rounded; `None` where these cannot tell it either.
+fn placed_in<N: Real>(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Option<Warned<Configuration>> {
+    let mut placed = Assembly::<N>::new(scene, mechanism, demand, None).place(demand).ok()?.settled();
+    let notes = std::mem::take(&mut placed.notes);
+    let at = placed.into_configuration().approx();
+    let points = at.points.iter().flatten().all(|p| p.is_finite());
+    let told = points && at.poses.iter().flatten().all(|p| p.origin.is_finite() && p.axis.is_finite());
+    told.then_some(Warned { value: at, notes })
 }
 
 /// What a group is told as that cannot be closed on the groups before it.

@@ -67,7 +67,9 @@ pub(super) fn choose<N: Real>(
             .iter()
             .copied()
             .filter(|&i| {
-                known(&trials[i]).is_some_and(|(p, a, b)| (b - a).cross(p - a).approx() * if side.left { 1.0 } else { -1.0 } > 0.0)
+                // Numbers that know their error must be sure of the side.
+                let area = known(&trials[i]).map(|(p, a, b)| (b - a).cross(p - a));
+                area.is_some_and(|area| area.approx() * if side.left { 1.0 } else { -1.0 } > area.radius())
             })
             .collect();
         if kept.is_empty() {

@@ -2,11 +2,12 @@
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Shapes};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Span, Warned};
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
 use crate::number::Real;
-use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Scene};
+use crate::quantity::significant;
+use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
     /// Adds the points that only follow, and lays into their links the guides that needed the pose.
@@ -33,7 +34,20 @@ impl<N: Real> Assembly<'_, N> {
                 });
             }
         }
+        self.fit_arcs();
         self
+    }
+
+    /// Coordinates are the truth: an arc has the radius at which its pin lies by them. A radius that is given besides agrees to
+    /// what a person types; taken as well, it would make two mechanisms of one, apart in the tenth digit.
+    fn fit_arcs(&mut self) {
+        for (g, guide) in self.scene.guides.iter().enumerate() {
+            let given = guide.pin.filter(|p| matches!(self.scene.points[p.0].place, Place::At(_)));
+            let (Some(at), Some(pose)) = (given.and_then(|p| self.points[p.0]), self.poses[guide.on.0]) else { continue };
+            if let Some(Path::Arc { centre, radius }) = &mut self.guides[g] {
+                *radius = at.distance(pose.to_world(*centre));
+            }
+        }
     }
 
     pub(super) fn into_configuration(self) -> Configuration<N> {
@@ -88,7 +102,10 @@ impl Assembly<'_, f64> {
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
-                Path::Arc { centre, radius } => (at.distance(centre) - radius).abs(),
+                Path::Arc { centre, radius } => {
+                    let given = if let GuidePath::Arc { radius: Some(given), .. } = &guide.path { given.value } else { radius };
+                    (at.distance(centre) - given).abs()
+                }
             };
             if off > same_place(extent, at) {
                 self.faults.push(
@@ -104,6 +121,21 @@ impl Assembly<'_, f64> {
                     .at(guide.span)
                     .help("correct its coordinates or the guide, or leave out what can be derived"),
                 );
+            } else if off > told_apart(extent, at) {
+                let what = match guide.path {
+                    GuidePath::Arc { .. } => "the radius is what they make it",
+                    GuidePath::Line { .. } => "the guide runs through them",
+                };
+                self.notes.push(given_twice(
+                    format!(
+                        "pin {} lies {} beside its guide on link {}",
+                        self.scene.point_name(p),
+                        self.scene.length_words(off),
+                        self.scene.link_name(guide.on)
+                    ),
+                    what,
+                    guide.span,
+                ));
             }
         }
         for (l, shape) in self.shapes.iter().enumerate() {
@@ -125,14 +157,46 @@ impl Assembly<'_, f64> {
                         .at(self.scene.points[p.0].span)
                         .help("coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\""),
                     );
+                } else if off > told_apart(extent, at) {
+                    self.notes.push(given_twice(
+                        format!(
+                            "{} lies {} from where the data of link {} put it",
+                            self.scene.point_name(*p),
+                            self.scene.length_words(off),
+                            self.scene.links[l].name
+                        ),
+                        "the lengths are what they make them",
+                        self.scene.points[p.0].span,
+                    ));
                 }
             }
         }
+        for length in &self.scene.lengths {
+            let given = |p: PointId| if let Place::At(_) = self.scene.points[p.0].place { c.points[p.0] } else { None };
+            let (Some(a), Some(b)) = (given(length.a), given(length.b)) else { continue };
+            let off = (a.distance(b) - length.value.value).abs();
+            if off > told_apart(extent, a) {
+                let (na, nb) = (self.scene.point_name(length.a), self.scene.point_name(length.b));
+                self.notes.push(given_twice(
+                    format!("{na}{nb} = {} is {} off what the coordinates make it", length.value.text, self.scene.length_words(off)),
+                    "the length is what they make it",
+                    length.value.span,
+                ));
+            }
+        }
         for (d, driver) in self.scene.drivers.iter().enumerate() {
-            if let DriverKind::Turn { link, against, angle: Some(angle), .. } = &driver.kind
-                && let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(*link, *against, Some(d)))
-                && pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis)) > SAME_PLACE
-            {
+            let DriverKind::Turn { link, against, angle: Some(angle), .. } = &driver.kind else { continue };
+            let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(*link, *against, Some(d))) else { continue };
+            let off = pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis));
+            if off > TOLD_APART && off <= SAME_PLACE {
+                let link = self.scene.link_name(*link);
+                self.notes.push(given_twice(
+                    format!("the driver's angle {} is {} rad off the coordinates of link {link}", angle.text, significant(off, 2)),
+                    "the angle is what they make it",
+                    angle.span,
+                ));
+            }
+            if off > SAME_PLACE {
                 self.faults.push(
                     Diagnostic::error(
                         "contradictory-angle",
@@ -154,6 +218,20 @@ const SAME_PLACE: f64 = 1e-9;
 /// coordinates themselves (a single point has no size of its own, and one far from the origin is rounded coarsely).
 fn same_place(extent: f64, at: Point) -> f64 {
     SAME_PLACE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
+}
+
+/// Of two descriptions that differ by more than this (relative to the mechanism's size, in radians) twelve digits of an answer
+/// tell which of them was taken.
+const TOLD_APART: f64 = 1e-13;
+
+/// The same for the place `at`: see [`same_place`].
+fn told_apart(extent: f64, at: Point) -> f64 {
+    TOLD_APART * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
+}
+
+/// What is said where two descriptions agree to what a person types, but not to the digits that are certified.
+fn given_twice(how: String, so: &str, span: Span) -> Diagnostic {
+    Diagnostic::note("given-twice", format!("{how}: the coordinates are taken, and {so}; all digits are those of the coordinates")).at(span)
 }
 
 /// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.

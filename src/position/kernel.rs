@@ -70,9 +70,10 @@ const PARALLEL: f64 = 1e-15;
 /// touch exactly, rounding may leave −4u of its terms. A radicand below that is a miss, not a touch.
 const TOUCH: f64 = 8.0 * f64::EPSILON;
 
-/// Whether a radicand is negative beyond what its rounding explains; `size` is that of its terms.
+/// Whether a radicand is negative beyond what its rounding explains; `size` is that of its terms. Numbers that know their error
+/// say so themselves: a middle is nothing to judge by where the bound is wide.
 fn misses<N: Real>(radicand: N, size: N) -> bool {
-    radicand.is_surely_negative() || radicand.approx() < -TOUCH * size.approx()
+    if N::knows_its_error() { radicand.is_surely_negative() } else { radicand.approx() < -TOUCH * size.approx() }
 }
 
 /// A radicand that its rounding alone may have moved off zero is zero in numbers that cannot tell better: the loci touch,

@@ -195,6 +195,21 @@ impl<N: Real> Configuration<N> {
         self.guides[g.0].expect("a planned guide is placed")
     }
 
+    /// The nearest configuration in `f64`.
+    pub fn approx(&self) -> Configuration {
+        let guides = |list: &[Option<Path<N>>]| list.iter().map(|g| g.map(|g| g.approx())).collect();
+        Configuration {
+            points: self.points.iter().map(|p| p.map(Point::approx)).collect(),
+            poses: self.poses.iter().map(|p| p.map(|p| p.approx())).collect(),
+            guides: guides(&self.guides),
+            shapes: Shapes {
+                points: self.shapes.points.iter().map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
+                guides: guides(&self.shapes.guides),
+            },
+            closures: self.closures.clone(),
+        }
+    }
+
     /// The largest distance of two placed points (m), the size of the mechanism; 0 for a single point.
     pub fn extent(&self) -> f64 {
         let mut lo = Vec2::new(f64::INFINITY, f64::INFINITY);

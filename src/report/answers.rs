@@ -1,7 +1,7 @@
 //! The answers: as text for people, as JSON for programs.
 
-use super::drafting;
 use super::construction;
+use super::drafting;
 use super::phrase::{fill, formula, sense, tr};
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};

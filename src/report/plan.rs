@@ -260,9 +260,7 @@ pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Op
         Rate::Zero => return None,
         Rate::Given { .. } => format!("{symbol}: {}", tr(w.lang, "given by the driver", "由原动件给定")),
         Rate::Same(l) => format!("{symbol} = {}", formula(&w.turning(level, Body::Link(l)))),
-        Rate::Measured { of, to } => {
-            formula(&format!("{symbol} = {} / {}", w.measured(level, body, of, to), w.length(of, to)))
-        }
+        Rate::Measured { of, to } => formula(&format!("{symbol} = {} / {}", w.measured(level, body, of, to), w.length(of, to))),
     })
 }
 

@@ -1,11 +1,12 @@
 //! Small changes to a scene from outside its file: other questions, and quantities that a command line gives.
 
 use super::eval::{NoValue, Value, evaluate};
-use super::expr;
 use super::json::{self, Kind};
 use super::model::Angle;
 use super::units::Dim;
+use super::{exact, expr};
 use crate::diag::{Diagnostic, Faults};
+use crate::number::Ball;
 
 /// The text of a scene with other questions; everything else stays byte for byte.
 ///
@@ -79,7 +80,8 @@ pub fn with_rates(text: &str) -> Result<String, Faults> {
     Ok(out)
 }
 
-/// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees.
+/// An angle as the scene would write it, such as `30 deg` or `pi/6`; a bare number counts degrees. Of more turns than an `f64`
+/// can count, the whole ones are taken off what is written.
 ///
 /// # Errors
 /// What is no angle; places count in `text`.
@@ -88,13 +90,61 @@ pub fn with_rates(text: &str) -> Result<String, Faults> {
 /// use hodograph::scene::{Angle, edit::angle};
 /// assert_eq!(angle("90").unwrap(), Angle::Deg(90.0));
 /// assert_eq!(angle("1 rad").unwrap(), Angle::Rad(1.0));
+/// assert_eq!(angle("108000000000002550").unwrap(), Angle::Deg(30.0));
 /// ```
 pub fn angle(text: &str) -> Result<Angle, Faults> {
-    let value = quantity(text, "deg")?;
-    if value.dim != Dim::ANGLE {
-        return Err(wrong(text, "an angle", value));
+    Ok(angle_read(text)?.less_turns().angle())
+}
+
+/// Two angles, between which a driver turns: whole turns are taken off both alike, where an `f64` cannot count them.
+///
+/// # Errors
+/// As [`angle`].
+///
+/// ```
+/// use hodograph::scene::{Angle, edit::angles};
+/// let [from, to] = angles("108000000000002550", "108000000000002910").unwrap();
+/// assert_eq!([from, to], [Angle::Deg(30.0), Angle::Deg(390.0)]);
+/// ```
+pub fn angles(from: &str, to: &str) -> Result<[Angle; 2], Faults> {
+    let [first, last] = [angle_read(from)?, angle_read(to)?];
+    if first.told() && last.told() {
+        return Ok([first.value.angle(), last.value.angle()]);
     }
-    Ok(value.angle())
+    let start = first.less_turns();
+    let way = angle_read(&format!("({}) - ({})", last.text, first.text))?.value;
+    // Counted as the start is.
+    let way = if start.degrees { way.angle().degrees() } else { way.si() };
+    Ok([start.angle(), Value { number: start.number + way, ..start }.angle()])
+}
+
+/// A quantity that was read, with its text in full.
+struct Read {
+    text: String,
+    value: Value,
+    /// How far the value may be from what is written.
+    off: f64,
+}
+
+impl Read {
+    /// Whether `f64` tells the angle, also within its turn.
+    fn told(&self) -> bool {
+        exact::tells(&self.value, self.off)
+    }
+
+    /// The angle, less whole turns where there are too many.
+    fn less_turns(&self) -> Value {
+        let rest = if self.told() { None } else { exact::less_turns(&[], &self.text, self.value.degrees) };
+        rest.map_or(self.value, |(number, _)| Value { number, ..self.value })
+    }
+}
+
+fn angle_read(text: &str) -> Result<Read, Faults> {
+    let read = quantity(text, "deg")?;
+    if read.value.dim != Dim::ANGLE {
+        return Err(wrong(text, "an angle", read.value));
+    }
+    Ok(read)
 }
 
 /// A length in metres; a bare number counts millimetres.
@@ -102,7 +152,7 @@ pub fn angle(text: &str) -> Result<Angle, Faults> {
 /// # Errors
 /// What is no length.
 pub fn length(text: &str) -> Result<f64, Faults> {
-    let value = quantity(text, "mm")?;
+    let value = quantity(text, "mm")?.value;
     if (value.dim.length, value.dim.time) != (1, 0) {
         return Err(wrong(text, "a length", value));
     }
@@ -114,11 +164,17 @@ fn wrong(text: &str, wanted: &str, value: Value) -> Faults {
 }
 
 /// A quantity without parameters; a bare number gets the unit.
-fn quantity(text: &str, unit: &str) -> Result<Value, Faults> {
+fn quantity(text: &str, unit: &str) -> Result<Read, Faults> {
     let parsed = expr::parse(text, &[])?;
-    let parsed = if expr::is_bare(&parsed) { expr::parse(&format!("({text}) {unit}"), &[])? } else { parsed };
-    evaluate(&parsed, &|_| None).map_err(|e| match e {
+    let bare = expr::is_bare(&parsed);
+    let text = if bare { format!("({text}) {unit}") } else { text.to_owned() };
+    let parsed = if bare { expr::parse(&text, &[])? } else { parsed };
+    let value = evaluate(&parsed, &|_| None).map_err(|e| match e {
         NoValue::Fault(d) => d.into(),
         NoValue::Reported => Faults::default(),
-    })
+    })?;
+    let unknown = Value { number: Ball::new(value.number, f64::INFINITY), dim: value.dim, degrees: value.degrees };
+    let (value, ball) = exact::settled(&[], &text, value, evaluate(&parsed, &|_| None).unwrap_or(unknown));
+    let off = exact::distance(&value, ball);
+    Ok(Read { text, value, off })
 }

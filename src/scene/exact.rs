@@ -6,7 +6,84 @@
 use super::eval::{Value, evaluate};
 use super::expr;
 use super::model::{Angle, Driver, Given, Scene};
-use crate::number::Real;
+use crate::number::{Ball, Big, Real, within};
+
+/// Bits of the numbers in which a quantity is read again: numbers of a scene lie between 1e-90 and 1e90, so that of sums and
+/// differences of them 768 bits lose no digit.
+const BITS: [usize; 3] = [192, 384, 768];
+
+/// A value may be off by so much of itself: some hundred roundings. More is digits lost by the way in which it is written.
+const LOST: f64 = 1e-13;
+
+/// What is written as a difference of numbers and is no more than this in the longest ones is zero: a value that is not is larger.
+const NOTHING: f64 = 1e-100;
+
+/// The value of a text and the same with a bound of its error; found in longer numbers, and rounded once, where the
+/// difference of large numbers, or the sine of a large angle, costs `f64` its digits. `texts` are the parameters before it.
+pub(super) fn settled(texts: &[(&str, &str)], text: &str, value: Value, ball: Value<Ball<f64>>) -> (Value, Value<Ball<f64>>) {
+    let off = distance(&value, ball);
+    if off <= LOST * value.number.abs() {
+        return (value, ball);
+    }
+    let longer = BITS.into_iter().find_map(|bits| {
+        within(bits, || {
+            let read = Inputs::<Ball<Big>>::of_texts(texts).read(text).filter(|v| v.dim == value.dim)?;
+            rounded(in_unit_of(read, value.degrees))
+        })
+    });
+    let Some((number, radius)) = longer else { return (value, ball) };
+    (Value { number, ..value }, Value { number: Ball::new(number, radius), dim: value.dim, degrees: value.degrees })
+}
+
+/// How far a value may be from the true number in a ball.
+pub(super) fn distance(value: &Value, ball: Value<Ball<f64>>) -> f64 {
+    let number = in_unit_of(ball, value.degrees);
+    (number.approx() - value.number).abs() + number.radius()
+}
+
+/// Whether an angle that may be off by so much (in its own unit) is told as well as one within a turn: a unit in the last place
+/// of a turn is 6e-14 degrees, and a mechanism magnifies that no more than the rounding of its lengths.
+pub(super) fn tells(angle: &Value, off: f64) -> bool {
+    let (turn, told) = if angle.degrees { (360.0, 1e-12) } else { (std::f64::consts::TAU, 2e-14) };
+    angle.number.abs() <= turn || off <= told
+}
+
+/// The angle of a text less whole turns, and a bound of its error; in degrees, or radians.
+pub(super) fn less_turns(texts: &[(&str, &str)], text: &str, degrees: bool) -> Option<(f64, f64)> {
+    BITS.into_iter().find_map(|bits| {
+        within(bits, || {
+            let mut rest = in_unit_of(Inputs::<Ball<Big>>::of_texts(texts).read(text)?, degrees);
+            let turn: Ball<Big> = if degrees { Ball::from_f64(360.0) } else { Ball::pi() + Ball::pi() };
+            // Each round takes off what an `f64` tells of the turns that are left.
+            for _ in 0..8 {
+                let turns = libm::trunc(rest.approx() / turn.approx());
+                if turns == 0.0 || !turns.is_finite() {
+                    break;
+                }
+                rest = rest - turn * Ball::from_f64(turns);
+            }
+            rounded(rest)
+        })
+    })
+}
+
+fn in_unit_of<N: Real>(v: Value<N>, degrees: bool) -> N {
+    match (v.degrees, degrees) {
+        (true, true) => v.number,
+        (false, true) => v.number * N::from_f64(180.0) / N::pi(),
+        (_, false) => v.si(),
+    }
+}
+
+/// The nearest `f64` and a bound of its distance, where the number is known that well.
+fn rounded(x: Ball<Big>) -> Option<(f64, f64)> {
+    let (m, r) = (x.approx(), x.radius());
+    if x.contains_zero() && r < NOTHING {
+        return Some((0.0, m.abs() + r));
+    }
+    // Half a unit in the last place for the rounding of the middle.
+    (r <= 0.25 * f64::EPSILON * m.abs()).then_some((m, r + 0.5 * f64::EPSILON * m.abs()))
+}
 
 /// A scene's quantities in numbers of one kind.
 #[derive(Clone, Debug)]
@@ -26,6 +103,16 @@ impl<'a, N: Real> Inputs<'a, N> {
                 let value = inputs.read(&given.text);
                 inputs.parameters.push((name, value));
             }
+        }
+        inputs
+    }
+
+    /// The same of parameters by name and text, each after those that it uses.
+    pub(super) fn of_texts(texts: &[(&'a str, &str)]) -> Self {
+        let mut inputs = Inputs { parameters: Vec::new(), time: None };
+        for (name, text) in texts {
+            let value = inputs.read(text);
+            inputs.parameters.push((name, value));
         }
         inputs
     }
@@ -120,5 +207,42 @@ mod tests {
             });
         }
         assert!(checked > 200, "{checked}");
+    }
+
+    /// Expressions of absurd numbers: what is read is within its bound of the true value, and rounded from it, on every rung.
+    #[test]
+    fn absurd_expressions_are_read_as_they_are_written() {
+        let lost = ["1e20 mm + 5 mm - 1e20 mm", "(1e60 - 1e60 + 3)/7*1 m", "sin(1e22 deg + 30 deg)*1 m", "cos(1e25 rad)*1 m"];
+        let plain = ["(1.0000000001^1e10)*1 m", "2^0.5*1e-60 km", "sqrt(2)^60.5*1 mm", "atan(1e-40)*1 m", "(9.99^-60)*1 in", "x*1e-70*1 m"];
+        let more = [
+            "(1 + 1e-70 - 1)*1e70*1 m",
+            "0.1 m*3 - 0.3 m + 1e-30 m",
+            "acos(1 - 1e-40)*1 m",
+            "x - x + 7 mm*x/x",
+            "tan(90 deg - 1e-20 deg)*1 m",
+        ];
+        for text in lost.into_iter().chain(plain).chain(more) {
+            let scene = format!(
+                r#"{{"parameters": {{"x": "1e80/3", "l": "{text}"}}, "units": {{"length": "m"}}, "links": {{"1": ["A", "B"], "2": ["A"]}}, "ground": "2",
+                "points": {{"A": [0, 0]}}, "lengths": {{"AB": "abs(l) + 1 m"}}, "driver": {{"link": "1", "angle": "0 deg", "omega": "1 rad/s"}}, "find": ["v_B"]}}"#
+            );
+            // `x*…` is a pure number times a length only where x is one; what is refused is no wrong number.
+            let Ok(scene) = read(&scene) else { continue };
+            let (_, given) = &scene.value.parameters[1];
+            let truth = within(3000, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure());
+            let Some(truth) = truth else { panic!("{text} has no value in 3000 bits") };
+            let off = (truth.approx - given.value).abs();
+            assert!(off <= given.radius + truth.radius, "{text}: {given:?}, it is {truth:?}");
+            assert!(given.radius <= 1e-12 * given.value.abs(), "{text}: {given:?}");
+            let seen = [
+                Inputs::<Ball<f64>>::of(&scene.value).number(given).enclosure(),
+                Inputs::<Ball<Dd>>::of(&scene.value).number(given).enclosure(),
+                within(192, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+                within(768, || Inputs::<Ball<Big>>::of(&scene.value).number(given).enclosure()),
+            ];
+            for (rung, seen) in seen.into_iter().enumerate() {
+                assert!(seen.as_ref().is_none_or(|s| s.meets(&truth)), "{text}, rung {rung}: {seen:?}, it is {truth:?}");
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 
 use super::eval::{NoValue, Value, evaluate};
+use super::exact;
 use super::expr::{self, Expr};
 use super::model::{Angle, Given};
 use super::raw::RawQuantity;
@@ -34,6 +35,8 @@ pub(super) struct Values<'a> {
     /// Names in the order of the file; a value is missing where the parameter had a fault.
     names: Vec<&'a str>,
     known: HashMap<&'a str, Option<Known>>,
+    /// Names and texts of the parameters that have a value, in the order of the file.
+    texts: Vec<(&'a str, &'a str)>,
     units: HashMap<&'static str, String>,
     used: RefCell<HashSet<String>>,
 }
@@ -46,15 +49,21 @@ impl<'a> Values<'a> {
         parameters: &'a [(Word, RawQuantity)],
         faults: &mut Faults,
     ) -> (Self, Vec<(String, Given)>) {
-        let mut values =
-            Values { source, names: Vec::new(), known: HashMap::new(), units: HashMap::new(), used: RefCell::new(HashSet::new()) };
+        let mut values = Values {
+            source,
+            names: Vec::new(),
+            known: HashMap::new(),
+            texts: Vec::new(),
+            units: HashMap::new(),
+            used: RefCell::new(HashSet::new()),
+        };
         for (key, unit) in units {
             values.unit(key, unit, faults);
         }
         let mut list = Vec::new();
         for (name, quantity) in parameters {
             let value = match values.evaluate(quantity) {
-                Ok((expr, value)) => Some(Known { value, ball: values.ball(&expr, value) }),
+                Ok((_, value, ball)) => Some(Known { value, ball }),
                 Err(fault) => {
                     faults.list.extend(fault);
                     None
@@ -78,6 +87,7 @@ impl<'a> Values<'a> {
                 let given =
                     Given { value: value.si(), radius: distance(value.si(), ball.si()), text: quantity.text.clone(), span: quantity.span };
                 list.push((name.text.clone(), given));
+                values.texts.push((&name.text, &quantity.text));
             }
         }
         (values, list)
@@ -91,7 +101,7 @@ impl<'a> Values<'a> {
         };
         let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
         match self.evaluate(&quantity) {
-            Ok((_, value)) if value.dim == wanted.dim() => {
+            Ok((_, value, _)) if value.dim == wanted.dim() => {
                 self.units.insert(name, unit.text.clone());
             }
             Ok(_) => {
@@ -145,7 +155,14 @@ impl<'a> Values<'a> {
         // In the unit of the value: an angle that is only known to be near a whole number of degrees is in radians.
         let degrees = if ball.degrees { ball.number } else { ball.number * Ball::from_f64(180.0) / Ball::pi() };
         let number = if value.degrees { degrees } else { ball.si() };
-        Some(Given { value: value.angle(), radius: distance(value.number, number), text, span: quantity.span })
+        let (mut value, mut radius) = (value, distance(value.number, number));
+        // Of so many turns `f64` no longer tells where in its turn the angle lies: whole turns are taken off what is written.
+        if !exact::tells(&value, radius)
+            && let Some(rest) = exact::less_turns(&self.texts, &text, value.degrees)
+        {
+            (value.number, radius) = rest;
+        }
+        Some(Given { value: value.angle(), radius, text, span: quantity.span })
     }
 
     /// Two coordinates in metres.
@@ -157,7 +174,7 @@ impl<'a> Values<'a> {
 
     /// The value, its dimension checked, and the text that says it in full (a bare number gets the unit of the table).
     fn value(&self, quantity: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Read> {
-        let result = self.evaluate(quantity).and_then(|(expr, value)| self.fit(quantity, &expr, value, wanted).map_err(Some));
+        let result = self.evaluate(quantity).and_then(|(expr, value, ball)| self.fit(quantity, &expr, (value, ball), wanted).map_err(Some));
         match result {
             Ok(found) => Some(found),
             Err(fault) => {
@@ -167,13 +184,19 @@ impl<'a> Values<'a> {
         }
     }
 
-    fn fit(&self, quantity: &RawQuantity, expr: &Expr, value: Value, wanted: Wanted) -> Result<Read, Diagnostic> {
+    fn fit(
+        &self,
+        quantity: &RawQuantity,
+        expr: &Expr,
+        (value, ball): (Value, Value<Ball<f64>>),
+        wanted: Wanted,
+    ) -> Result<Read, Diagnostic> {
         let text = &quantity.text;
         // A scale such as m/mm has no dimension, yet a bare number in its place would leave open what it counts.
         let is_number = if wanted.key().is_none() { expr::is_bare(expr) } else { value.dim == Dim::NUMBER };
         if !is_number {
             if value.dim.serves(wanted.dim()) {
-                return Ok((text.clone(), value, self.ball(expr, value)));
+                return Ok((text.clone(), value, ball));
             }
             let message = format!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
             let d = Diagnostic::error("dimension", message).at(quantity.span);
@@ -182,7 +205,6 @@ impl<'a> Values<'a> {
         if value.number == 0.0 {
             let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };
             // An expression may be zero by rounding only.
-            let ball = self.ball(expr, zero);
             return Ok((text.clone(), zero, Value { degrees: zero.degrees, ..ball }));
         }
         let simple = text.strip_prefix('-').unwrap_or(text).bytes().all(|b| b.is_ascii_digit() || b == b'.');
@@ -203,24 +225,26 @@ impl<'a> Values<'a> {
         let text = with_unit(unit);
         let full = RawQuantity { text: text.clone(), span: quantity.span, bare: true };
         match self.evaluate(&full) {
-            Ok((expr, value)) => {
-                let ball = self.ball(&expr, value);
-                Ok((text, value, ball))
-            }
+            Ok((_, value, ball)) => Ok((text, value, ball)),
             // The number and the unit have been read one by one; together they can only be too large.
             Err(fault) => Err(fault.unwrap_or_else(|| Diagnostic::error("expression", format!("`{text}` has no value")).at(quantity.span))),
         }
     }
 
-    /// Parses and evaluates; the error is `None` where the fault is that of a parameter and has been reported there.
-    fn evaluate(&self, quantity: &RawQuantity) -> Result<(Expr, Value), Option<Diagnostic>> {
+    /// Parses and evaluates, with a bound of the error; in longer numbers where `f64` loses the digits of what is written. The
+    /// fault is `None` where it is that of a parameter and has been reported there.
+    fn evaluate(&self, quantity: &RawQuantity) -> Result<(Expr, Value, Value<Ball<f64>>), Option<Diagnostic>> {
         let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
         let lookup = |name: &str| {
             self.used.borrow_mut().insert(name.to_owned());
             self.known.get(name).copied().flatten().map(|k| k.value)
         };
         match evaluate(&expr, &lookup) {
-            Ok(value) => Ok((expr, value)),
+            Ok(value) => {
+                let ball = self.ball(&expr, value);
+                let (value, ball) = exact::settled(&self.texts, &quantity.text, value, ball);
+                Ok((expr, value, ball))
+            }
             Err(NoValue::Reported) => Err(None),
             Err(NoValue::Fault(d)) => Err(Some(self.locate(quantity, d))),
         }

@@ -29,9 +29,6 @@ struct Again {
 /// double zero; two that are not the same one differ by more, or could not be told apart.
 const SAME: f64 = 1e-6;
 
-/// A way is searched in at most so many windows where the driver does not turn; beyond, its samples get coarser.
-const WINDOWS: f64 = 5000.0;
-
 impl Changes {
     /// How many programs the way takes: one for each stretch between change points.
     pub fn stretches(&self) -> usize {
@@ -91,17 +88,12 @@ impl Probe<'_> {
         let mut from = self.now;
         // A change point is left behind by half a step; there are no more of them than steps.
         loop {
-            let window = if turning { self.reach() } else { self.reach().max((until - self.now).abs() / WINDOWS) };
-            let to = if (until - from).abs() > window { from + window.copysign(until - from) } else { until };
-            let steps = self.steps_to(from, to);
-            let step = (to - from) / steps as f64;
-            // One sample more than the way has, so that what lies at its very end is seen too.
-            let xs: Vec<f64> = (0..=steps + 1).map(|i| from + step * i as f64).collect();
+            let to = if turning && (until - from).abs() > self.reach() { from + self.reach().copysign(until - from) } else { until };
+            let xs = self.samples(from, to);
+            let step = xs[1] - xs[0];
             match self.first_event(&xs) {
                 // A whole turn without an event is like all that follow.
-                None if to == until || turning => return (None, changes),
-                // The last sample is the first of what follows.
-                None => from = to,
+                None => return (None, changes),
                 Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
                 Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
                 Some(change) => {

@@ -100,6 +100,10 @@ pub(super) fn dense(placed: &Placed, driver: usize, stations: &Stations) -> bool
     ends.is_some_and(|(a, b)| (now - a) * (now - b) <= 0.0) && close()
 }
 
+/// After so many times its reach a sliding driver is looked at in steps that grow, each by this factor on the one before.
+const FAR: f64 = 4.0;
+const GROWTH: f64 = 1.05;
+
 /// A double zero is met to the rounding of its two factors: a crossing (sin²) this small is a change point. At 1e-7 rad from being
 /// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
 const TOUCHING: f64 = 1e-14;
@@ -145,16 +149,36 @@ impl<'a> Probe<'a> {
         registers[joint.crossing.0 as usize]
     }
 
-    pub(super) fn steps_to(&self, from: f64, until: f64) -> usize {
-        ((until - from).abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize
+    /// Where a way is looked at: in equal steps, and once beyond its end, so that what lies at the very end is seen too.
+    ///
+    /// A driver that slides has left the mechanism behind after some times its size; from there on the steps grow with the way, so
+    /// that neither their number nor the gap in which a limit lies is out of measure.
+    pub(super) fn samples(&self, from: f64, until: f64) -> Vec<f64> {
+        let way = until - from;
+        let near = FAR * self.reach();
+        let equal = |way: f64| {
+            let steps = (way.abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize;
+            let step = way / steps as f64;
+            (0..=steps + 1).map(move |i| from + step * i as f64)
+        };
+        if self.per_value != 0.0 || way.abs() <= near || near == 0.0 {
+            return equal(way).collect();
+        }
+        let mut xs: Vec<f64> = equal(near.copysign(way)).collect();
+        let mut gone = xs[xs.len() - 1] - from;
+        while gone.abs() <= way.abs() {
+            gone *= GROWTH;
+            xs.push(from + gone);
+        }
+        xs
     }
 
     /// With followed links: only where it ends.
     pub(super) fn walk_tracks(&self, until: f64) -> Option<Event> {
         let mut state = self.start.clone()?;
-        let steps = self.steps_to(self.now, until);
-        for i in 1..=steps {
-            let x = self.now + (until - self.now) * (i as f64 / steps as f64);
+        let xs = self.samples(self.now, until);
+        for &x in &xs[1..xs.len() - 1] {
+            let x = if (x - until) * (until - self.now) > 0.0 { until } else { x };
             match self.program.advance(&state, x, &|x| self.turn(x)) {
                 Ok(reached) => state = reached,
                 Err(stuck) => return Some(self.fold(&stuck, until)),
@@ -347,5 +371,40 @@ impl Program {
             _ => {}
         }
         self.runs = Default::default();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanism::Mechanism;
+    use crate::scene::{read, templates};
+    use crate::sweep::compile;
+
+    /// A way beyond all measure ends where one of the mechanism's own size does.
+    #[test]
+    fn a_limit_is_where_it_is_however_far_the_way_goes() {
+        for name in ["excavator", "oscillating-cylinder", "scotch-yoke", "robot-arm"] {
+            let scene = read(templates::get(name).unwrap()).unwrap().value;
+            let m = Mechanism::new(&scene).unwrap().value;
+            let placed = Placed::new(&scene, &m).unwrap();
+            let program = compile(&scene, &m, &placed.at, Some(0), &scene.find).unwrap();
+            for sign in [1.0, -1.0] {
+                let end = |until: f64| Probe::of(program.clone(), &placed, 0).walk(until).0;
+                let probe = Probe::of(program.clone(), &placed, 0);
+                if probe.per_value != 0.0 {
+                    continue;
+                }
+                let near = end(probe.now + sign * probe.reach());
+                for far in [1e3, 1e13, 1e80] {
+                    let there = end(probe.now + sign * far);
+                    match (&near, &there) {
+                        (Some(a), Some(b)) => assert!((a.value - b.value).abs() <= 1e-12 * a.value.abs(), "{name}: {a:?}, {b:?}"),
+                        (None, None) => {}
+                        _ => panic!("{name} to {far:e}: {near:?}, {there:?}"),
+                    }
+                }
+            }
+        }
     }
 }

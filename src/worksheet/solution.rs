@@ -188,9 +188,7 @@ impl Maker<'_> {
         let formula = |(body, rate): &(Body, Rate)| {
             let symbol = w.turning(level, *body);
             match rate {
-                Rate::Measured { of, to } => {
-                    Some((format!("{symbol} ="), Some((w.measured(level, *body, *of, *to), w.length(*of, *to)))))
-                }
+                Rate::Measured { of, to } => Some((format!("{symbol} ="), Some((w.measured(level, *body, *of, *to), w.length(*of, *to))))),
                 Rate::Same(l) => Some((format!("{symbol} = {}", w.turning(level, Body::Link(*l))), None)),
                 Rate::Given { .. } | Rate::Zero => None,
             }

@@ -232,6 +232,44 @@ fn printed_digits_are_true_closer_than_f64_can_tell() {
     tally.done(1500);
 }
 
+/// An angle and the same after any number of turns are one pose: the same certified digits, and the same drawing.
+#[test]
+fn angles_of_many_turns_are_those_within_one() {
+    let mut compared = 0;
+    for t in templates::list() {
+        for at in ["30", "47.25", "-12.3"] {
+            let scene = |angle: &str| read(&templates::instantiate(t.name, &[("phi_1", angle)]).ok()?).ok().map(|s| s.value);
+            let (Some(one), whole) = (scene(at), at.split_once('.').map_or(at, |p| p.0)) else { continue };
+            let Ok(here) = work(&one, Scope::Questions) else { continue };
+            let printed = |scene: &Scene, w: &Worked| -> Vec<Option<String>> {
+                let all = certify(scene, w, 12);
+                all.iter().flat_map(|c| c.parts.iter().map(|(_, n)| n.text(12).map(|t| t.0))).collect()
+            };
+            let expected = printed(&one, &here.value);
+            for turns in [1_000_000u128, 300_000_000_000_000, 10u128.pow(24), 10u128.pow(34) + 7] {
+                let many = 360 * turns;
+                let sum = whole.parse::<i64>().map(|w| if w < 0 { many - w.unsigned_abs() as u128 } else { many + w as u128 }).unwrap();
+                let text = match at.split_once('.') {
+                    // −12.3 is a turn less 12.3.
+                    Some((_, broken)) if at.starts_with('-') => format!("-{}.{broken}", many + whole[1..].parse::<u128>().unwrap()),
+                    Some((_, broken)) => format!("{sum}.{broken}"),
+                    None => sum.to_string(),
+                };
+                let there = scene(&text).unwrap_or_else(|| panic!("{} at {text}", t.name));
+                let worked = work(&there, Scope::Questions).unwrap_or_else(|f| panic!("{} at {text}: {f}", t.name)).value;
+                assert_eq!(printed(&there, &worked), expected, "{} at {text}", t.name);
+                for (a, b) in here.value.results.iter().zip(&worked.results) {
+                    let scale = a.scale;
+                    let (a, b) = (a.value().magnitude(), b.value().magnitude());
+                    assert!((a - b).abs() <= 1e-9 * a.max(1e-3 * scale), "{} at {text}: {b:e}, within a turn {a:e}", t.name);
+                }
+                compared += 1;
+            }
+        }
+    }
+    assert!(compared > 50, "{compared}");
+}
+
 impl Tally {
     /// Poses down to 1e-12 (radians, or of the way) before both toggles.
     fn toward(&mut self, name: &str, scene: &Scene) {

@@ -7,7 +7,7 @@ use hodograph::{motion, position};
 
 #[test]
 fn group_by_group_as_all_at_once() {
-    let (mut worst, mut answers) = (0.0f64, 0);
+    let (mut worst, mut answers, mut settled, mut placed) = (0.0f64, 0, 0, 0);
     for pose in [Pose::Coordinates, Pose::Lengths] {
         for seed in seeds(300) {
             let Some(m) = mechanism(seed) else { continue };
@@ -16,7 +16,15 @@ fn group_by_group_as_all_at_once() {
             let w = &c.worked;
             let again = position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration)
                 .unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", c.text));
-            assert!(again == w.configuration, "seed {seed}: another assembly in the same numbers\n{}", c.text);
+            // The same numbers again, or those that the closed forms had lost digits of, rounded from longer ones.
+            let size = w.configuration.extent();
+            let off = again.points.iter().zip(&w.configuration.points).filter_map(|(a, b)| Some((*a)?.distance((*b)?)));
+            let off = off.fold(0.0, f64::max);
+            assert_eq!(again.closures, w.configuration.closures, "seed {seed}: another assembly in the same numbers\n{}", c.text);
+            assert!(off <= 1e-9 * size, "seed {seed}: {off:e} m off in the same numbers\n{}", c.text);
+            settled += usize::from(again != w.configuration);
+            placed += 1;
+            let again = w.configuration.clone();
             let motion = motion::solve(&c.scene, &w.mechanism, &again, &w.demand);
             assert_eq!(motion.singular, [0; 0], "seed {seed}: {:?}\n{}", m.groups, c.text);
             let largest = |a: Value, b: Value| a.magnitude().max(b.magnitude());
@@ -38,7 +46,10 @@ fn group_by_group_as_all_at_once() {
             }
         }
     }
-    println!("{answers} answers group by group against all at once: worst {worst:.1e}");
+    println!(
+        "{answers} answers group by group against all at once: worst {worst:.1e}; {settled} of {placed} poses found again in longer numbers"
+    );
+    assert!(settled * 10 < placed, "{settled} of {placed} ordinary poses count as ones that lost digits");
 }
 
 /// `f32` goes the same way with half the digits.

@@ -12,6 +12,7 @@ mod groups;
 mod higher;
 mod hostile;
 mod invariance;
+mod kept;
 mod long;
 mod mech;
 mod near_singular;

@@ -49,41 +49,37 @@ fn both_motions_are_limits_of_those_nearby() {
         for h in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-12] {
             let (near, notes) = at(h, side);
             let warned = notes.iter().any(|d| ["near-singular", "change-point"].contains(&d.code));
-            // The motions differ from their limit by h²; a pose by lengths is known to ε/h, its velocities to ε/h².
-            let rounding = 1e-15 / (h * h);
-            let bound = 10.0 * h * h + rounding;
+            // The motions differ from their limit by h²; positions are rounded from certified ones, so that velocities lose ε/h.
+            let rounding = 1e-14 / h;
             for (a, b) in near.iter().zip(&here) {
-                assert!((a - b).abs() <= bound.min(1.0), "{side} at {h:e}: {near:?}, limit {here:?}");
+                assert!((a - b).abs() <= 10.0 * h * h + rounding.min(1e-6), "{side} at {h:e}: {near:?}, limit {here:?}");
                 assert!(rounding < 1e-6 || warned, "{side} at {h:e}: no word of it");
             }
         }
     }
 }
 
-/// Poses by coordinates near a dead point: the answers grow with 1/h and are told as long as they have a digit.
+/// Poses by coordinates near a dead point: the answers grow with 1/h, are true to the last digits however near, and are told.
 #[test]
 fn near_a_dead_point() {
     for f in FRAMES {
-        for k in 1..=15 {
+        for k in (1..=16).chain([20, 30, 60]) {
             let h = 10f64.powi(-k);
             let points = [("A", 0.0, 0.0), ("B", 2.0, 0.0), ("C", 7.0, 5.0 * h), ("D", 4.0, -4.0)];
             let text = scene_in(f, FOUR_BAR, &points, &format!("{}, {RATES}", drive(3, 1.0, 0.0)));
-            match run(&text) {
-                Ok((_, done, notes)) => {
-                    // v_C·(C − B) = v_B·(C − B): ω₁ = DC⊥·BC / AB⊥·BC.
-                    let (ab, bc, dc) = (Vec2::new(2.0, 0.0), Vec2::new(5.0, 5.0 * h), Vec2::new(3.0, 4.0 + 5.0 * h));
-                    let expected = dc.perp().dot(bc) / ab.perp().dot(bc);
-                    let got = number(done.results[0].value());
-                    // Shifted coordinates are rounded where they are.
-                    let rounding = 1e-15 * if f.shift == Vec2::ZERO { 1.0 } else { 8.0 };
-                    assert!((got - expected).abs() <= 4.0 * rounding / h * expected.abs(), "h {h:e}: {got:e} {expected:e}\n{text}");
-                    let warned = notes.iter().any(|d| d.code == "near-singular" && d.message.contains("link 1 (AB) and link 2 (BC)"));
-                    assert!(warned || rounding / h < 1e-6, "h {h:e}: {got:e} without a word\n{text}");
-                }
-                Err(e) => {
-                    assert!(k >= 14 && e.list.iter().all(|d| d.code == "dead-centre"), "h {h:e}: {e}\n{text}");
-                }
-            }
+            let (_, done, notes) = run(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+            // v_C·(C − B) = v_B·(C − B): ω₁ = DC⊥·BC / AB⊥·BC.
+            let (ab, bc, dc) = (Vec2::new(2.0, 0.0), Vec2::new(5.0, 5.0 * h), Vec2::new(3.0, 4.0 + 5.0 * h));
+            let expected = dc.perp().dot(bc) / ab.perp().dot(bc);
+            let got = number(done.results[0].value());
+            // Shifted coordinates are rounded where they are.
+            let rounding = 1e-15 * if f.shift == Vec2::ZERO { 1.0 } else { 8.0 };
+            let longer = done.results[0].longer.is_some();
+            let bound = if longer { 1e-14 } else { 4.0 * rounding / h };
+            assert!((got - expected).abs() <= bound * expected.abs(), "h {h:e}: {got:e} {expected:e}\n{text}");
+            assert!(longer || k < 14, "h {h:e}\n{text}");
+            let warned = notes.iter().any(|d| d.code == "near-singular" && d.message.contains("link 1 (AB) and link 2 (BC)"));
+            assert!(warned || rounding / h < 1e-6, "h {h:e}: {got:e} without a word\n{text}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! What the paper says is what was drawn: every reading is the distance of two marks, every name one vector, and three ways that share
 //! no definition of a part (edges, rows of the loop equations, formulas of relative motion) say the same of it.
 
-use crate::properties::{mechanism, seeds, style};
 use crate::emit;
+use crate::properties::{mechanism, seeds, style};
 use hodograph::answer::{Value, evaluate, level_of};
 use hodograph::construct::{Mark, ShownAs};
 use hodograph::figure::results::named;
@@ -38,7 +38,11 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     for driver in &scene.drivers {
         if let DriverKind::Cylinder { a, b, .. } = driver.kind {
             all.extend(parts(pin(a), pin(b)));
-            all.extend([Asked::SlidingVelocity(pin(b), pin(a)), Asked::SlidingAcceleration(pin(b), pin(a)), Asked::Coriolis(pin(b), pin(a))]);
+            all.extend([
+                Asked::SlidingVelocity(pin(b), pin(a)),
+                Asked::SlidingAcceleration(pin(b), pin(a)),
+                Asked::Coriolis(pin(b), pin(a)),
+            ]);
         }
     }
     for guide in &scene.guides {
@@ -62,9 +66,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
         all.extend([Asked::Omega(LinkId(l)), Asked::Alpha(LinkId(l))]);
     }
     all.retain(|what| match what {
-        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
-            a.point != b.point && joined(scene, a, b).is_some()
-        }
+        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => a.point != b.point && joined(scene, a, b).is_some(),
         Asked::SlidingVelocity(a, b) | Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => joined(scene, a, b).is_some(),
         _ => true,
     });
@@ -267,12 +269,17 @@ fn printed_lengths_are_distances_in_the_svg() {
                     Vec2::new(number("cx"), number("cy"))
                 };
                 let distance = (place(1) - place(0)).norm();
-                let cell = by_id(&format!("result-{}-measured", find.text)).unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
+                let cell =
+                    by_id(&format!("result-{}-measured", find.text)).unwrap_or_else(|| panic!("{name}: {} is not printed", find.text));
                 let printed: String = cell.descendants().filter(|n| n.is_text()).filter_map(|n| n.text()).collect();
                 let printed = printed.split("mm").next().unwrap().trim().replace('−', "-").replace(['\u{a0}', '\u{2009}', ' '], "");
                 let printed: f64 = printed.parse().unwrap_or_else(|_| panic!("{name}: {} prints {printed}", find.text));
                 // Places are written to 0.001 mm, lengths to four digits.
-                assert!((printed - distance).abs() <= 2e-3 + 5.1e-4 * distance, "{name}: {} prints {printed} mm between marks {distance} mm apart", find.text);
+                assert!(
+                    (printed - distance).abs() <= 2e-3 + 5.1e-4 * distance,
+                    "{name}: {} prints {printed} mm between marks {distance} mm apart",
+                    find.text
+                );
                 found += 1;
             }
         }

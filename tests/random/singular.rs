@@ -3,29 +3,41 @@
 use hodograph::analytic::SingularKind;
 use hodograph::answer::Value;
 use hodograph::diag::Faults;
-use hodograph::geom::{Point, Vec2};
+use hodograph::geom::Vec2;
 use hodograph::scene::{self, Asked, DriverKind, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
-/// A turn, a scale and a shift of all coordinates.
+/// A turn, a scale and a shift of all coordinates, as they are written: products and sums of short decimals, so that a pose that
+/// is singular stays singular to the last digit of any number.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
-    pub turn: f64,
+    /// Cosine and sine of the turn.
+    turn: [&'static str; 2],
+    /// The turn itself.
+    pub angle: &'static str,
     pub scale: f64,
     pub shift: Vec2,
 }
 
-/// As written; turned, scaled and shifted, where rounding leaves the pose singular to the last digits only.
+/// As written; turned, scaled and shifted, where `f64` leaves the pose singular to the last digits only.
 pub const FRAMES: [Frame; 4] = [
-    Frame { turn: 0.0, scale: 1.0, shift: Vec2::ZERO },
-    Frame { turn: 0.7, scale: 0.37, shift: Vec2::new(0.3, -1.1) },
-    Frame { turn: -2.1, scale: 3.1e-7, shift: Vec2::ZERO },
-    Frame { turn: 1.234, scale: 4.7e5, shift: Vec2::new(-2e5, 7e4) },
+    Frame { turn: ["1", "0"], angle: "0 rad", scale: 1.0, shift: Vec2::ZERO },
+    Frame { turn: ["0.8", "0.6"], angle: "atan(0.75)", scale: 0.37, shift: Vec2::new(0.3, -1.1) },
+    Frame { turn: ["(-0.6)", "(-0.8)"], angle: "atan(4/3) + 180 deg", scale: 3.1e-7, shift: Vec2::ZERO },
+    Frame { turn: ["(5/13)", "(12/13)"], angle: "atan(2.4)", scale: 4.7e5, shift: Vec2::new(-2e5, 7e4) },
 ];
 
 impl Frame {
-    fn place(&self, x: f64, y: f64) -> Point {
-        (Vec2::new(x, y).rotate_by(Vec2::from_angle(self.turn)) * self.scale + self.shift).to_point()
+    /// The same to another scale, not turned.
+    pub fn scaled(scale: f64) -> Frame {
+        Frame { scale, ..FRAMES[0] }
+    }
+
+    fn place(&self, x: f64, y: f64) -> [String; 2] {
+        let [c, s] = self.turn;
+        let of =
+            |u: &str, v: &str, sign: &str, shift: f64| format!("({:?}*({u}*({x:?}) {sign} {v}*({y:?})) + ({shift:?}))*1 m", self.scale);
+        [of(c, s, "-", self.shift.x), of(s, c, "+", self.shift.y)]
     }
 }
 
@@ -34,8 +46,8 @@ pub fn scene_in(f: Frame, links: &str, points: &[(&str, f64, f64)], rest: &str) 
     let places: Vec<String> = points
         .iter()
         .map(|(n, x, y)| {
-            let p = f.place(*x, *y);
-            format!(r#""{n}": ["{:e} m", "{:e} m"]"#, p.x, p.y)
+            let [x, y] = f.place(*x, *y);
+            format!(r#""{n}": ["{x}", "{y}"]"#)
         })
         .collect();
     format!(r#"{{"links": {links}, "ground": "0", "points": {{{}}}, {rest}}}"#, places.join(", "))
@@ -236,8 +248,8 @@ fn four_bars_in_line_by_lengths() {
 fn an_isosceles_slider_crank() {
     for f in FRAMES {
         let rest = format!(
-            r#""guides": [{{"pin": "C", "slider": "3", "on": "0", "through": "A", "angle": "{:e} rad"}}], {}, "find": ["omega_1", "omega_2", "v_C"]"#,
-            f.turn,
+            r#""guides": [{{"pin": "C", "slider": "3", "on": "0", "through": "A", "angle": "{}"}}], {}, "find": ["omega_1", "omega_2", "v_C"]"#,
+            f.angle,
             drive(1, 1.0, 0.0)
         );
         let links = r#"{"1": ["A", "B"], "2": ["B", "C"], "0": ["A"]}"#;
@@ -316,8 +328,12 @@ fn a_triad_whose_legs_meet_in_a_point() {
 #[test]
 fn scaling_by_a_power_of_two_changes_no_digit() {
     let solve = |k: f64| {
-        let f = Frame { turn: 0.0, scale: k, shift: Vec2::ZERO };
-        let text = scene_in(f, FOUR_BAR, &PARALLELOGRAM, &format!(r#"{}, "find": ["omega_3", "alpha_3", "omega_2"]"#, drive(1, 1.3, 0.7)));
+        let text = scene_in(
+            Frame::scaled(k),
+            FOUR_BAR,
+            &PARALLELOGRAM,
+            &format!(r#"{}, "find": ["omega_3", "alpha_3", "omega_2"]"#, drive(1, 1.3, 0.7)),
+        );
         let (_, done, _) = run(&text).unwrap_or_else(|e| panic!("{e}\n{text}"));
         done.results.iter().map(|o| (o.value(), o.others.clone())).collect::<Vec<_>>()
     };

@@ -11,8 +11,8 @@ use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
-use crate::report::construction::mark as mark_name;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
+use crate::report::construction::mark as mark_name;
 use crate::scene::{Asked, DriverKind};
 
 use crate::figure::drawing::{Drawing, Part};
