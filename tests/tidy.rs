@@ -19,7 +19,6 @@ const LONG_FILES: &[(&str, usize)] = &[
     ("src/sweep/compile/place.rs", 528),
     ("src/worksheet/pages.rs", 519),
     ("tests/browser/main.rs", 472),
-    ("tests/cli.rs", 471),
     ("tests/random/mech.rs", 639),
     ("tests/random/properties.rs", 704),
     ("tests/sweep.rs", 749),
