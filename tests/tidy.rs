@@ -99,7 +99,8 @@ fn code() -> Vec<(String, String)> {
         .filter(|(name, _)| !name.ends_with("/tests.rs") && !["src/main.rs", "src/lib.rs"].contains(&name.as_str()));
     let bare = |text: String| {
         let end = text.match_indices("#[cfg(test)]\nmod ").find(|(i, _)| text[*i..].lines().nth(1).is_some_and(|l| l.ends_with('{')));
-        let code = &text[..end.map_or(text.len(), |(i, _)| i)];
+        let (code, tests) = text.split_at(end.map_or(text.len(), |(i, _)| i));
+        assert!(tests.matches("\n}\n").count() <= 1, "code behind the tests of a file is not seen here; put them last:\n{tests}");
         code.lines().map(|l| l.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
     };
     let all: Vec<_> = library.map(|(name, text)| (name, bare(text))).collect();
