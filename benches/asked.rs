@@ -1,7 +1,7 @@
 //! Time against what is asked, for one mechanism of eight links: what is not asked for costs nothing.
 //!
 //! `cargo bench --bench asked` times the engine behind the scene reader and the topology, up to the answers (positions,
-//! plan, drawing board, loop equations), and prints the README's table: each question in turn with its work and its time
+//! plan, drawing board, loop equations), and prints the table of docs/performance.md: each question in turn with its work and its time
 //! against all questions. Variants take turns, so that whatever else the machine does falls on all alike.
 
 use hodograph::answer::evaluate;

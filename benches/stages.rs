@@ -1,6 +1,6 @@
 //! Each stage of a scene's way to the sheet, and the whole command.
 //!
-//! `cargo bench --bench stages` prints medians; the README's table is made from it.
+//! `cargo bench --bench stages` prints medians; the table of docs/performance.md is made from it.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use hodograph::construct::scale::Boxes;

@@ -1,4 +1,4 @@
-//! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the README's table;
+//! What the command adds to the computation: starting, and writing tables. `cargo bench --bench tables` prints the table of docs/performance.md;
 //! `-- sweep STEPS` only runs sweeps of a four-bar in memory, `-- compiled STEPS` the same without compiling, and `-- chunk` its compiled
 //! program in cache, for `bench/peers`.
 //!

@@ -38,6 +38,7 @@
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
 //!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps()`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
+//! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -49,12 +50,44 @@
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
 //!
+//! # Who may import whom
+//! Rooms from the bottom up, each with the rooms that it imports. A star marks an import from further up: circles that are left, and
+//! that shall go. `tests/tidy.rs` compares the table with the imports of all files.
+//! ```text
+//! diag       -
+//! json       diag
+//! quantity   -
+//! trig       scene*
+//! number     trig scene*
+//! scene      diag json trig number
+//! geom       number
+//! mechanism  diag scene
+//! position   diag quantity number scene geom mechanism
+//! answer     number scene geom mechanism position
+//! motion     number scene geom mechanism position answer
+//! plan       scene mechanism
+//! construct  diag quantity number scene geom mechanism position answer plan
+//! analytic   diag quantity scene geom mechanism position answer
+//! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
+//! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy report*
+//! effort     mechanism plan construct accuracy worked figure*
+//! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
+//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! render     diag geom figure
+//! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked effort report figure render
+//! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
+//! cli        diag json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
+//! ```
+//!
 //! # What must not be
 //! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the
 //! mechanism and its positions, nothing else. No hash-map order reaches an output. No absolute tolerance decides anything.
 
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
+// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 // The map names private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 

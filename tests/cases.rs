@@ -7,6 +7,8 @@ use hodograph::geom::Vec2;
 use hodograph::scene;
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 struct Row {
     id: String,
@@ -50,15 +52,20 @@ fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
     }
 }
 
+/// The files of the cases, by name.
+fn files() -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|f| f.unwrap().path()).collect();
+    files.sort();
+    files
+}
+
 #[test]
 fn reference_cases() {
     let mut rows = Vec::new();
     let mut failures = Vec::new();
-    let mut files: Vec<_> =
-        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases")).unwrap().map(|f| f.unwrap().path()).collect();
-    files.sort();
     let mut solved = 0;
-    for path in files {
+    for path in files() {
         let id = path.file_stem().unwrap().to_string_lossy().into_owned();
         let text = std::fs::read_to_string(&path).unwrap();
         let case: Json = serde_json::from_str(&text).unwrap();
@@ -103,7 +110,11 @@ fn reference_cases() {
                 };
                 (at(1) - at(0)).unit().unwrap()
             });
-            let outcome = &worked.results[i];
+            let Some(at) = worked.results.iter().position(|r| r.find == i) else {
+                failures.push(format!("{id}: {find} is not answered"));
+                continue;
+            };
+            let outcome = &worked.results[at];
             let exact = number(&e["exact"]);
             let scale = number(&e["scale"]);
             let tolerance = number(&e["tolerance"]);
@@ -115,14 +126,14 @@ fn reference_cases() {
             };
             let drawn = outcome.drawn.as_ref().map_or(f64::INFINITY, |a| miss(a.value));
             let computed = miss(outcome.computed);
-            let sure = miss(certified(&ladder[i]));
+            let sure = miss(certified(&ladder[at]));
             rows.push(Row {
                 id: id.clone(),
                 name: e["name"].as_str().unwrap_or(find).into(),
                 drawn,
                 computed,
                 certified: sure,
-                rung: ladder[i].rung.name(),
+                rung: ladder[at].rung.name(),
                 tolerance,
             });
         }
@@ -150,5 +161,56 @@ fn reference_cases() {
         }
     }
     println!("{solved} cases, {} answers", rows.len());
+    assert!(solved > 0, "tests/cases is empty");
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// The folder holds what the documents say it holds: an empty one, a lost file or a lost expectation is a fault.
+#[test]
+fn the_list_of_cases_is_true() {
+    let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    // Of each case its files and the values expected in them.
+    let mut values = 0;
+    let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
+    for file in files() {
+        let case: Json = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+        let expected = case["expect"].as_array().unwrap().len();
+        assert!(expected > 0, "{} expects nothing", file.display());
+        values += expected;
+        let entry = found.entry(case["case"].as_str().unwrap().to_owned()).or_default();
+        *entry = (entry.0 + 1, entry.1 + expected);
+    }
+    let (page, sweeps) = (read("docs/cases.md"), read("tests/sweep.rs"));
+    let mut faults = Vec::new();
+    let (mut all, mut elsewhere, mut not_yet) = (0, 0, 0);
+    for row in page.lines().filter(|l| l.starts_with("| `")) {
+        let cells: Vec<&str> = row.split(" | ").map(|c| c.trim_matches([' ', '|'])).collect();
+        let (name, told, remarks) = (cells[0].trim_matches('`'), cells[2], cells[4..].join(" | "));
+        all += 1;
+        match (found.remove(name), told.parse::<usize>()) {
+            (None, Err(_)) if told == "not yet" => not_yet += 1,
+            (None, Ok(_)) => {
+                elsewhere += 1;
+                let test = remarks.split('`').find(|word| sweeps.contains(&format!("fn {word}()")));
+                if test.is_none() {
+                    faults.push(format!("{name}: has no file, and its row names no test of tests/sweep.rs"));
+                }
+            }
+            // One value of one case may be asked in several poses.
+            (Some((1, n)), Ok(told)) if n == told => {}
+            (Some((n, _)), Ok(_)) if n > 1 && remarks.starts_with(&format!("{n} files")) => {}
+            (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
+        }
+    }
+    faults.extend(found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")));
+    assert!(faults.is_empty(), "docs/cases.md against tests/cases:\n{}", faults.join("\n"));
+    let files = files().len();
+    let scenes = all - elsewhere - not_yet;
+    let head = format!(
+        "{all} cases in `reference.json`; {scenes} are scenes in `tests/cases/` ({files} files, {values} expected values), \
+         {elsewhere} are tests of the whole motion, {not_yet} are not yet."
+    );
+    assert!(page.contains(&head), "docs/cases.md should begin: {head}");
+    let claim = format!("{} of {all} reference problems", scenes + elsewhere);
+    assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
 }

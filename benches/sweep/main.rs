@@ -1,5 +1,5 @@
 //! What a position of a sweep costs: the compiled program against loops written by hand, with four lanes and with one; the
-//! cost against the length of a chain of dyads; batches. `cargo bench --bench sweep` prints the README's tables, and
+//! cost against the length of a chain of dyads; batches. `cargo bench --bench sweep` prints the tables of docs/performance.md, and
 //! `cargo bench --bench sweep -- count NAME` runs one variant a million times, to be counted by `perf stat` or callgrind.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.

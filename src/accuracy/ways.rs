@@ -152,7 +152,7 @@ pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Fau
     let unit = if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { (start - limit).abs() };
     let mut series = Vec::new();
     for k in 1..=12 {
-        let distance = 10f64.powi(-k) * unit;
+        let distance = libm::exp10(f64::from(-k)) * unit;
         let position = limit + distance.copysign(start - limit);
         let there = toggle::with_driver_at(scene, 0, position);
         let ways = match work(&there, Scope::Questions) {
@@ -307,7 +307,7 @@ fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>> {
         let radius = |v: Value<Ball<M>>| match v {
             Value::Scalar(s) => s.radius(),
-            Value::Vector(v) => v.x.radius().hypot(v.y.radius()),
+            Value::Vector(v) => libm::hypot(v.x.radius(), v.y.radius()),
         };
         closed::<Ball<M>>(scene, worked).map(|l| l.into_iter().map(|v| v.map(radius)).collect()).unwrap_or_default()
     }
@@ -368,7 +368,7 @@ fn worst(scene: &Scene, worked: &Worked, truth: &[Option<Long>], answers: Option
     within(TRUTH_BITS, || {
         by_level(scene, worked, |i| {
             let (Some(Some(a)), Some(t)) = (answers.get(i), &truth[i]) else { return f64::INFINITY };
-            let difference = a.iter().zip(t).map(|(a, t)| (a.take() - t.take()).approx().abs()).fold(0.0, f64::hypot);
+            let difference = a.iter().zip(t).map(|(a, t)| (a.take() - t.take()).approx().abs()).fold(0.0, libm::hypot);
             difference / size(worked, i)
         })
     })

@@ -283,7 +283,7 @@ impl<M: Middle> Real for Ball<M> {
     }
 
     fn atan2(self, x: Self) -> Self {
-        let room = self.mid.approx().hypot(x.mid.approx()) * (1.0 - 1e-14) - (self.radius + x.radius);
+        let room = libm::hypot(self.mid.approx(), x.mid.approx()) * (1.0 - 1e-14) - (self.radius + x.radius);
         if room.is_nan() || room <= 0.0 {
             return Self::undecided();
         }

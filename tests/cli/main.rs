@@ -1,4 +1,7 @@
-//! The program as its user meets it: exit codes, files, help, and the commands of the README.
+//! The program as its user meets it: exit codes, files, help, and the commands of the documents.
+
+#[path = "cli/documents.rs"]
+mod documents;
 
 #[cfg(target_os = "linux")]
 mod exits;
@@ -178,8 +181,8 @@ fn drafting_tells_tolerances_crossings_and_scales() {
     let plain = text(&solve(&[]));
     assert!(!plain.contains('±'));
     let told = text(&solve(&["--drafting", "0.1mm", "--steps"]));
-    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
-    let shown = readme.split("## What a pencil makes of it").nth(1).unwrap().split("```").nth(1).unwrap();
+    let guide = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/guide.md")).unwrap();
+    let shown = guide.split("## What a pencil makes of it").nth(1).unwrap().split("```").nth(1).unwrap();
     for line in shown.lines().skip(1).chain(["under 59.6°, where a pencil error of 0.1 mm moves it by 0.12 mm"]) {
         assert!(told.contains(line), "no {line:?} in\n{told}");
     }
@@ -223,49 +226,6 @@ fn a_bad_angle_is_a_warning_with_help() {
     for words in ["bad-angle", "C is found under 8.1°", "8.8 times as large", "at phi_1 = 205 deg"] {
         assert!(said.contains(words), "no {words:?} in\n{said}");
     }
-}
-
-/// Every command line in a `sh` block of the README runs as it stands, in order, in an empty folder.
-#[test]
-fn commands_of_the_readme_run() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    let mut ran = 0;
-    for block in readme.split("```sh\n").skip(1) {
-        for line in block.split("```").next().unwrap().lines() {
-            let line = line.split('#').next().unwrap().trim();
-            let words: Vec<&str> = line.split_whitespace().collect();
-            let words = match words[..] {
-                ["cargo", "run", "--release", "--", ..] => &words[4..],
-                ["hodograph", ..] => &words[1..],
-                // The tests themselves, the benchmarks.
-                ["cargo", ..] | [] => continue,
-                _ => panic!("README has a command that nothing runs: {line}"),
-            };
-            let words: Vec<String> = words
-                .iter()
-                .map(|w| {
-                    if w.starts_with("templates/") || w.starts_with("docs/") {
-                        root.join(w).display().to_string()
-                    } else {
-                        (*w).to_string()
-                    }
-                })
-                .collect();
-            Command::cargo_bin("hodograph").unwrap().current_dir(folder.path()).args(words).assert().success();
-            ran += 1;
-        }
-    }
-    assert!(ran >= 9, "only {ran} commands found");
-}
-
-/// The scene that the README shows is read and solved.
-#[test]
-fn the_scene_of_the_readme_is_solved() {
-    let readme = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
-    let scene = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap().to_string();
-    hodograph().args(["solve", "-"]).write_stdin(scene).assert().success();
 }
 
 /// Fewer digits than asked for are a remark, never a wrong digit; programs get value, radius and rung.

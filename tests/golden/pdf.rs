@@ -141,7 +141,7 @@ fn greys(pixels: &tiny_skia::Pixmap) -> Vec<u8> {
 }
 
 fn greys_of_png(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
-    let (w, h, kind, samples) = super::pixels(bytes).unwrap();
+    let (w, h, kind, samples) = super::files::pixels(bytes).unwrap();
     let channels = if kind == png::ColorType::Grayscale { 1 } else { 3 };
     let grey = |p: &[u8]| (p.iter().map(|v| u32::from(*v)).sum::<u32>() / channels as u32) as u8;
     (w, h, samples.chunks_exact(channels).map(grey).collect())

@@ -1,6 +1,6 @@
 //! Worksheets: their texts as accepted, no answer on the problem's side, pages without overlaps, files that others can read.
 
-use super::check_text;
+use super::files::{LANGS, WORKSHEETS, check_text, finish, golden};
 use super::pdf::{letters, read};
 use hodograph::accuracy::certify;
 use hodograph::figure::extent::{Rect, bounds};
@@ -9,9 +9,6 @@ use hodograph::render::pdf::{self, Kind, Page};
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
-use std::path::Path;
-
-const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
 
 fn worked(name: &str) -> (Scene, Worked) {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
@@ -38,18 +35,17 @@ fn without(text: &str, from: &str, to: &str) -> String {
 #[test]
 fn worksheets_read_as_accepted() {
     let mut failures = Vec::new();
-    for name in ["crank-rocker", "shaper", "class-iii-six-bar"] {
+    for name in WORKSHEETS {
         let (scene, worked) = worked(name);
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden").join(name);
         for (lang, suffix) in LANGS {
             let d = document(&scene, &worked, lang, Sides::Both);
-            let file = |ending: &str| folder.join(format!("worksheet.{suffix}.{ending}"));
+            let file = |ending: &str| golden(name, &format!("worksheet.{suffix}.{ending}"));
             check_text(&file("md"), &markdown::markdown(&d, name).unwrap().0, &mut failures);
             check_text(&file("typ"), &without(&typst::typst(&d, name).unwrap().0, ", width: ", "mm"), &mut failures);
             check_text(&file("html"), &without(&html::html(&d).unwrap(), "<svg", "</svg>"), &mut failures);
         }
     }
-    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+    finish(&failures);
 }
 
 /// All that a reader of the problem's side can see or hear.

@@ -51,7 +51,9 @@ const DEMANDS: &[(&str, &[&str])] = &[
 fn broken_scenes_are_explained() {
     let now = messages();
     let sections: Vec<&str> = now.split("=== ").skip(1).collect();
-    let mut missing = Vec::new();
+    let names: Vec<&str> = sections.iter().filter_map(|s| s.split('.').next()).collect();
+    let lost = DEMANDS.iter().filter(|d| !names.contains(&d.0));
+    let mut missing: Vec<String> = lost.map(|d| format!("{}: its scene is not in tests/bad", d.0)).collect();
     for section in &sections {
         let name = section.split('.').next().unwrap();
         // The quoted source says the words too: only the messages and the advice count.
@@ -63,15 +65,19 @@ fn broken_scenes_are_explained() {
         }
     }
     let file = format!("{FOLDER}/messages.txt");
-    if std::env::var("HODOGRAPH_ACCEPT").is_ok_and(|v| v == "1") {
-        std::fs::write(&file, &now).unwrap();
-    }
     let golden = std::fs::read_to_string(&file).unwrap_or_default();
     if golden != now {
+        // A run that accepts fails too: nothing is accepted unseen.
+        if std::env::var("HODOGRAPH_ACCEPT").is_ok_and(|v| v == "1") {
+            std::fs::write(&file, &now).unwrap();
+            panic!(
+                "tests/bad/messages.txt: accepted. Read it (git diff tests/bad/messages.txt) and run without HODOGRAPH_ACCEPT:\n  cargo test --release --test random broken_scenes"
+            );
+        }
         let at = golden.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(golden.lines().count().min(now.lines().count()));
         let line = |t: &str| t.lines().nth(at).unwrap_or("(end)").to_string();
         panic!(
-            "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --test random broken_scenes",
+            "the messages for tests/bad changed, first in line {}:\n  expected {}\n  actual   {}\nRead them all with `git diff tests/bad/messages.txt` after accepting them:\n  HODOGRAPH_ACCEPT=1 cargo test --release --test random broken_scenes",
             at + 1,
             line(&golden),
             line(&now)

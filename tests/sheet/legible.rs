@@ -1,7 +1,7 @@
 //! Whether every sheet can be read, whatever the pose: all templates at 24 positions of their driver, in both languages and
 //! both notation profiles.
 //!
-//! The table: `cargo test --test sheet every_pose -- --nocapture`
+//! The table: `cargo test --release --test sheet every_pose -- --nocapture`
 
 use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
 use hodograph::figure::extent::Rect;

@@ -6,6 +6,7 @@ mod names;
 use hodograph::answer::Value;
 use hodograph::scene::{self, templates};
 use hodograph::worked::{Scope, work};
+use std::collections::BTreeSet;
 
 #[test]
 fn answers_are_as_expected() {
@@ -21,7 +22,21 @@ fn answers_are_as_expected() {
                 continue;
             }
         };
-        for outcome in &worked.results {
+        // Answers and expectations are one set: a question without an answer, or an answer that nobody asks for any more, is a fault.
+        for unanswered in &worked.unanswered {
+            failures.push(format!("{} {}: is not answered", t.name, scene.find[unanswered.find].text));
+        }
+        let asked: BTreeSet<&str> = scene.find.iter().map(|f| f.text.as_str()).collect();
+        let told = worked.results.iter().map(|r| r.find).chain(worked.unanswered.iter().map(|u| u.find));
+        let told: BTreeSet<&str> = told.map(|find| scene.find[find].text.as_str()).collect();
+        let known: BTreeSet<&str> = expected[t.name].as_object().into_iter().flatten().map(|(find, _)| find.as_str()).collect();
+        let mut fault = |what: &str, finds: Vec<&&str>| {
+            failures.extend(finds.iter().map(|find| format!("{} {find}: {what}", t.name)));
+        };
+        fault("is asked, and has neither an answer nor a reason", asked.difference(&told).collect());
+        fault("is asked, and tests/templates-expected.json has no answer to it", asked.difference(&known).collect());
+        fault("is in tests/templates-expected.json, and the template does not ask for it", known.difference(&asked).collect());
+        for outcome in worked.results.iter().filter(|r| known.contains(scene.find[r.find].text.as_str())) {
             let find = &scene.find[outcome.find].text;
             let e = &expected[t.name][find];
             let component = |k: &str| e[k].as_f64().unwrap_or_else(|| panic!("{} {find}: no expected {k}", t.name));
@@ -42,6 +57,9 @@ fn answers_are_as_expected() {
             }
         }
     }
+    let names: BTreeSet<&str> = templates::list().iter().map(|t| t.name).collect();
+    let unknown = expected.as_object().unwrap().keys().filter(|name| !names.contains(name.as_str()));
+    failures.extend(unknown.map(|name| format!("{name} is in tests/templates-expected.json, and is no template")));
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 

@@ -35,7 +35,7 @@ impl Draft<'_> {
             }
             let half = self.style.link.width_mm / 2.0;
             // Nearly to the corners: along a side the number stands a little off.
-            let block = 0.9 * self.style.block_width_mm.hypot(self.style.block_length_mm) / 2.0;
+            let block = 0.9 * libm::hypot(self.style.block_width_mm, self.style.block_length_mm) / 2.0;
             match self.number_at[l] {
                 Some(NumberPlace::Along(a, b, owner)) => self.number(&id, &name, (a, b), half, owner),
                 Some(NumberPlace::Around(at, side)) => self.d.label_at(&id, "number", &name_label(&name), at, block, side),

@@ -84,7 +84,7 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
                     let u = Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
                     let outside = reach(u, wanted, radius_mm + clear_mm + gap);
                     // Inside, the box's farthest corner must stay in the circle: the half diagonal always does.
-                    let inside = radius_mm - clear_mm - gap - wanted.half_width_mm.hypot(wanted.half_height_mm);
+                    let inside = radius_mm - clear_mm - gap - libm::hypot(wanted.half_width_mm, wanted.half_height_mm);
                     for (t_mm, side, off) in [(outside, u, 0.0), (inside, -u, INSIDE_COST)] {
                         let rect = wanted.rect(centre + u * t_mm);
                         let base = base + off + STATION_COST * (t - 0.5).abs();

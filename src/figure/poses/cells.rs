@@ -138,7 +138,7 @@ impl Table<'_> {
                     let curve: Vec<Option<Vec2>> = moved.moments.iter().map(|m| m.vectors[k][l]).collect();
                     let paper = |v: &Vec2| (*v * (1.0 / mu)).to_point();
                     // As far as the polygons reach.
-                    let most = BOXES.polygon[0].hypot(BOXES.polygon[1]) * mu;
+                    let most = libm::hypot(BOXES.polygon[0], BOXES.polygon[1]) * mu;
                     runs(&curve, moved.full, most).0.iter().map(|run| run.iter().map(paper).collect()).collect()
                 }
             };

@@ -254,10 +254,10 @@ mod tests {
     }
 
     #[test]
-    fn the_style_in_the_readme_is_read() {
-        let readme = include_str!("../../../README.md");
-        let sample = readme.split("```json").skip(1).filter_map(|rest| rest.split("```").next()).find(|s| s.contains("\"base\""));
-        let style = read(sample.expect("the README shows a style").as_bytes()).unwrap();
+    fn the_style_in_the_guide_is_read() {
+        let guide = include_str!("../../../docs/guide.md");
+        let sample = guide.split("```json").skip(1).filter_map(|rest| rest.split("```").next()).find(|s| s.contains("\"base\""));
+        let style = read(sample.expect("the guide shows a style").as_bytes()).unwrap();
         assert_ne!(style, Style::default());
     }
 

@@ -1,0 +1,175 @@
+//! Which golden files there are, and how one is compared and accepted.
+//!
+//! The lists are data that the tests run over, so that a file that no test compares any more is found: [`kept`] names all, and a
+//! comparison under another name panics.
+
+use hodograph::scene::{Lang, templates};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// The command that accepts, told by every failure.
+pub const HOW: &str = "if this is what you want, look at it and run: HODOGRAPH_ACCEPT=1 cargo test --release --test golden";
+
+pub const LANGS: [(Lang, &str); 2] = [(Lang::En, "en"), (Lang::Zh, "zh")];
+
+/// Templates whose plan is kept as JSON too: Coriolis, in both languages; a triad; cylinders.
+pub const PLANS_AS_JSON: [(&str, &str); 4] = [("shaper", "en"), ("shaper", "zh"), ("class-iii-six-bar", "en"), ("excavator", "en")];
+
+/// Templates whose answers are kept with the tolerances of hand drawing.
+pub const DRAFTED: [&str; 1] = ["shaper"];
+
+/// Templates whose lesson and fragment are kept: a crank that turns fully, and one that is stopped.
+pub const LESSONS: [&str; 2] = ["crank-rocker", "five-bar"];
+
+/// One picture of every kind of figure: template, kind, style.
+pub const KINDS: [(&str, &str, &str); 6] = [
+    ("class-iii-six-bar", "inset", "print"),
+    ("shaper", "slides", "slides"),
+    ("jansen-leg", "dark", "dark"),
+    ("offset-slider-crank", "overlay", "slides"),
+    ("slotted-lever", "step", "print"),
+    ("crank-rocker", "equations", "print"),
+];
+
+/// Line diagrams.
+pub const CURVES: [&str; 1] = ["shaper"];
+
+/// Paths: template, points, positions drawn behind, style.
+pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
+    ("crank-rocker", &["E"], 0, "print"),
+    ("jansen-leg", &["G"], 6, "slides"),
+    ("class-iii-six-bar", &["P"], 0, "print"),
+    ("offset-slider-crank", &["C", "S"], 0, "dark"),
+];
+
+/// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
+pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
+
+pub const WORKSHEETS: [&str; 3] = ["crank-rocker", "shaper", "class-iii-six-bar"];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")
+}
+
+/// Every golden file, as `template/file`.
+fn kept() -> BTreeSet<String> {
+    let mut all = BTreeSet::new();
+    let mut in_both = |template: &str, files: &[&str]| {
+        all.extend(LANGS.iter().flat_map(|(_, lang)| files.iter().map(move |f| format!("{template}/{}", f.replace("LANG", lang)))));
+    };
+    templates::list()
+        .iter()
+        .for_each(|t| in_both(t.name, &["plan.LANG.txt", "construction.LANG.txt", "sheet.LANG.svg.txt", "sheet.LANG.png"]));
+    DRAFTED.iter().for_each(|t| in_both(t, &["drafting.LANG.txt"]));
+    LESSONS.iter().for_each(|t| in_both(t, &["lesson.html.txt", "reveal.html.txt"]));
+    KINDS.iter().for_each(|(t, kind, _)| in_both(t, &[&format!("{kind}.png")]));
+    CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
+    PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
+    POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
+    WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
+    all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
+    all
+}
+
+/// Where a golden file stands.
+///
+/// # Panics
+/// If [`kept`] does not list it: it would be taken for an orphan.
+pub fn golden(template: &str, file: &str) -> PathBuf {
+    let name = format!("{template}/{file}");
+    assert!(kept().contains(&name), "golden/{name} is in no list of tests/golden/files.rs");
+    root().join(name)
+}
+
+fn accept() -> bool {
+    std::env::var_os("HODOGRAPH_ACCEPT").is_some_and(|v| v == "1")
+}
+
+/// Writes what is new when accepting is asked for, and is a failure all the same: nothing is accepted unseen, and a variable
+/// that was left set never turns a red run green.
+fn write_if_accepting(path: &Path, now: &[u8], failures: &mut Vec<String>) -> bool {
+    if accept() {
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, now).unwrap();
+        failures.push(format!(
+            "{}: accepted. Look at it (git diff --stat, git diff) and run without HODOGRAPH_ACCEPT: cargo test --release --test golden",
+            path.display()
+        ));
+    }
+    accept()
+}
+
+/// Compares a text with its file; tells the first line that differs.
+pub fn check_text(path: &Path, now: &str, failures: &mut Vec<String>) {
+    let was = std::fs::read_to_string(path).unwrap_or_default();
+    if was == now || write_if_accepting(path, now.as_bytes(), failures) {
+        return;
+    }
+    let line = was.lines().zip(now.lines()).position(|(a, b)| a != b).unwrap_or(was.lines().count().min(now.lines().count()));
+    let at = |t: &str| t.lines().nth(line).unwrap_or("(nothing)").chars().take(160).collect::<String>();
+    failures.push(format!("{}:{}\n    expected: {}\n    actual:   {}\n    {HOW}", path.display(), line + 1, at(&was), at(now)));
+}
+
+/// Width, height, kind and samples of a PNG.
+pub fn pixels(bytes: &[u8]) -> Option<(u32, u32, png::ColorType, Vec<u8>)> {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().ok()?;
+    let mut buffer = vec![0; reader.output_buffer_size()?];
+    let info = reader.next_frame(&mut buffer).ok()?;
+    buffer.truncate(info.buffer_size());
+    Some((info.width, info.height, info.color_type, buffer))
+}
+
+/// Compares a picture with its file, each sample within 1 of 255; leaves the actual picture and the difference beside the
+/// build's temporary files.
+pub fn check_png(path: &Path, now: &[u8], failures: &mut Vec<String>) {
+    let was = std::fs::read(path).unwrap_or_default();
+    let fault = match (pixels(&was), pixels(now)) {
+        (_, None) => panic!("{}: what was drawn is no PNG", path.display()),
+        (None, _) => "there is no golden picture".to_owned(),
+        (Some(a), Some(b)) if (a.0, a.1, a.2) != (b.0, b.1, b.2) => format!("{}x{} expected, {}x{} drawn", a.0, a.1, b.0, b.1),
+        (Some(a), Some(b)) => {
+            let off: Vec<u8> = a.3.iter().zip(&b.3).map(|(x, y)| x.abs_diff(*y)).collect();
+            let bad = off.iter().filter(|d| **d > 1).count();
+            if bad == 0 {
+                return;
+            }
+            let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
+            let part = |p: &Path| p.file_name().unwrap().to_string_lossy().into_owned();
+            let name = format!("{}-{}", part(path.parent().unwrap()), part(path));
+            let (actual, difference) = (folder.join(format!("actual-{name}")), folder.join(format!("difference-{name}")));
+            std::fs::write(&actual, now).unwrap();
+            let mut encoder = png::Encoder::new(std::fs::File::create(&difference).unwrap(), a.0, a.1);
+            encoder.set_color(a.2);
+            let ink: Vec<u8> = off.iter().map(|d| 255 - d.saturating_mul(4)).collect();
+            encoder.write_header().unwrap().write_image_data(&ink).unwrap();
+            format!("{bad} values differ by more than 1\n    actual:     {}\n    difference: {}", actual.display(), difference.display())
+        }
+    };
+    if !write_if_accepting(path, now, failures) {
+        failures.push(format!("{}: {fault}\n    {HOW}", path.display()));
+    }
+}
+
+/// Ends a test that compared golden files.
+pub fn finish(failures: &[String]) {
+    assert!(failures.is_empty(), "{} golden files differ:\n{}", failures.len(), failures.join("\n"));
+}
+
+/// A file that no test compares any more looks like evidence and is none.
+#[test]
+fn no_golden_file_is_an_orphan() {
+    let mut found = BTreeSet::new();
+    for folder in std::fs::read_dir(root()).unwrap() {
+        let folder = folder.unwrap();
+        let name = folder.file_name().into_string().unwrap();
+        match std::fs::read_dir(folder.path()) {
+            Ok(files) => found.extend(files.map(|f| format!("{name}/{}", f.unwrap().file_name().into_string().unwrap()))),
+            Err(_) => drop(found.insert(name)),
+        }
+    }
+    let kept = kept();
+    let orphans: Vec<String> = found.difference(&kept).map(|f| format!("golden/{f}")).collect();
+    let missing: Vec<String> = kept.difference(&found).map(|f| format!("golden/{f}")).collect();
+    assert!(orphans.is_empty(), "no test compares these; remove them: git rm {}", orphans.join(" "));
+    assert!(missing.is_empty(), "these are missing: {}\n{HOW}", missing.join(" "));
+}

@@ -1,0 +1,319 @@
+//! The laws of the house, as far as reading its files can check them: who may import whom, where floating-point functions of the
+//! platform may be called, how long a file may be, and that the crate's map names every room.
+//!
+//! Nothing of the library is linked: the test reads the sources. What a lint can say with types is said to clippy, in
+//! `clippy.toml`.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// Files longer than [`LONGEST`], each with the lines that it may have. The list only shrinks: a file that grows past its number is
+/// taken apart, one that became shorter gets the smaller number, one that fits is struck off.
+const LONG_FILES: &[(&str, usize)] = &[
+    ("src/construct/board.rs", 512),
+    ("src/lesson/page.js", 679),
+    ("src/mechanism/groups.rs", 469),
+    ("src/plan/build.rs", 540),
+    ("src/render/svg.rs", 576),
+    ("src/sweep/compile/mod.rs", 526),
+    ("src/sweep/compile/place.rs", 528),
+    ("src/worksheet/pages.rs", 519),
+    ("tests/browser/main.rs", 472),
+    ("tests/random/mech.rs", 639),
+    ("tests/random/properties.rs", 704),
+    ("tests/sweep.rs", 749),
+];
+
+/// Lines that a reader still oversees.
+const LONGEST: usize = 450;
+
+/// Imports against the order of the rooms: the circles that are left. The list only shrinks.
+const AGAINST_THE_ORDER: &[(&str, &str)] = &[
+    ("trig", "scene"),
+    ("number", "scene"),
+    ("accuracy", "worked"),
+    ("sweep", "report"),
+    ("effort", "figure"),
+    ("report", "figure"),
+    ("report", "render"),
+];
+
+/// Imports that no table may ever allow, and why.
+const NEVER: &[(&str, &str, &str)] = &[
+    ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
+    ("analytic", "construct", "their agreement is evidence only because the loop equations do not know the drawing"),
+    ("analytic", "plan", "the loop equations share the mechanism and its positions with the drawing, nothing else"),
+    ("plan", "number", "a plan holds no numbers"),
+    ("plan", "position", "a plan holds no numbers"),
+];
+
+/// Functions of `f64` whose last bit the platform's own library decides. `sqrt`, `mul_add`, `rem_euclid` and rounding are exact
+/// everywhere and are not among them.
+const PLATFORM_FUNCTIONS: &[&str] = &[
+    "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sin_cos", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "exp", "exp2",
+    "exp_m1", "ln", "ln_1p", "log", "log2", "log10", "powf", "powi", "hypot", "cbrt",
+];
+
+/// Where a method may bear such a name, and why. The room `number` wraps `libm`; in the others the method is that of
+/// the traits of `number`, which `f64` answers by `libm`. Clippy (`clippy.toml`), which knows types, has no exceptions.
+const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
+    ("src/number/", "defines the functions of each kind of number, by libm where it is f64"),
+    ("src/geom.rs", "vectors of any kind of number"),
+    ("src/scene/eval.rs", "expressions in any kind of number"),
+    ("src/scene/exact.rs", "given values in any kind of number"),
+    ("src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
+    ("src/position/shape.rs", "shapes of links in any kind of number; `sin_cos` of the inputs"),
+    ("src/accuracy/truth.rs", "differences in longer numbers"),
+    ("src/accuracy/ladder.rs", "directions in intervals"),
+    ("src/accuracy/steps.rs", "angles of crossings in intervals"),
+    ("src/sweep/reading.rs", "directions over lanes, by libm"),
+];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// All files under a folder, in order, as paths from the project's root with their texts.
+fn files(folder: &str, endings: &[&str]) -> Vec<(String, String)> {
+    let mut open = vec![root().join(folder)];
+    let mut found: Vec<PathBuf> = Vec::new();
+    while let Some(at) = open.pop() {
+        for entry in std::fs::read_dir(&at).unwrap_or_else(|e| panic!("{}: {e}", at.display())) {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|e| endings.contains(&&*e.to_string_lossy())) {
+                found.push(path);
+            }
+        }
+    }
+    found.sort();
+    let name = |p: &Path| p.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
+    found.iter().map(|p| (name(p), std::fs::read_to_string(p).unwrap())).collect()
+}
+
+/// The library's files without their tests and comments: lines keep their numbers. `main.rs` and `lib.rs` belong to no room.
+fn code() -> Vec<(String, String)> {
+    let library = files("src", &["rs"])
+        .into_iter()
+        .filter(|(name, _)| !name.ends_with("/tests.rs") && !["src/main.rs", "src/lib.rs"].contains(&name.as_str()));
+    let bare = |text: String| {
+        let end = text.match_indices("#[cfg(test)]\nmod ").find(|(i, _)| text[*i..].lines().nth(1).is_some_and(|l| l.ends_with('{')));
+        let (code, tests) = text.split_at(end.map_or(text.len(), |(i, _)| i));
+        assert!(tests.matches("\n}\n").count() <= 1, "code behind the tests of a file is not seen here; put them last:\n{tests}");
+        code.lines().map(|l| l.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
+    };
+    let all: Vec<_> = library.map(|(name, text)| (name, bare(text))).collect();
+    assert!(all.len() > 100, "only {} files were found", all.len());
+    all
+}
+
+fn is_word(c: char) -> bool {
+    c.is_alphanumeric() || c == '_'
+}
+
+/// The first word of a text.
+fn word(text: &str) -> &str {
+    &text[..text.find(|c| !is_word(c)).unwrap_or(text.len())]
+}
+
+/// Each word of a line with what stands before and after it.
+fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
+    let starts = line.char_indices().filter(|(i, c)| is_word(*c) && !line[..*i].ends_with(is_word)).map(|(i, _)| i);
+    starts.map(|i| (&line[..i], word(&line[i..]), &line[i + word(&line[i..]).len()..]))
+}
+
+/// The room of a file: `src/room/...` or `src/room.rs`.
+fn room_of(file: &str) -> &str {
+    word(file.strip_prefix("src/").expect("a file of the library"))
+}
+
+/// The rooms that follow `crate::`, or as many `super::` as lead to the crate's root; in braces there are several.
+fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
+    // A room's own file stands one step under the root.
+    let depth = file.matches('/').count() - usize::from(file.ends_with("/mod.rs"));
+    let to_root = "super::".repeat(depth);
+    let mut found = Vec::new();
+    for door in ["crate::", to_root.as_str()] {
+        for (i, _) in code.match_indices(door) {
+            if code[..i].ends_with(is_word) || code[..i].ends_with("::") || code[..i].ends_with('$') {
+                continue;
+            }
+            let line = code[..i].matches('\n').count() + 1;
+            let rest = &code[i + door.len()..];
+            let Some(list) = rest.strip_prefix('{') else {
+                found.push((line, word(rest).to_owned()));
+                continue;
+            };
+            let (mut level, mut at_start) = (0, true);
+            for (k, c) in list.char_indices() {
+                match c {
+                    '{' => level += 1,
+                    '}' if level == 0 => break,
+                    '}' => level -= 1,
+                    ',' if level == 0 => at_start = true,
+                    c if is_word(c) && at_start => {
+                        found.push((line, word(&list[k..]).to_owned()));
+                        at_start = false;
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+    found
+}
+
+/// The modules that `src/lib.rs` declares.
+fn rooms() -> BTreeSet<String> {
+    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    let declared = lib.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
+    declared.map(|l| l.trim_end_matches(';').to_owned()).collect()
+}
+
+/// The part of the crate's documentation under a heading.
+fn chapter(heading: &str) -> String {
+    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    let doc: Vec<&str> = lib.lines().map_while(|l| l.strip_prefix("//!")).map(|l| l.strip_prefix(' ').unwrap_or(l)).collect();
+    let from = doc.iter().position(|l| *l == heading).unwrap_or_else(|| panic!("src/lib.rs has no chapter {heading:?}"));
+    let length = doc[from + 1..].iter().position(|l| l.starts_with("# ")).unwrap_or(doc.len() - from - 1);
+    doc[from + 1..from + 1 + length].join("\n")
+}
+
+/// The table of the crate's documentation: rooms from the bottom up, each with what it imports; against the order with a star.
+fn table() -> Vec<(String, BTreeMap<String, bool>)> {
+    let chapter = chapter("# Who may import whom");
+    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
+    let row = |line: &str| {
+        let mut words = line.split_whitespace();
+        let room = words.next().expect("a room").to_owned();
+        (room, words.filter(|w| *w != "-").map(|w| (w.trim_end_matches('*').to_owned(), w.ends_with('*'))).collect())
+    };
+    block.lines().map(row).collect()
+}
+
+fn finish(faults: &[String], law: &str) {
+    assert!(faults.is_empty(), "{law}\n{} faults:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn imports_are_those_of_the_map() {
+    let rooms = rooms();
+    let mut actual: BTreeMap<(String, String), String> = BTreeMap::new();
+    let mut faults = Vec::new();
+    for (file, text) in code() {
+        let room = room_of(&file);
+        for (line, other) in imports(&file, &text) {
+            if !rooms.contains(&other) {
+                faults.push(format!("{file}:{line}: {other} is no room of src/lib.rs; import from the room that has it"));
+            } else if other != room {
+                actual.entry((room.to_owned(), other)).or_insert_with(|| format!("{file}:{line}"));
+            }
+        }
+    }
+    let table = table();
+    let place = |room: &str| table.iter().position(|(r, _)| r == room);
+    let allowed: BTreeMap<(String, String), bool> =
+        table.iter().flat_map(|(r, list)| list.iter().map(move |(other, star)| ((r.clone(), other.clone()), *star))).collect();
+    for ((room, other), at) in &actual {
+        if !allowed.contains_key(&(room.clone(), other.clone())) {
+            faults.push(format!("{at}: {room} imports {other}, which the table does not allow"));
+        }
+        if let Some((_, _, why)) = NEVER.iter().find(|(r, o, _)| r == room && o == other) {
+            faults.push(format!("{at}: {room} must never import {other}: {why}"));
+        }
+    }
+    for ((room, other), star) in &allowed {
+        if !actual.contains_key(&(room.clone(), other.clone())) {
+            faults.push(format!("the table allows {room} to import {other}, and no file does: strike it off"));
+        }
+        let up = place(room) < place(other);
+        let known = AGAINST_THE_ORDER.contains(&(room, other));
+        if up && !known {
+            faults.push(format!("{room} imports {other}, which stands above it: a new circle"));
+        }
+        if up != *star {
+            faults.push(format!("the table: {room}'s {other} has {} star", if up { "no" } else { "a needless" }));
+        }
+    }
+    let gone = AGAINST_THE_ORDER.iter().filter(|(room, other)| !allowed.contains_key(&((*room).into(), (*other).into())));
+    faults.extend(gone.map(|(room, other)| format!("{room} imports {other} no more: strike it off AGAINST_THE_ORDER in tests/tidy.rs")));
+    finish(&faults, "Imports follow the table under \"Who may import whom\" in src/lib.rs, from the bottom up.");
+}
+
+#[test]
+fn the_map_lists_every_room() {
+    let rooms = rooms();
+    let mut faults = Vec::new();
+    let map = chapter("# Rooms");
+    let listed: BTreeSet<String> = map.split("[`").skip(1).filter_map(|l| l.split("`]").next()).map(str::to_owned).collect();
+    faults.extend(rooms.iter().filter(|r| !listed.contains(*r)).map(|r| format!("{r} is not in the list of rooms")));
+    let names: Vec<String> = table().into_iter().map(|(room, _)| room).collect();
+    let in_table: BTreeSet<String> = names.iter().cloned().collect();
+    assert_eq!(names.len(), in_table.len(), "a room stands in the table twice: {names:?}");
+    faults.extend(rooms.difference(&in_table).map(|r| format!("{r} has no row in the table of imports")));
+    faults.extend(in_table.difference(&rooms).map(|r| format!("the table of imports has a row for {r}, which is no room")));
+    finish(&faults, "The crate's documentation in src/lib.rs lists every room that it declares.");
+}
+
+#[test]
+fn no_function_of_the_platform_decides_a_bit() {
+    let mut faults = Vec::new();
+    let mut used = BTreeSet::new();
+    for (file, text) in code() {
+        let allowed = PLATFORM_FUNCTIONS_ALLOWED.iter().find(|(at, _)| if at.ends_with('/') { file.starts_with(at) } else { file == *at });
+        for (n, line) in text.lines().enumerate() {
+            let called = words(line).find(|(before, word, after)| {
+                let called = before.ends_with('.') && after.starts_with('(') || before.ends_with("f64::") || before.ends_with("f32::");
+                called && PLATFORM_FUNCTIONS.contains(word)
+            });
+            match (called, allowed) {
+                (None, _) => {}
+                (Some(_), Some((at, _))) => drop(used.insert(*at)),
+                (Some((_, f, _)), None) => faults.push(format!("{file}:{}: {f}; use libm::{f}, or the numbers' own", n + 1)),
+            }
+        }
+    }
+    let needless = PLATFORM_FUNCTIONS_ALLOWED.iter().filter(|(at, _)| !used.contains(at));
+    faults.extend(needless.map(|(at, _)| format!("{at} calls none any more: strike it off PLATFORM_FUNCTIONS_ALLOWED in tests/tidy.rs")));
+    finish(&faults, "sin, hypot, powi and their like differ between platforms in the last bit, and golden files do not.");
+}
+
+/// Clippy knows types and is told of the same functions.
+#[test]
+fn clippy_is_told_of_the_same_functions() {
+    let told = std::fs::read_to_string(root().join("clippy.toml")).unwrap();
+    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
+    for f in PLATFORM_FUNCTIONS {
+        assert!(told.contains(&format!("\"f64::{f}\"")), "clippy.toml does not disallow f64::{f}");
+    }
+    assert!(lib.contains("#![cfg_attr(not(test), warn(clippy::disallowed_methods))]"), "src/lib.rs does not turn the lint on");
+}
+
+#[test]
+fn files_are_short_enough_to_be_overseen() {
+    let mut faults = Vec::new();
+    let mut seen = BTreeSet::new();
+    for folder in ["src", "tests", "benches"] {
+        for (file, text) in files(folder, &["rs", "js", "css"]) {
+            let lines = text.lines().count();
+            match LONG_FILES.iter().find(|(name, _)| *name == file) {
+                None if lines > LONGEST => faults.push(format!("{file} has {lines} lines, more than {LONGEST}: take it apart")),
+                None => {}
+                Some((name, most)) => {
+                    seen.insert(*name);
+                    if lines <= LONGEST {
+                        faults.push(format!("{file} has {lines} lines and fits: strike it off LONG_FILES in tests/tidy.rs"));
+                    } else if lines > *most {
+                        faults.push(format!("{file} has {lines} lines, more than the {most} it had: take it apart"));
+                    } else if lines < *most {
+                        faults.push(format!("{file} has {lines} lines: write {lines} for {most} in LONG_FILES in tests/tidy.rs"));
+                    }
+                }
+            }
+        }
+    }
+    let gone = LONG_FILES.iter().filter(|(name, _)| !seen.contains(name));
+    faults.extend(gone.map(|(name, _)| format!("{name} is no file any more: strike it off LONG_FILES in tests/tidy.rs")));
+    finish(&faults, "A file holds one idea, in some 450 lines at most.");
+}
