@@ -1,6 +1,5 @@
 //! The program as its user meets it: exit codes, files, help, and the commands of the documents.
 
-#[path = "cli/documents.rs"]
 mod documents;
 
 #[cfg(target_os = "linux")]
