@@ -7,7 +7,7 @@
 use crate::accuracy::ladder::{Certified, Part};
 use crate::construct::{Action, Mark, Polygon};
 use crate::figure::item::Figure;
-use crate::mechanism::{Core, Group, Leg, Level};
+use crate::mechanism::Level;
 use crate::plan::Step;
 use crate::worked::Worked;
 
@@ -51,7 +51,7 @@ pub struct Work {
 impl Work {
     /// Counts what was done up to the answers.
     pub fn of(worked: &Worked) -> Work {
-        let groups = || worked.mechanism.groups.iter().filter(|g| !is_carried(g));
+        let groups = || worked.mechanism.groups.iter().filter(|g| !g.is_carried());
         let at = &worked.configuration;
         Work {
             groups_placed: groups()
@@ -81,11 +81,6 @@ impl Work {
     }
 }
 
-/// A pin that sits on a known link follows it: there is nothing to solve, and no list of groups names it.
-pub(crate) fn is_carried(g: &Group) -> bool {
-    matches!(&g.core, Core::Pin { legs, .. } if matches!(legs[..], [Leg::Carried { .. }]))
-}
-
 /// How many certified numbers of an answer are printed: a vector by magnitude and direction, an angle in degrees.
 fn printed(c: &Certified) -> usize {
     let shown = |part: &Part| match part {
@@ -99,7 +94,7 @@ fn printed(c: &Certified) -> usize {
 fn motion(worked: &Worked, level: Level) -> Motion {
     let solution = &worked.solution;
     let paper = &worked.construction;
-    let groups = worked.mechanism.groups.iter().filter(|g| !is_carried(g));
+    let groups = worked.mechanism.groups.iter().filter(|g| !g.is_carried());
     let solved = groups.filter(|g| match g.links[..] {
         // A driven slider without a link of its own.
         [] => g.pins.iter().all(|p| solution.reaches_pin(level, *p)),

@@ -6,7 +6,7 @@ use super::scale::{self, Boxes};
 use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateMeasured, RateReading};
 use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Between, Body, By, Chain, GroupSteps, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
 use crate::position::{Configuration, Path};
@@ -163,24 +163,16 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     /// The line (on paper) on which a leg gives a locus for every point of the core.
     pub(super) fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
-        let point = |p: crate::scene::PointId| self.joint(p);
-        match *leg {
-            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => {
-                let (n, f) = (point(near)?, point(far)?);
-                Some((n, n - f))
-            }
-            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => {
-                let p = point(pin)?;
-                Some((
-                    p,
-                    match self.at.guide(guide) {
-                        Path::Line { direction, .. } => self.turned(guide, direction.perp()),
-                        Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
-                    },
-                ))
-            }
-            _ => None,
-        }
+        let line = leg.line()?;
+        let p = self.joint(line.pin())?;
+        let along = match line {
+            ConstraintLine::Along { far, .. } => p - self.joint(far)?,
+            ConstraintLine::Normal { guide, .. } => match self.at.guide(guide) {
+                Path::Line { direction, .. } => self.turned(guide, direction.perp()),
+                Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
+            },
+        };
+        Some((p, along))
     }
 
     pub(super) fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {

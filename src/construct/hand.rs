@@ -9,7 +9,7 @@ use super::pencil::Pencil;
 use super::{Construction, Polygon};
 use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Leg, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Body, By, Plan, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
@@ -122,9 +122,9 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         if P::EXACT {
             return along;
         }
-        let apart = match *leg {
-            Leg::OnGuide { guide, .. } | Leg::InSlot { guide, .. } => self.guide_length(guide),
-            _ => along.approx().norm(),
+        let apart = match leg.line() {
+            Some(ConstraintLine::Normal { guide, .. }) => self.guide_length(guide),
+            Some(ConstraintLine::Along { .. }) | None => along.approx().norm(),
         };
         along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
     }

@@ -3,7 +3,7 @@
 
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
-use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
 use crate::quantity::inked;
@@ -208,12 +208,10 @@ impl Tables<'_> {
 /// The line on which a leg gives a locus for every point of its link, in words.
 pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
     let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
-    match *leg {
-        Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => format!("${}{}$", name(far), name(near)),
-        Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } | Leg::Driven { pin, .. } | Leg::Pinned { pin } => {
-            fill(words.square_to_guide, &[("", &name(pin))])
-        }
-        _ => String::new(),
+    match leg.line() {
+        Some(ConstraintLine::Along { near, far }) => format!("${}{}$", name(far), name(near)),
+        Some(ConstraintLine::Normal { pin, .. }) => fill(words.square_to_guide, &[("", &name(pin))]),
+        None => String::new(),
     }
 }
 

@@ -7,103 +7,12 @@
 //! # Source
 //! Sljoka, Shai, Whiteley, *Checking mobility and decomposition of linkages via pebble game algorithm*, ASME DETC 2011.
 
+use super::leg::{Entry, Leg};
 use super::mobility::Assignment;
 use super::{Constraint, Mechanism, Node, Passive, ends};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap, HashMap};
-
-/// How a known body holds an unknown point or link. Each leg but `Pinned` and `Carried` takes one freedom.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Leg {
-    /// A known pin sits on the core link (takes two freedoms).
-    Pinned {
-        /// The known pin.
-        pin: PointId,
-    },
-    /// The core link's angle follows from a known link: a slider that keeps its direction, or a turning driver.
-    Angle {
-        /// The known link.
-        of: LinkId,
-        /// The turning driver; `None` for a slider.
-        driver: Option<usize>,
-    },
-    /// A bar, pinned to a known pin at `far` and to the core at `near`.
-    Bar {
-        /// The bar.
-        link: LinkId,
-        /// Pin at the core.
-        near: PointId,
-        /// The known pin.
-        far: PointId,
-    },
-    /// A pin of the core runs in a guide carried by a known link.
-    OnGuide {
-        /// Pin of the core.
-        pin: PointId,
-        /// The guide.
-        guide: GuideId,
-    },
-    /// A known pin runs in a guide carried by the core link.
-    InSlot {
-        /// The known pin.
-        pin: PointId,
-        /// The guide.
-        guide: GuideId,
-    },
-    /// A cylinder from a known pin to a pin of the core.
-    Cylinder {
-        /// The driver.
-        driver: usize,
-        /// Pin of the core.
-        near: PointId,
-        /// The known pin.
-        far: PointId,
-    },
-    /// The core link glides along a known link (or carries the guide along which a known link glides).
-    Glide {
-        /// The guide.
-        guide: GuideId,
-        /// The known link.
-        other: LinkId,
-    },
-    /// The core pin runs in a guide of a known link at a given rate (takes two freedoms).
-    Driven {
-        /// The guide.
-        guide: GuideId,
-        /// The sliding driver.
-        driver: usize,
-        /// The core pin.
-        pin: PointId,
-    },
-    /// The core pin runs at a given rate in a guide carried by an unknown link, which is itself pinned to a known pin.
-    Ram {
-        /// The link that carries the guide.
-        link: LinkId,
-        /// The known pin of that link.
-        far: PointId,
-        /// The guide.
-        guide: GuideId,
-        /// The sliding driver.
-        driver: usize,
-        /// The core pin.
-        near: PointId,
-    },
-    /// The core link glides along a known link at a given rate (with its guide: two freedoms).
-    DrivenGlide {
-        /// The guide.
-        guide: GuideId,
-        /// The known link.
-        other: LinkId,
-        /// The sliding driver.
-        driver: usize,
-    },
-    /// A pin that sits on a known link (takes both freedoms of a pin).
-    Carried {
-        /// The known link.
-        link: LinkId,
-    },
-}
 
 /// What the group turns on: the point or link whose motion is found first.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,14 +57,12 @@ impl Group {
     pub fn class(&self) -> Option<&'static str> {
         match &self.core {
             Core::Higher => Some("IV or higher"),
-            Core::Pin { legs, .. } => match legs[..] {
-                [Leg::Carried { .. } | Leg::Driven { .. }] => None,
-                _ => Some("II"),
-            },
+            // A single leg takes both freedoms: the pin is carried or driven.
+            Core::Pin { legs, .. } => (legs.len() > 1).then_some("II"),
             Core::Link { legs, .. } => {
-                if legs.iter().any(|l| matches!(l, Leg::DrivenGlide { .. } | Leg::Angle { driver: Some(_), .. })) && legs.len() <= 2 {
+                if legs.len() <= 2 && legs.iter().any(Leg::drives) {
                     None
-                } else if legs.len() >= 3 && !legs.iter().any(|l| matches!(l, Leg::Pinned { .. } | Leg::Angle { .. })) {
+                } else if legs.len() >= 3 && legs.iter().all(|l| l.hold().is_some()) {
                     Some("III")
                 } else {
                     Some("II")
@@ -166,38 +73,35 @@ impl Group {
 
     /// The kind of a dyad (`RRR`, `RRP`, `RPR`, `PRP`, `RPP`), or `triad`, or what else it is.
     pub fn kind(&self) -> String {
-        fn letter(l: &Leg) -> &'static str {
-            match l {
-                Leg::Bar { .. } | Leg::Cylinder { .. } | Leg::Ram { .. } | Leg::Pinned { .. } => "R",
-                _ => "P",
-            }
-        }
-        match &self.core {
-            Core::Higher => "higher group".into(),
+        let kind = match &self.core {
+            Core::Higher => "higher group",
             Core::Pin { legs, .. } => match legs[..] {
-                [Leg::Carried { .. }] => "carried pin".into(),
-                [Leg::Driven { .. }] => "driven slider".into(),
-                _ => {
-                    let mut ends: Vec<_> = legs.iter().map(letter).collect();
-                    ends.sort_unstable_by(|a, b| b.cmp(a));
-                    match ends[..] {
-                        ["R", "R"] => "RRR".into(),
-                        ["R", "P"] => "RRP".into(),
-                        _ => "PRP".into(),
-                    }
-                }
+                [leg] if leg.drives() => "driven slider",
+                [_] => "carried pin",
+                _ => match legs.iter().filter(|l| l.letter() == "R").count() {
+                    2 => "RRR",
+                    1 => "RRP",
+                    _ => "PRP",
+                },
             },
             Core::Link { legs, .. } => match self.class() {
-                None => "driven link".into(),
-                Some("III") => "triad".into(),
-                _ => {
-                    if legs.iter().any(|l| matches!(l, Leg::Angle { .. })) {
-                        if legs.iter().any(|l| matches!(l, Leg::Pinned { .. })) { "RP".into() } else { "RPP".into() }
-                    } else {
-                        "RPR".into()
-                    }
-                }
+                None => "driven link",
+                Some("III") => "triad",
+                _ => match Entry::of(legs) {
+                    Entry { angle: Some(_), pivot: Some(_), .. } => "RP",
+                    Entry { angle: Some(_), pivot: None, .. } => "RPP",
+                    Entry { angle: None, .. } => "RPR",
+                },
             },
+        };
+        kind.into()
+    }
+
+    /// Whether it is a pin that sits on a known link: it follows that link, there is nothing to solve, and no list of groups names it.
+    pub fn is_carried(&self) -> bool {
+        match &self.core {
+            Core::Pin { legs, .. } => Entry::of(legs).carrier.is_some(),
+            Core::Link { .. } | Core::Higher => false,
         }
     }
 }
@@ -309,11 +213,15 @@ fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], c
     Core::Higher
 }
 
+/// The driver that says where along a guide its runner is, if the group has one.
+fn slide_of(cs: &[Constraint], guide: GuideId) -> Option<usize> {
+    cs.iter().find_map(|c| if let Constraint::Slide(d, g) = c { (*g == guide).then_some(*d) } else { None })
+}
+
 /// The legs of a pin, if every link of the group is a bar from a known pin to it.
 fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
-    let slide_of = |g: GuideId| cs.iter().find_map(|c| if let Constraint::Slide(d, h) = c { (*h == g).then_some(*d) } else { None });
     for &l in links {
         let mine: Vec<&Constraint> = cs
             .iter()
@@ -331,7 +239,7 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
             legs.push(Leg::Bar { link: l, near: pin, far });
             used += 2;
         } else if let Some(guide) = mine.iter().find_map(|c| if let Constraint::Slot(p, g) = c { (*p == pin).then_some(*g) } else { None })
-            && let Some(driver) = slide_of(guide)
+            && let Some(driver) = slide_of(cs, guide)
             && mine.len() == 3
         {
             legs.push(Leg::Ram { link: l, far, guide, driver, near: pin });
@@ -347,7 +255,7 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
                 used += 1;
             }
             Constraint::Slot(p, guide) if p == pin && !links.contains(&scene.guides[guide.0].on) => {
-                if let Some(driver) = slide_of(guide) {
+                if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::Driven { guide, driver, pin });
                     used += 2;
                 } else {
@@ -363,7 +271,7 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
             _ => {}
         }
     }
-    let freedoms: usize = legs.iter().map(|l| if matches!(l, Leg::Carried { .. } | Leg::Driven { .. }) { 2 } else { 1 }).sum();
+    let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
     (used == cs.len() && freedoms == 2).then_some(legs)
 }
 
@@ -371,7 +279,6 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
 fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Constraint]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
-    let slide_of = |g: GuideId| cs.iter().find_map(|c| if let Constraint::Slide(d, h) = c { (*h == g).then_some(*d) } else { None });
     // Every pin of the group must sit on the core.
     for &p in pins {
         if !cs.iter().any(|c| matches!(c, Constraint::Pinned(q, l) if *q == p && *l == core)) {
@@ -403,7 +310,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
             }
             Constraint::Slot(pin, guide) => {
                 let on = scene.guides[guide.0].on;
-                if slide_of(guide).is_some() {
+                if slide_of(cs, guide).is_some() {
                     return None;
                 }
                 if pins.contains(&pin) && !links.contains(&on) {
@@ -430,7 +337,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 if links.contains(&other) {
                     return None;
                 }
-                if let Some(driver) = slide_of(guide) {
+                if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::DrivenGlide { guide, other, driver });
                     used += 2;
                 } else {
@@ -451,7 +358,7 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
             _ => {}
         }
     }
-    let freedoms: usize = legs.iter().map(|l| if matches!(l, Leg::Pinned { .. } | Leg::DrivenGlide { .. }) { 2 } else { 1 }).sum();
+    let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
     (used == cs.len() && freedoms == 3).then_some(legs)
 }
 

@@ -7,12 +7,14 @@
 mod demand;
 mod groups;
 mod joined;
+mod leg;
 mod mobility;
 
 pub(crate) use demand::nodes_of;
 pub use demand::{Demand, Level, Need};
-pub use groups::{Core, Group, Leg};
+pub use groups::{Core, Group};
 pub use joined::{Joined, joined};
+pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 
 use crate::diag::{Diagnostic, Faults, Warned};

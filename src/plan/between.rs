@@ -7,7 +7,7 @@
 use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
 use crate::answer::level_of;
-use crate::mechanism::{Joined, Leg, Level, Mechanism, Need, Passive, joined, nodes_of};
+use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
 use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
@@ -234,7 +234,7 @@ impl Builder<'_> {
 
     fn along_cylinder(&mut self, level: Level, driver: usize, of: VertexId, to: VertexId) -> Option<Between> {
         let (Spot::Point(near), Spot::Point(far)) = (self.vertices[of.0].spot, self.vertices[to.0].spot) else { return None };
-        let chain = self.chain(level, None, &Leg::Cylinder { driver, near, far }, None);
+        let chain = self.strut(level, near, far, Strut::Cylinder(driver));
         Some(Between::LayOff { known: chain.known, rest: chain.unknown })
     }
 

@@ -2,7 +2,7 @@
 
 use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Core, Demand, Leg, Level, Mechanism, Need};
+use crate::mechanism::{Core, Demand, Entry, Hold, Leg, Level, Mechanism, Need, Strut};
 use crate::scene::{LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
@@ -356,30 +356,34 @@ impl Builder<'_> {
 
     fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {
         let target = self.pin(pin);
-        match legs {
-            [Leg::Carried { .. }] => self.ensure(level, target),
-            [leg @ Leg::Driven { .. }] => {
-                let chain = self.chain(level, None, leg, None);
-                self.equation(level, target, vec![chain], Method::Driven);
-            }
-            _ => {
-                let chains: Vec<Chain> = legs.iter().map(|l| self.chain(level, None, l, None)).collect();
-                let moving_guide = legs.iter().any(|l| match l {
-                    Leg::OnGuide { guide, .. } => self.scene.guides[guide.0].on != self.scene.ground,
-                    Leg::Ram { .. } => true,
-                    _ => false,
-                });
-                let method = match () {
-                    () if moving_guide => Method::Coincident,
-                    () if legs.iter().any(|l| matches!(l, Leg::Cylinder { .. })) => Method::Cylinder,
-                    () => Method::SameLink,
-                };
-                self.equation(level, target, chains, method);
-            }
+        let holds = Entry::of(legs).holds;
+        if holds.is_empty() {
+            // The pin is carried by a known link.
+            self.ensure(level, target);
+            return;
         }
-        for leg in legs {
-            self.sources_of_leg(level, leg);
+        let chains: Vec<Chain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
+        let method = self.method_of_pin(&holds);
+        self.equation(level, target, chains, method);
+        for hold in &holds {
+            self.sources_of(level, hold);
         }
+    }
+
+    /// Why the equation of a pin is written as it is.
+    fn method_of_pin(&self, holds: &[Hold]) -> Method {
+        let method = |hold: &Hold| match *hold {
+            Hold::Guide { driver: Some(_), .. } => Method::Driven,
+            Hold::Guide { guide, driver: None, .. } if self.scene.guides[guide.0].on == self.scene.ground => Method::SameLink,
+            Hold::Distance { strut: Strut::Bar(_), .. } => Method::SameLink,
+            Hold::Distance { strut: Strut::Cylinder(_), .. } => Method::Cylinder,
+            Hold::Distance { strut: Strut::Ram { .. }, .. } | Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. } => {
+                Method::Coincident
+            }
+        };
+        let methods: Vec<Method> = holds.iter().map(method).collect();
+        let told = [Method::Driven, Method::Coincident, Method::Cylinder].into_iter().find(|m| methods.contains(m));
+        told.unwrap_or(Method::SameLink)
     }
 
     fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
@@ -394,18 +398,19 @@ impl Builder<'_> {
         }
     }
 
-    /// What a leg's own body turns with, once both its ends are known.
-    fn sources_of_leg(&mut self, level: Level, leg: &Leg) {
-        match *leg {
-            Leg::Bar { link, near, far } => {
+    /// What a strut turns with, once both its ends are known.
+    fn sources_of(&mut self, level: Level, hold: &Hold) {
+        let Hold::Distance { near, far, strut } = *hold else { return };
+        match strut {
+            Strut::Bar(link) => {
                 let (of, to) = (self.pin(near), self.pin(far));
                 self.source(level, Body::Link(link), Rate::Measured { of, to });
             }
-            Leg::Cylinder { driver, near, far } => {
+            Strut::Cylinder(driver) => {
                 let (of, to) = (self.pin(near), self.pin(far));
                 self.source(level, Body::Cylinder(driver), Rate::Measured { of, to });
             }
-            Leg::Ram { link, far, guide, driver, near } => {
+            Strut::Ram { link, guide, driver } => {
                 let (of, to, runner) = (self.coincident(near, link), self.pin(far), self.pin(near));
                 // The carried point under the runner, from the runner: the sliding is given. Its Coriolis term at the
                 // acceleration level needs the link's ω, which is measured at the velocity level from this very point.
@@ -413,14 +418,12 @@ impl Builder<'_> {
                 let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
                 self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
             }
-            _ => {}
         }
     }
 
     fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
         let body = Body::Link(link);
-        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
-        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
+        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
         if let Some((of, driver)) = angle {
             let rate = match driver {
                 _ if self.m.never_turns[link.0] => Rate::Zero,
@@ -429,45 +432,44 @@ impl Builder<'_> {
             };
             self.source(level, body, rate);
         }
-        let rest: Vec<Leg> = legs.iter().copied().filter(|l| !matches!(l, Leg::Angle { .. } | Leg::Pinned { .. })).collect();
-        match (pinned, angle, &rest[..]) {
+        match (pivot, angle, &holds[..]) {
             // A crank, or a lever locked to a known link: its points follow when they are needed.
             (Some(_), Some(_), _) => {}
-            (Some(pin), None, [leg]) => {
+            (Some(pin), None, [hold]) => {
                 let pivot = self.pin(pin);
-                let target = self.near(Some(link), leg).expect("a slot gives a coincident point");
+                let target = self.near(link, hold).expect("a slot gives a coincident point");
                 let (known, unknown) = self.turning(level, body, target, pivot, false);
-                let chain = self.chain(level, Some(link), leg, None);
+                let chain = self.chain(level, Some(link), hold, None);
                 self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
                 self.source(level, body, Rate::Measured { of: target, to: pivot });
             }
-            (None, Some(_), [leg @ Leg::DrivenGlide { .. }]) => {
+            (None, Some(_), [hold @ Hold::Glide { driver: Some(_), .. }]) => {
                 let at = self.any_point(link);
-                let chain = self.chain(level, Some(link), leg, Some(at));
+                let chain = self.chain(level, Some(link), hold, Some(at));
                 self.equation(level, at, vec![chain], Method::Driven);
             }
             (None, Some(_), [a, b]) => {
                 // A leg with a point of its own leads; a gliding leg serves any point.
-                let (a, b) = if matches!(a, Leg::Glide { .. }) { (b, a) } else { (a, b) };
-                let target = match self.near(Some(link), a) {
+                let (a, b) = if matches!(a, Hold::Glide { .. }) { (b, a) } else { (a, b) };
+                let target = match self.near(link, a) {
                     Some(v) => v,
                     None => self.any_point(link),
                 };
                 let first = self.chain(level, Some(link), a, Some(target));
                 let mut second = self.chain(level, Some(link), b, Some(target));
-                if let Some(near) = self.near(Some(link), b) {
+                if let Some(near) = self.near(link, b) {
                     self.shift(level, &mut second, link, target, near);
                 }
                 self.equation(level, target, vec![first, second], Method::Coincident);
-                let near_b = self.near(Some(link), b);
-                for leg in [a, b] {
-                    self.sources_of_leg(level, leg);
+                let near_b = self.near(link, b);
+                for hold in [a, b] {
+                    self.sources_of(level, hold);
                 }
                 if let Some(v) = near_b {
                     self.ensure(level, v);
                 }
             }
-            (None, None, [_, _, _]) => return self.triad(level, g, link, &rest),
+            (None, None, [_, _, _]) => return self.triad(level, g, link, &holds),
             _ => {}
         }
         vec![std::mem::take(&mut self.pending)]
@@ -484,15 +486,14 @@ impl Builder<'_> {
     }
 
     /// A link on three legs: by the special point of each pair of legs in turn.
-    fn triad(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
+    fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<Step>> {
         let body = Body::Link(link);
-        let nears: Vec<VertexId> =
-            legs.iter().map(|l| self.near(Some(link), l).expect("a leg of a triad has a point on the core")).collect();
+        let nears: Vec<VertexId> = holds.iter().map(|h| self.near(link, h).expect("a leg of a triad has a point on the core")).collect();
         let mut alternatives = Vec::new();
         let before = self.known[slot(level)].clone();
         // What the chains need of known links is written once, ahead of every alternative.
-        for leg in legs {
-            let _ = self.chain(level, Some(link), leg, None);
+        for hold in holds {
+            let _ = self.chain(level, Some(link), hold, None);
         }
         let shared = std::mem::take(&mut self.pending);
         let base = self.known[slot(level)].clone();
@@ -502,13 +503,13 @@ impl Builder<'_> {
             let s = self.intern(Spot::Special { group: g, legs: (i, j) }, None);
             let mut chains = Vec::new();
             for n in [i, j] {
-                let mut chain = self.chain(level, Some(link), &legs[n], None);
+                let mut chain = self.chain(level, Some(link), &holds[n], None);
                 self.extend_to_special(level, &mut chain, link, s, nears[n]);
                 chains.push(chain);
             }
             self.equation(level, s, chains, Method::Special);
             let (known, unknown) = self.turning(level, body, nears[k], s, false);
-            let third = self.chain(level, Some(link), &legs[k], None);
+            let third = self.chain(level, Some(link), &holds[k], None);
             self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
             for n in [i, j] {
                 if !self.is_known(level, nears[n]) {
@@ -526,8 +527,8 @@ impl Builder<'_> {
         for &v in &nears {
             self.learn(level, v);
         }
-        for leg in legs {
-            self.sources_of_leg(level, leg);
+        for hold in holds {
+            self.sources_of(level, hold);
         }
         // Two slots over one pin have one near point: the turning is measured between two that differ.
         let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);

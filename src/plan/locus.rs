@@ -1,4 +1,4 @@
-//! From a leg to a chain of terms: the table of legs and loci, for velocities and accelerations.
+//! From what a leg holds to a chain of terms: the table of holds and loci, for velocities and accelerations.
 //!
 //! # Source
 //! Relative-motion method (基点法, 重合点法) as in any text on mechanisms; the acceleration terms are those of the rigid body
@@ -6,8 +6,8 @@
 
 use super::build::Builder;
 use super::{Body, By, Chain, Term, TermKind, VertexId};
-use crate::mechanism::{Leg, Level};
-use crate::scene::{GuideId, GuidePath, LinkId};
+use crate::mechanism::{Hold, Level, Strut};
+use crate::scene::{GuideId, GuidePath, LinkId, PointId};
 
 impl Builder<'_> {
     /// Terms of a turning body between two of its points: known ones and, unless the rate is known, the unknown one.
@@ -64,26 +64,40 @@ impl Builder<'_> {
         }
     }
 
-    /// The point of the core for whose vector a leg gives a locus without further ado; none for a gliding link, where any will do.
-    pub(super) fn near(&mut self, core: Option<LinkId>, leg: &Leg) -> Option<VertexId> {
-        match *leg {
-            Leg::Bar { near, .. } | Leg::Cylinder { near, .. } | Leg::Ram { near, .. } => Some(self.pin(near)),
-            Leg::OnGuide { pin, .. } | Leg::Driven { pin, .. } => Some(self.pin(pin)),
-            Leg::InSlot { pin, .. } => core.map(|l| self.coincident(pin, l)),
-            Leg::Pinned { pin } => Some(self.pin(pin)),
-            Leg::Angle { .. } | Leg::Glide { .. } | Leg::DrivenGlide { .. } | Leg::Carried { .. } => None,
+    /// The point of the core for whose vector a hold gives a locus without further ado; none for a gliding link, where any will do.
+    pub(super) fn near(&mut self, core: LinkId, hold: &Hold) -> Option<VertexId> {
+        match *hold {
+            Hold::Distance { near, .. } => Some(self.pin(near)),
+            Hold::Guide { pin, .. } => Some(self.pin(pin)),
+            Hold::Slot { pin, .. } => Some(self.coincident(pin, core)),
+            Hold::Glide { .. } => None,
         }
     }
 
-    /// The chain that a leg gives for its near point (for a gliding link: for `at`).
-    pub(super) fn chain(&mut self, level: Level, core: Option<LinkId>, leg: &Leg, at: Option<VertexId>) -> Chain {
-        match *leg {
-            Leg::Bar { link, near, far } => {
+    /// The chain that a hold gives for its near point (for a gliding link: for `at`).
+    pub(super) fn chain(&mut self, level: Level, core: Option<LinkId>, hold: &Hold, at: Option<VertexId>) -> Chain {
+        match *hold {
+            Hold::Distance { near, far, strut } => self.strut(level, near, far, strut),
+            Hold::Guide { pin, guide, driver } => self.on_guide(level, pin, guide, driver),
+            Hold::Slot { pin, guide } => {
+                let link = core.expect("a slot belongs to the core link");
+                let (of, to) = (self.coincident(pin, link), self.pin(pin));
+                let (known, unknown) = self.sliding(level, guide, of, to, None);
+                Chain { start: to, known, unknown }
+            }
+            Hold::Glide { guide, other, driver } => self.glide(level, guide, other, driver, at.expect("a gliding link needs a point")),
+        }
+    }
+
+    /// The chain of `near` from the far end of a bar, a cylinder or a ram.
+    pub(super) fn strut(&mut self, level: Level, near: PointId, far: PointId, strut: Strut) -> Chain {
+        match strut {
+            Strut::Bar(link) => {
                 let (near, far) = (self.pin(near), self.pin(far));
                 let (known, unknown) = self.turning(level, Body::Link(link), near, far, false);
                 Chain { start: far, known, unknown }
             }
-            Leg::Cylinder { driver, near, far } => {
+            Strut::Cylinder(driver) => {
                 let (near, far) = (self.pin(near), self.pin(far));
                 let body = Body::Cylinder(driver);
                 let (mut known, unknown) = self.turning(level, body, near, far, false);
@@ -96,30 +110,17 @@ impl Builder<'_> {
                 }
                 Chain { start: far, known, unknown }
             }
-            Leg::OnGuide { pin, guide } => self.on_guide(level, pin, guide, None),
-            Leg::Driven { pin, guide, driver } => self.on_guide(level, pin, guide, Some(driver)),
-            Leg::InSlot { pin, guide } => {
-                let link = core.expect("a slot belongs to the core link");
-                let (of, to) = (self.coincident(pin, link), self.pin(pin));
-                let (known, unknown) = self.sliding(level, guide, of, to, None);
-                Chain { start: to, known, unknown }
-            }
-            Leg::Ram { link, far, guide, driver, near } => {
+            Strut::Ram { link, guide, driver } => {
                 let (carried, runner, far) = (self.coincident(near, link), self.pin(near), self.pin(far));
                 let (mut known, unknown) = self.turning(level, Body::Link(link), carried, far, false);
                 let (slide, _) = self.sliding(level, guide, runner, carried, Some(driver));
                 known.extend(slide);
                 Chain { start: far, known, unknown }
             }
-            Leg::Glide { guide, other } => self.glide(level, guide, other, None, at.expect("a gliding link needs a point")),
-            Leg::DrivenGlide { guide, other, driver } => {
-                self.glide(level, guide, other, Some(driver), at.expect("a gliding link needs a point"))
-            }
-            Leg::Pinned { .. } | Leg::Angle { .. } | Leg::Carried { .. } => unreachable!("these legs give more than a locus"),
         }
     }
 
-    fn on_guide(&mut self, level: Level, pin: crate::scene::PointId, guide: GuideId, driver: Option<usize>) -> Chain {
+    fn on_guide(&mut self, level: Level, pin: PointId, guide: GuideId, driver: Option<usize>) -> Chain {
         let of = self.pin(pin);
         let to = self.coincident(pin, self.scene.guides[guide.0].on);
         self.ensure(level, to);

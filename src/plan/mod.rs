@@ -4,7 +4,7 @@
 //! Where the drawing must choose by the numbers (which two constraint lines of a triad cross most squarely), the plan
 //! holds all alternatives and the drawing board picks one.
 //!
-//! Each group is entered by its legs ([`crate::mechanism::Leg`]); [`locus`] turns a leg into a chain of terms with one
+//! Each group is entered by its legs ([`crate::mechanism::Leg`]); [`locus`] turns what one holds into a chain of terms with one
 //! unknown magnitude, two chains for one point make an equation, and further points follow by images.
 
 mod between;

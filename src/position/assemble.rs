@@ -5,7 +5,7 @@ use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
 use crate::diag::{Diagnostic, Faults, Severity, Warned};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Core, Demand, Group, Leg, Mechanism, Passive};
+use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::scene::exact::Inputs;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
@@ -417,9 +417,10 @@ impl<'a, N: Real> Assembly<'a, N> {
         let Core::Pin { legs, .. } = &group.core else { unreachable!("called for pin cores only") };
         let mut poses = Vec::with_capacity(legs.len());
         for leg in legs {
-            match *leg {
-                Leg::Bar { link, far, .. } => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
-                Leg::Ram { link, far, guide, driver, .. } => {
+            let Some(Hold::Distance { far, strut, .. }) = leg.hold() else { continue };
+            match strut {
+                Strut::Bar(link) => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
+                Strut::Ram { link, guide, driver } => {
                     let stated = matches!(self.scene.drivers[driver].kind, DriverKind::Slide { position: Some(_), .. });
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
@@ -436,7 +437,8 @@ impl<'a, N: Real> Assembly<'a, N> {
                     };
                     poses.push((link, pose));
                 }
-                _ => {}
+                // Barrel and rod are no links of the group.
+                Strut::Cylinder(_) => {}
             }
         }
         Ok(self.trial(vec![(pin, at)], poses))
@@ -450,7 +452,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             pins.push((p, self.points[p.0].unwrap_or(pose.to_world(local))));
         }
         for leg in legs {
-            if let Leg::Bar { link: bar, near, far } = *leg {
+            if let Some((bar, near, far)) = leg.hold().and_then(|h| h.bar()) {
                 let near_at = pins.iter().find(|(p, _)| *p == near).map(|p| p.1).expect("a bar ends at a pin of its group");
                 poses.push((bar, self.pose_from_points(bar, (far, self.known(far)), (near, near_at))?));
             }
@@ -476,10 +478,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                 .at(self.scene.guides[guide.0].span)
                 .help("give \"line\" or \"through\" by points of the link")
         })?;
-        let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[driver].kind else {
-            return Err(self.driver_without_value(driver, "position", "how far the slider is along its guide"));
-        };
-        Ok(path.point_at(self.inputs.driven(&self.scene.drivers[driver], s)))
+        Ok(path.point_at(self.way_along(driver)?))
     }
 
     pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: &str) -> Diagnostic {

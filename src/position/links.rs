@@ -8,16 +8,15 @@ use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Leg;
+use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
     pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
-        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
-        match (pinned, angle) {
+        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+        match (pivot, angle) {
             (Some(pin), Some((of, driver))) => {
                 if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
                     return self.poses_of_lever(link, pin, runner, guide);
@@ -27,16 +26,14 @@ impl<N: Real> Assembly<'_, N> {
                 Ok(vec![Pose { origin: self.known(pin) - d.to_vec2().rotate_by(axis), axis }])
             }
             (Some(pin), None) => {
-                let slot = legs.iter().find_map(|l| if let Leg::InSlot { pin, guide } = l { Some((*pin, *guide)) } else { None });
-                let (runner, guide) = slot.ok_or_else(|| self.no_closure(link))?;
+                let [Hold::Slot { pin: runner, guide }] = holds[..] else { return Err(self.no_closure(link)) };
                 self.poses_of_lever(link, pin, runner, guide)
             }
             (None, Some((of, driver))) => {
                 let axis = self.axis_of(link, of, driver)?;
-                let rest: Vec<&Leg> = legs.iter().filter(|l| !matches!(l, Leg::Angle { .. })).collect();
-                self.poses_at_angle(link, axis, &rest)
+                self.poses_at_angle(link, axis, &holds)
             }
-            (None, None) => self.poses_of_triad(link, legs),
+            (None, None) => self.poses_of_triad(link, &holds),
         }
     }
 
@@ -183,13 +180,9 @@ impl<N: Real> Assembly<'_, N> {
         .help("change the slot's offset, a length, or the driver's position")
     }
 
-    pub(super) fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, legs: &[&Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        if let [Leg::DrivenGlide { guide, driver, .. }] = legs[..] {
-            let path = self.need_guide(*guide)?;
-            let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
-                return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
-            };
-            return Ok(vec![Pose { origin: path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s)), axis }]);
+    fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
+        if let [Hold::Glide { guide, driver: Some(driver), .. }] = *holds {
+            return Ok(vec![Pose { origin: self.driven_place(guide, driver)?, axis }]);
         }
         // A point with given coordinates shows the place of a link whose direction is known.
         let shape = &self.shapes[link.0];
@@ -198,17 +191,15 @@ impl<N: Real> Assembly<'_, N> {
         }
         // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
         // only translates its place changes no vector: its first point is put at the pin.
-        let met = legs.iter().find_map(|l| match l {
-            Leg::InSlot { guide, pin } if self.guides[guide.0].is_none() => Some(*pin),
-            _ => None,
-        });
+        let unplaced = |h: &Hold| if let Hold::Slot { guide, pin } = *h { self.guides[guide.0].is_none().then_some(pin) } else { None };
+        let met = holds.iter().find_map(unplaced);
         if let Some(pin) = met
             && (shape.points.is_empty() || self.m.never_turns[link.0])
         {
             let origin = if shape.points.is_empty() { Point::origin() } else { self.known(pin) };
             return Ok(vec![Pose { origin, axis }]);
         }
-        let [a, b] = legs[..] else { return Err(self.no_closure(link)) };
+        let [a, b] = holds else { return Err(self.no_closure(link)) };
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
@@ -223,27 +214,23 @@ impl<N: Real> Assembly<'_, N> {
         Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect())
     }
 
-    pub(super) fn triad_leg(&self, link: LinkId, leg: &Leg) -> Result<TriadLeg<N>, Diagnostic> {
+    fn triad_leg(&self, link: LinkId, hold: &Hold) -> Result<TriadLeg<N>, Diagnostic> {
         let local = |p: PointId| self.shapes[link.0].local(p).ok_or_else(|| self.not_placed(p, link));
-        Ok(match *leg {
-            Leg::Bar { link: bar, near, far } => {
-                let s = &self.shapes[bar.0];
-                let (Some(a), Some(b)) = (s.local(near), s.local(far)) else { return Err(self.not_placed(near, bar)) };
-                TriadLeg::Circle { near: local(near)?, far: self.known(far), radius: a.distance(b) }
+        Ok(match *hold {
+            Hold::Distance { near, far, strut } => {
+                let radius = self.strut_length(near, far, strut)?;
+                TriadLeg::Circle { near: local(near)?, far: self.known(far), radius }
             }
-            Leg::Cylinder { driver, near, far } => {
-                TriadLeg::Circle { near: local(near)?, far: self.known(far), radius: self.cylinder_length(driver)? }
-            }
-            Leg::OnGuide { pin, guide } => match self.need_guide(guide)? {
+            Hold::Guide { pin, guide, driver: None } => match self.need_guide(guide)? {
                 Path::Line { through, direction } => TriadLeg::Line { near: local(pin)?, through, direction },
                 Path::Arc { centre, radius } => TriadLeg::Circle { near: local(pin)?, far: centre, radius },
             },
-            Leg::InSlot { pin, guide } => match self.guides[guide.0] {
+            Hold::Slot { pin, guide } => match self.guides[guide.0] {
                 Some(Path::Line { through, direction }) => TriadLeg::Slot { through, direction, pin: self.known(pin) },
                 Some(Path::Arc { centre, radius }) => TriadLeg::Circle { near: centre, far: self.known(pin), radius },
                 None => return Err(self.no_closure(link)),
             },
-            Leg::Glide { guide, other } => {
+            Hold::Glide { guide, other, driver: None } => {
                 let on = self.scene.guides[guide.0].on;
                 let direction = match (self.guide_in_plane(guide), on == other) {
                     (Some(Path::Line { direction, .. }), true) => direction,
@@ -259,7 +246,7 @@ impl<N: Real> Assembly<'_, N> {
                 };
                 TriadLeg::Line { near: Point::origin(), through, direction }
             }
-            _ => return Err(self.no_closure(link)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => return Err(self.no_closure(link)),
         })
     }
 
@@ -284,8 +271,8 @@ impl<N: Real> Assembly<'_, N> {
             .at(self.scene.links[links[0].0].span)
     }
 
-    pub(super) fn poses_of_triad(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        let [a, b, c] = legs else { return Err(self.no_closure(link)) };
+    fn poses_of_triad(&self, link: LinkId, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
+        let [a, b, c] = holds else { return Err(self.no_closure(link)) };
         let legs = [self.triad_leg(link, a)?, self.triad_leg(link, b)?, self.triad_leg(link, c)?];
         if let Some(pose) = self.known_pose(link) {
             return match triad::refined(&legs, pose) {

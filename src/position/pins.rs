@@ -5,24 +5,19 @@ use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
 use crate::diag::Diagnostic;
 use crate::geom::Point;
-use crate::mechanism::Leg;
+use crate::mechanism::{Entry, Hold, Leg, Strut};
 use crate::number::Real;
-use crate::scene::{DriverKind, LinkId, PointId};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible places of a pin on its two loci.
     pub(super) fn places_of_pin(&self, pin: PointId, legs: &[Leg]) -> Result<Vec<Point<N>>, Diagnostic> {
-        match legs {
-            [Leg::Carried { link }] => Ok(vec![self.world(*link, pin).ok_or_else(|| self.not_placed(pin, *link))?]),
-            [Leg::Driven { guide, driver, .. }] => {
-                let path = self.need_guide(*guide)?;
-                let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
-                    return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
-                };
-                Ok(vec![path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s))])
-            }
-            [first, second] => {
-                let (a, b) = (self.locus_of_pin(pin, first)?, self.locus_of_pin(pin, second)?);
+        let entry = Entry::of(legs);
+        match (entry.carrier, &entry.holds[..]) {
+            (Some(link), _) => Ok(vec![self.world(link, pin).ok_or_else(|| self.not_placed(pin, link))?]),
+            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => Ok(vec![self.driven_place(*guide, *driver)?]),
+            (None, [first, second]) => {
+                let (a, b) = (self.locus_of_pin(first)?, self.locus_of_pin(second)?);
                 kernel::meet(a, b).map_err(|miss| self.cannot_meet(pin, first, second, miss))
             }
             _ => unreachable!("a pin has one leg that takes both freedoms, or two legs"),
@@ -35,37 +30,57 @@ impl<N: Real> Assembly<'_, N> {
             .help("give a length, or its coordinates in \"points\"")
     }
 
-    pub(super) fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus<N>, Diagnostic> {
-        Ok(match *leg {
-            Leg::Bar { link, far, .. } => {
-                let s = &self.shapes[link.0];
-                let (a, b) = (s.local(far), s.local(pin));
-                let (Some(a), Some(b)) = (a, b) else { return Err(self.not_placed(pin, link)) };
-                Locus::Circle { centre: self.known(far), radius: a.distance(b) }
-            }
-            Leg::OnGuide { guide, .. } => match self.need_guide(guide)? {
+    fn locus_of_pin(&self, hold: &Hold) -> Result<Locus<N>, Diagnostic> {
+        Ok(match *hold {
+            Hold::Distance { near, far, strut } => Locus::Circle { centre: self.known(far), radius: self.strut_length(near, far, strut)? },
+            Hold::Guide { guide, .. } => match self.need_guide(guide)? {
                 Path::Line { through, direction } => Locus::Line { through, direction },
                 Path::Arc { centre, radius } => Locus::Circle { centre, radius },
             },
-            Leg::Cylinder { driver, far, .. } => Locus::Circle { centre: self.known(far), radius: self.cylinder_length(driver)? },
-            Leg::Ram { link, far, guide, driver, .. } => {
-                let runner = self.runner_in_link(link, guide, driver)?;
-                let d = self.shapes[link.0].local(far).expect("a link's points have local places");
-                Locus::Circle { centre: self.known(far), radius: d.distance(runner) }
-            }
-            _ => unreachable!("only these legs hold a pin"),
+            Hold::Slot { .. } | Hold::Glide { .. } => unreachable!("slots and gliding links hold no pin"),
         })
     }
 
-    pub(super) fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
+    /// How far a strut holds a pin from a known pin.
+    pub(super) fn strut_length(&self, near: PointId, far: PointId, strut: Strut) -> Result<N, Diagnostic> {
+        match strut {
+            Strut::Bar(link) => {
+                let s = &self.shapes[link.0];
+                let (Some(a), Some(b)) = (s.local(far), s.local(near)) else { return Err(self.not_placed(near, link)) };
+                Ok(a.distance(b))
+            }
+            Strut::Cylinder(driver) => self.cylinder_length(driver),
+            Strut::Ram { link, guide, driver } => {
+                let runner = self.runner_in_link(link, guide, driver)?;
+                let d = self.shapes[link.0].local(far).expect("a link's points have local places");
+                Ok(d.distance(runner))
+            }
+        }
+    }
+
+    fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
             DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], l)),
             _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
         }
     }
 
-    pub(super) fn cannot_meet(&self, pin: PointId, a: &Leg, b: &Leg, miss: Miss) -> Diagnostic {
-        let (wa, wb) = (self.leg_words(pin, a), self.leg_words(pin, b));
+    /// How far a driver holds a slider along its guide.
+    pub(super) fn way_along(&self, driver: usize) -> Result<N, Diagnostic> {
+        match &self.scene.drivers[driver].kind {
+            DriverKind::Slide { position: Some(s), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], s)),
+            _ => Err(self.driver_without_value(driver, "position", "how far the slider is along its guide")),
+        }
+    }
+
+    /// The place in the plane at which a driver holds a slider on its guide.
+    pub(super) fn driven_place(&self, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
+        let path = self.need_guide(guide)?;
+        Ok(path.point_at(self.way_along(driver)?))
+    }
+
+    fn cannot_meet(&self, pin: PointId, a: &Hold, b: &Hold, miss: Miss) -> Diagnostic {
+        let (wa, wb) = (self.hold_words(pin, a), self.hold_words(pin, b));
         let p = self.scene.point_name(pin);
         let how = match miss {
             Miss::TooFar(x) => format!("they end {} apart", self.scene.length_words(x)),
@@ -77,21 +92,20 @@ impl<N: Real> Assembly<'_, N> {
         d.help("change a length, the driver's position, or a pivot")
     }
 
-    pub(super) fn leg_words(&self, pin: PointId, leg: &Leg) -> String {
-        let p = self.scene.point_name(pin);
-        match *leg {
-            Leg::Bar { link, far, .. } => {
-                let s = &self.shapes[link.0];
-                let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b).approx());
-                format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), self.scene.length_words(l))
+    fn hold_words(&self, pin: PointId, hold: &Hold) -> String {
+        let (p, name) = (self.scene.point_name(pin), |l: LinkId| self.scene.link_name(l));
+        match *hold {
+            Hold::Distance { near, far, strut } => {
+                let length = self.strut_length(near, far, strut).map_or(0.0, Real::approx);
+                let (far, length) = (self.scene.point_name(far), self.scene.length_words(length));
+                match strut {
+                    Strut::Bar(link) => format!("link {} ({far}{p} = {length})", name(link)),
+                    Strut::Cylinder(_) => format!("the cylinder {far}{p} ({length})"),
+                    Strut::Ram { link, .. } => format!("link {}", name(link)),
+                }
             }
-            Leg::OnGuide { guide, .. } => format!("the guide on link {}", self.scene.link_name(self.scene.guides[guide.0].on)),
-            Leg::Cylinder { driver, far, .. } => {
-                let l = self.cylinder_length(driver).map_or(0.0, Real::approx);
-                format!("the cylinder {}{p} ({})", self.scene.point_name(far), self.scene.length_words(l))
-            }
-            Leg::Ram { link, .. } => format!("link {}", self.scene.link_name(link)),
-            _ => format!("the joint at {p}"),
+            Hold::Guide { guide, .. } => format!("the guide on link {}", name(self.scene.guides[guide.0].on)),
+            Hold::Slot { .. } | Hold::Glide { .. } => format!("the joint at {p}"),
         }
     }
 }

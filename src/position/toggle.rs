@@ -8,7 +8,7 @@
 
 use super::Configuration;
 use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{Core, Group, Leg, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Group, Hold, Leg, Mechanism, Strut};
 use crate::scene::{Lang, LinkId, PointId, Scene};
 
 /// At a limit found to the last digit of the driver the sine is the root of the rounding (1e-8 for links of like length),
@@ -47,7 +47,7 @@ impl Toggle {
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
-                [a, b] if [a, b].iter().all(|l| holds(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
+                [a, b] if [a, b].iter().all(|l| l.line().is_some()) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
                 _ => None,
             },
             Core::Link { link, legs } if group.class() == Some("III") => {
@@ -61,14 +61,14 @@ impl Toggle {
     /// The group that stands at its limit in a pose, if one does.
     pub fn at(m: &Mechanism, at: &Configuration) -> Option<Toggle> {
         m.groups.iter().find_map(|group| match &group.core {
-            Core::Pin { pin, legs } => {
-                let [(p, u), (_, v)] = legs.iter().map(|l| line(at, Some(*pin), l)).collect::<Option<Vec<_>>>()?[..] else {
+            Core::Pin { legs, .. } => {
+                let [(p, u), (_, v)] = legs.iter().map(|l| line(at, l)).collect::<Option<Vec<_>>>()?[..] else {
                     return None;
                 };
                 (u.cross(v).abs() < IN_LINE && p.is_finite()).then(|| Toggle::of(group, || false))?
             }
             Core::Link { legs, .. } if group.class() == Some("III") => {
-                let lines: Vec<(Point, Vec2)> = legs.iter().map(|l| line(at, None, l)).collect::<Option<_>>()?;
+                let lines: Vec<(Point, Vec2)> = legs.iter().map(|l| line(at, l)).collect::<Option<_>>()?;
                 let parallel = meeting(&lines, at.extent())?;
                 Toggle::of(group, || parallel)
             }
@@ -119,8 +119,7 @@ impl Toggle {
 
     /// The links that it names.
     pub fn links(&self) -> Vec<LinkId> {
-        let of =
-            |legs: &[Leg]| legs.iter().filter_map(|l| if let Leg::Bar { link, .. } = l { Some(*link) } else { None }).collect::<Vec<_>>();
+        let of = |legs: &[Leg]| legs.iter().filter_map(|l| Some(l.hold()?.bar()?.0)).collect::<Vec<_>>();
         match self {
             Toggle::Line { legs, .. } => of(legs),
             Toggle::Legs { link, legs, .. } => std::iter::once(*link).chain(of(legs)).collect(),
@@ -129,25 +128,15 @@ impl Toggle {
     }
 }
 
-fn holds(leg: &Leg) -> bool {
-    matches!(leg, Leg::Bar { .. } | Leg::Cylinder { .. } | Leg::OnGuide { .. })
-}
-
 /// The line along which a leg holds the pin, or the link: a point of it and its direction (a unit vector).
-fn line(at: &Configuration, pin: Option<PointId>, leg: &Leg) -> Option<(Point, Vec2)> {
-    let between = |a: PointId, b: PointId| Some((at.points[a.0]?, (at.points[a.0]? - at.points[b.0]?).unit()?));
-    match *leg {
-        Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => between(near, far),
-        Leg::OnGuide { guide, pin: on } => {
-            let p = at.points[pin.unwrap_or(on).0]?;
-            Some((p, at.guides[guide.0]?.tangent_at(p).perp().unit()?))
-        }
-        Leg::InSlot { guide, pin } => {
-            let p = at.points[pin.0]?;
-            Some((p, at.guides[guide.0]?.tangent_at(p).perp().unit()?))
-        }
-        _ => None,
-    }
+fn line(at: &Configuration, leg: &Leg) -> Option<(Point, Vec2)> {
+    let line = leg.line()?;
+    let p = at.points[line.pin().0]?;
+    let along = match line {
+        ConstraintLine::Along { far, .. } => p - at.points[far.0]?,
+        ConstraintLine::Normal { guide, .. } => at.guides[guide.0]?.tangent_at(p).perp(),
+    };
+    Some((p, along.unit()?))
 }
 
 /// Whether three lines are parallel (else they meet in one point); `None` where they do neither.
@@ -169,22 +158,20 @@ fn meeting(lines: &[(Point, Vec2)], size: f64) -> Option<bool> {
 /// A leg that is a line itself: `link 2 (BC)`, `cylinder BC`.
 fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
     // In the order of the scene, so that one line has one name: AB, never BA.
-    let letters = |a: PointId, b: PointId| format!("{}{}", scene.point_name(a.min(b)), scene.point_name(a.max(b)));
-    match (*leg, lang) {
-        (Leg::Bar { link, near, far }, Lang::En) => Some(format!("link {} ({})", scene.link_name(link), letters(near, far))),
-        (Leg::Bar { link, near, far }, Lang::Zh) => Some(format!("构件 {}（{}）", scene.link_name(link), letters(near, far))),
-        (Leg::Cylinder { near, far, .. }, Lang::En) => Some(format!("cylinder {}", letters(near, far))),
-        (Leg::Cylinder { near, far, .. }, Lang::Zh) => Some(format!("油缸 {}", letters(near, far))),
-        _ => None,
+    let Some(Hold::Distance { near, far, strut }) = leg.hold() else { return None };
+    let letters = format!("{}{}", scene.point_name(near.min(far)), scene.point_name(near.max(far)));
+    match (strut, lang) {
+        (Strut::Bar(link), Lang::En) => Some(format!("link {} ({letters})", scene.link_name(link))),
+        (Strut::Bar(link), Lang::Zh) => Some(format!("构件 {}（{letters}）", scene.link_name(link))),
+        (Strut::Cylinder(_), Lang::En) => Some(format!("cylinder {letters}")),
+        (Strut::Cylinder(_), Lang::Zh) => Some(format!("油缸 {letters}")),
+        (Strut::Ram { .. }, _) => None,
     }
 }
 
 /// The line along which a guide holds: `the normal to the guide at C`.
 fn normal(scene: &Scene, leg: &Leg, lang: Lang) -> String {
-    let pin = match *leg {
-        Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } => scene.point_name(pin),
-        _ => "",
-    };
+    let pin = leg.line().map_or("", |line| scene.point_name(line.pin()));
     match lang {
         Lang::En => format!("the normal to the guide at {pin}"),
         Lang::Zh => format!("过 {pin} 的导路垂线"),

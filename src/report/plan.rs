@@ -1,8 +1,7 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use super::phrase::{formula, tr};
-use crate::effort::is_carried;
-use crate::mechanism::{Core, Leg, Level, Mechanism};
+use crate::mechanism::{Core, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term};
 use crate::scene::{DriverKind, Lang, LinkId, Scene};
@@ -38,7 +37,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     line(tr(lang, "groups in solving order", "杆组（按求解顺序）").into());
     let mut number = 0;
     for g in &m.groups {
-        if is_carried(g) {
+        if g.is_carried() {
             continue;
         }
         number += 1;
@@ -99,15 +98,7 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
     }
     let at: Vec<&str> = match &g.core {
         Core::Pin { pin, .. } => vec![scene.point_name(*pin)],
-        Core::Link { legs, .. } => legs
-            .iter()
-            .filter_map(|l| match l {
-                Leg::InSlot { pin, .. } | Leg::OnGuide { pin, .. } => Some(*pin),
-                Leg::Bar { near, .. } | Leg::Cylinder { near, .. } => Some(*near),
-                _ => None,
-            })
-            .map(|p| scene.point_name(p))
-            .collect(),
+        Core::Link { legs, .. } => legs.iter().filter_map(|l| Some(scene.point_name(l.line()?.pin()))).collect(),
         Core::Higher => Vec::new(),
     };
     let what = match (g.class(), lang) {

@@ -8,7 +8,7 @@ use super::answers::diagnostic;
 use super::phrase::formula;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use crate::diag::Diagnostic;
-use crate::effort::{Motion, Work, is_carried};
+use crate::effort::{Motion, Work};
 use crate::mechanism::{Constraint, Demand, Level, Mechanism};
 use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
@@ -109,7 +109,7 @@ impl Reporter<'_> {
                 Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
                 _ => None,
             };
-            let number = if is_carried(g) { None } else { numbers.next() };
+            let number = if g.is_carried() { None } else { numbers.next() };
             json!({
                 "number": number,
                 "kind": g.kind(),

@@ -356,11 +356,12 @@ fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
     let DriverKind::Turn { link: crank, against, .. } = scene.drivers[driver].kind else { return None };
     let moving = scene.links.len() - 1;
     let dyad = m.groups.iter().find_map(|g| match &g.core {
-        Core::Pin { pin, legs } => match legs[..] {
-            [Leg::Bar { link: a, far: p, .. }, Leg::Bar { link: b, far: q, .. }] => Some((*pin, [(a, p), (b, q)])),
-            _ => None,
-        },
-        _ => None,
+        Core::Pin { pin, legs } => {
+            let bar = |leg: &Leg| leg.hold()?.bar().map(|(link, _, far)| (link, far));
+            let [a, b] = &legs[..] else { return None };
+            Some((*pin, [bar(a)?, bar(b)?]))
+        }
+        Core::Link { .. } | Core::Higher => None,
     })?;
     if against != scene.ground || moving != 3 {
         return None;

@@ -2,7 +2,6 @@
 
 use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
-use crate::effort::is_carried;
 use crate::figure::label::Label;
 use crate::figure::results::number;
 use crate::figure::sheet::{Single, scale, single};
@@ -68,7 +67,7 @@ impl Maker<'_> {
             Lang::Zh => format!("原动件数为 {drivers}，机构具有确定的运动。杆组按求解顺序为："),
         };
         blocks.push(Block::Paragraph(Phrase::new(&verdict)));
-        let groups = m.groups.iter().filter(|g| !is_carried(g)).map(|g| Phrase::new(&group_words(self.scene, m, g, self.lang())));
+        let groups = m.groups.iter().filter(|g| !g.is_carried()).map(|g| Phrase::new(&group_words(self.scene, m, g, self.lang())));
         blocks.push(Block::List { numbered: true, members: groups.collect() });
     }
 

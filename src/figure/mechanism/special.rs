@@ -4,7 +4,7 @@ use super::super::item::{Dash, Shape};
 use super::super::symbols as sym;
 use super::Draft;
 use crate::geom::Point;
-use crate::mechanism::{Core, Leg};
+use crate::mechanism::Core;
 use crate::plan::Spot;
 use crate::plan::names::{point_label, special_name};
 
@@ -24,12 +24,7 @@ impl Draft<'_> {
                 continue;
             }
             for leg in [&all[legs.0], &all[legs.1]] {
-                let near = match *leg {
-                    Leg::Bar { near, .. } | Leg::Cylinder { near, .. } => self.point(near),
-                    Leg::OnGuide { pin, .. } | Leg::InSlot { pin, .. } => self.point(pin),
-                    _ => None,
-                };
-                if let Some(from) = near {
+                if let Some(from) = leg.line().and_then(|line| self.point(line.pin())) {
                     let shape = Shape::Line { from, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
                     self.d.shape("constraint-line", "special construction", shape);
                 }

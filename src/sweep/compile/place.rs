@@ -3,7 +3,7 @@
 use super::rate::Row;
 use super::{Body, Compiler, NoKernel, Spot};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Core, Leg, Level};
+use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use crate::position::{Path, Pose};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
@@ -50,14 +50,15 @@ impl Compiler<'_> {
     }
 
     fn place_pin(&mut self, g: usize, pin: PointId, legs: &[Leg]) -> Result<(), NoKernel> {
-        let at = match legs {
-            [Leg::Carried { link }] => {
-                let local = self.at.shapes.local(*link, pin).ok_or_else(|| self.without_kernel(g))?;
-                self.rows[g].push(Row::Carried { at: Spot::Fixed(*link, local) });
-                self.spot(Spot::Fixed(*link, local), P)?
+        let entry = Entry::of(legs);
+        let at = match (entry.carrier, &entry.holds[..]) {
+            (Some(link), _) => {
+                let local = self.at.shapes.local(link, pin).ok_or_else(|| self.without_kernel(g))?;
+                self.rows[g].push(Row::Carried { at: Spot::Fixed(link, local) });
+                self.spot(Spot::Fixed(link, local), P)?
             }
-            [Leg::Driven { guide, driver, .. }] => self.driven_along(g, Spot::Pin(pin), *guide, *driver)?,
-            [first, second] => {
+            (None, [Hold::Guide { guide, driver: Some(driver), .. }]) => self.driven_along(g, Spot::Pin(pin), *guide, *driver)?,
+            (None, [first, second]) => {
                 let a = self.locus_of_pin(g, pin, first)?;
                 let b = self.locus_of_pin(g, pin, second)?;
                 let now = self.now(Spot::Pin(pin));
@@ -66,10 +67,11 @@ impl Compiler<'_> {
             _ => return Err(self.without_kernel(g)),
         };
         self.points[pin.0][P as usize] = Some(at);
-        for leg in legs {
-            match *leg {
-                Leg::Bar { link, far, .. } => self.bar(link, far, pin)?,
-                Leg::Ram { link, far, guide, driver, .. } => {
+        for hold in &entry.holds {
+            let Hold::Distance { far, strut, .. } = *hold else { continue };
+            match strut {
+                Strut::Bar(link) => self.bar(link, far, pin)?,
+                Strut::Ram { link, guide, driver } => {
                     let (q, _, _) = self.ram(g, link, far, guide, driver)?;
                     let (from, d) = (self.point(far, P)?, self.unit);
                     let line = self.emit_pair(P, Arm { from, to: at });
@@ -78,7 +80,8 @@ impl Compiler<'_> {
                     self.known_by_turning(link, Spot::Pin(far), far, Vec2::new(d, 0.0), arm)?;
                     self.rows[g].push(Row::Ram { link, far, pin, guide, driver });
                 }
-                _ => {}
+                // Barrel and rod are no links of the group.
+                Strut::Cylinder(_) => {}
             }
         }
         Ok(())
@@ -108,30 +111,36 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn locus_of_pin(&mut self, g: usize, pin: PointId, leg: &Leg) -> Result<Locus, NoKernel> {
-        match *leg {
-            Leg::Bar { link, far, .. } => {
-                let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, pin)) else {
+    fn locus_of_pin(&mut self, g: usize, pin: PointId, hold: &Hold) -> Result<Locus, NoKernel> {
+        match *hold {
+            Hold::Distance { near, far, strut } => self.at_strut(g, Spot::Pin(pin), (near, far), strut),
+            Hold::Guide { guide, driver: None, .. } => self.on_guide(g, Spot::Pin(pin), guide),
+            Hold::Guide { driver: Some(_), .. } | Hold::Slot { .. } | Hold::Glide { .. } => Err(self.without_kernel(g)),
+        }
+    }
+
+    /// A spot, of the pin `near`, at a strut's length from the known pin `far`.
+    fn at_strut(&mut self, g: usize, p: Spot, (near, far): (PointId, PointId), strut: Strut) -> Result<Locus, NoKernel> {
+        match strut {
+            Strut::Bar(link) => {
+                let (Some(a), Some(b)) = (self.at.shapes.local(link, far), self.at.shapes.local(link, near)) else {
                     return Err(self.lost(link));
                 };
                 let radius = self.constant(a.distance(b));
-                self.circle(g, Spot::Pin(pin), Spot::Pin(far), radius, [0.0; 2], true)
+                self.circle(g, p, Spot::Pin(far), radius, [0.0; 2], matches!(p, Spot::Pin(_)))
             }
-            Leg::Cylinder { driver, far, .. } => {
-                let radius = self.driver_value(driver);
-                let rates = self.driver_rates(driver);
-                self.circle(g, Spot::Pin(pin), Spot::Pin(far), radius, rates, false)
+            Strut::Cylinder(driver) => {
+                let (radius, rates) = (self.driver_value(driver), self.driver_rates(driver));
+                self.circle(g, p, Spot::Pin(far), radius, rates, false)
             }
-            Leg::Ram { link, far, guide, driver, .. } => {
+            Strut::Ram { link, guide, driver } => {
                 let (q, way, rates) = self.ram(g, link, far, guide, driver)?;
                 let radius = self.emit(P, Length { v: q }, 1);
-                let Locus::Circle { centre, now, .. } = self.circle(g, Spot::Pin(pin), Spot::Pin(far), way, rates, false)? else {
+                let Locus::Circle { centre, now, .. } = self.circle(g, p, Spot::Pin(far), way, rates, false)? else {
                     return Err(self.without_kernel(g));
                 };
                 Ok(Locus::Circle { centre, radius, now })
             }
-            Leg::OnGuide { guide, .. } => self.on_guide(g, Spot::Pin(pin), guide),
-            _ => Err(self.without_kernel(g)),
         }
     }
 
@@ -236,30 +245,27 @@ impl Compiler<'_> {
     }
 
     fn place_link(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
-        let pinned = legs.iter().find_map(|l| if let Leg::Pinned { pin } = l { Some(*pin) } else { None });
-        let angle = legs.iter().find_map(|l| if let Leg::Angle { of, driver } = l { Some((*of, *driver)) } else { None });
+        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
         if let Some((of, driver)) = angle {
             let (d, arm) = self.arm_at_angle(g, link, of, driver)?;
             let rates = driver.map_or([0.0; 2], |d| self.driver_rates(d));
             self.rows[g].push(Row::Turning { of, rates });
-            match pinned {
+            match pivot {
                 Some(pin) => self.known_by_turning(link, Spot::Pin(pin), pin, d, arm)?,
-                None => self.shifted(g, link, legs, d, arm)?,
+                None => self.shifted(g, link, &holds, d, arm)?,
             }
-        } else if let Some(pin) = pinned {
-            self.lever(g, link, pin, legs)?;
+        } else if let Some(pin) = pivot {
+            self.lever(g, link, pin, &holds)?;
         } else {
-            self.triad(g, link, legs)?;
+            self.triad(g, link, &holds)?;
         }
         // The group's pins sit on the core.
         for &p in &self.m.groups[g].pins.clone() {
             let local = self.at.shapes.local(link, p).ok_or_else(|| self.without_kernel(g))?;
             self.points[p.0][P as usize] = Some(self.spot(Spot::Fixed(link, local), P)?);
         }
-        for leg in legs {
-            if let Leg::Bar { link: bar, near, far } = *leg {
-                self.bar(bar, far, near)?;
-            }
+        for (bar, near, far) in holds.iter().filter_map(Hold::bar) {
+            self.bar(bar, far, near)?;
         }
         Ok(())
     }
@@ -305,13 +311,12 @@ impl Compiler<'_> {
     }
 
     /// A link whose angle is known and whose place two legs hold, or a driver along a guide.
-    fn shifted(&mut self, g: usize, link: LinkId, legs: &[Leg], d: Vec2, arm: Pair) -> Result<(), NoKernel> {
-        let at = self.own_point(link, legs);
+    fn shifted(&mut self, g: usize, link: LinkId, holds: &[Hold], d: Vec2, arm: Pair) -> Result<(), NoKernel> {
+        let at = self.own_point(link, holds);
         self.bodies[link.0] =
             Some(Body { origin: Spot::Own(link), at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
-        let rest: Vec<&Leg> = legs.iter().filter(|l| !matches!(l, Leg::Angle { .. })).collect();
-        let own = match rest[..] {
-            [Leg::DrivenGlide { guide, driver, .. }] => self.driven_along(g, Spot::Own(link), *guide, *driver)?,
+        let own = match holds {
+            [Hold::Glide { guide, driver: Some(driver), .. }] => self.driven_along(g, Spot::Own(link), *guide, *driver)?,
             [a, b] => {
                 let (a, b) = (self.locus_of_link(g, link, a)?, self.locus_of_link(g, link, b)?);
                 let now = self.now(Spot::Own(link));
@@ -326,19 +331,15 @@ impl Compiler<'_> {
     }
 
     /// The point by which a link on legs is known: that at which its first leg holds it.
-    fn own_point(&self, link: LinkId, legs: &[Leg]) -> Point {
-        let near = legs.iter().find_map(|l| match l {
-            Leg::Bar { near, .. } | Leg::Cylinder { near, .. } => Some(*near),
-            Leg::OnGuide { pin, .. } => Some(*pin),
-            _ => None,
-        });
+    fn own_point(&self, link: LinkId, holds: &[Hold]) -> Point {
+        let near = holds.iter().find_map(Hold::near);
         let local = near.and_then(|p| self.at.shapes.local(link, p));
         local.or(self.at.shapes.points[link.0].first().map(|(_, at)| *at)).unwrap_or(Point::ORIGIN)
     }
 
     /// The locus of a link's own point, its arm being known.
-    fn locus_of_link(&mut self, g: usize, link: LinkId, leg: &Leg) -> Result<Locus, NoKernel> {
-        let (spot, locus) = self.held(g, link, leg)?;
+    fn locus_of_link(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<Locus, NoKernel> {
+        let (spot, locus) = self.held(g, link, hold)?;
         // From the place that is held to the link's own point.
         let body = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?;
         let back = match spot {
@@ -362,27 +363,19 @@ impl Compiler<'_> {
     }
 
     /// How a leg holds a link: the place of the link that it holds, and the locus of that place; its row is noted.
-    fn held(&mut self, g: usize, link: LinkId, leg: &Leg) -> Result<(Spot, Locus), NoKernel> {
+    fn held(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<(Spot, Locus), NoKernel> {
         let local = |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
-        match *leg {
-            Leg::Bar { link: bar, near, far } => {
-                let s = &self.at.shapes;
-                let (Some(a), Some(b)) = (s.local(bar, near), s.local(bar, far)) else { return Err(self.lost(bar)) };
+        match *hold {
+            Hold::Distance { near, far, strut } => {
                 let spot = Spot::Fixed(link, local(self, near)?);
-                let radius = self.constant(a.distance(b));
-                Ok((spot, self.circle(g, spot, Spot::Pin(far), radius, [0.0; 2], false)?))
+                Ok((spot, self.at_strut(g, spot, (near, far), strut)?))
             }
-            Leg::Cylinder { driver, near, far } => {
-                let spot = Spot::Fixed(link, local(self, near)?);
-                let (radius, rates) = (self.driver_value(driver), self.driver_rates(driver));
-                Ok((spot, self.circle(g, spot, Spot::Pin(far), radius, rates, false)?))
-            }
-            Leg::OnGuide { pin, guide } => {
+            Hold::Guide { pin, guide, driver: None } => {
                 let spot = Spot::Fixed(link, local(self, pin)?);
                 Ok((spot, self.on_guide(g, spot, guide)?))
             }
-            Leg::InSlot { pin, guide } => self.in_slot(g, link, Spot::Pin(pin), guide),
-            Leg::Glide { guide, other } => {
+            Hold::Slot { pin, guide } => self.in_slot(g, link, Spot::Pin(pin), guide),
+            Hold::Glide { guide, other, driver: None } => {
                 if self.scene.guides[guide.0].on == other {
                     let at = self.bodies[link.0].as_ref().ok_or_else(|| self.lost(link))?.at;
                     let spot = Spot::Fixed(link, at);
@@ -398,7 +391,7 @@ impl Compiler<'_> {
                     self.in_slot(g, link, Spot::Own(other), guide)
                 }
             }
-            _ => Err(self.without_kernel(g)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => Err(self.without_kernel(g)),
         }
     }
 
@@ -427,9 +420,10 @@ impl Compiler<'_> {
     }
 
     /// A link on a known pivot, with a slot over a known pin.
-    fn lever(&mut self, g: usize, link: LinkId, pivot: PointId, legs: &[Leg]) -> Result<(), NoKernel> {
-        let slot = legs.iter().find_map(|l| if let Leg::InSlot { pin, guide } = l { Some((*pin, *guide)) } else { None });
-        let (Some((pin, guide)), Some(at)) = (slot, self.at.shapes.local(link, pivot)) else { return Err(self.without_kernel(g)) };
+    fn lever(&mut self, g: usize, link: LinkId, pivot: PointId, holds: &[Hold]) -> Result<(), NoKernel> {
+        let (&[Hold::Slot { pin, guide }], Some(at)) = (holds, self.at.shapes.local(link, pivot)) else {
+            return Err(self.without_kernel(g));
+        };
         let (a, b) = (self.point(pivot, P)?, self.point(pin, P)?);
         match self.at.shapes.guides[guide.0] {
             Some(Path::Line { through, direction }) => {
@@ -464,10 +458,10 @@ impl Compiler<'_> {
     }
 
     /// A link on three legs: followed from position to position.
-    fn triad(&mut self, g: usize, link: LinkId, legs: &[Leg]) -> Result<(), NoKernel> {
-        let [_, _, _] = legs else { return Err(self.without_kernel(g)) };
+    fn triad(&mut self, g: usize, link: LinkId, holds: &[Hold]) -> Result<(), NoKernel> {
+        let [_, _, _] = holds else { return Err(self.without_kernel(g)) };
         let pose = self.at.poses[link.0].ok_or_else(|| self.lost(link))?;
-        let at = self.own_point(link, legs);
+        let at = self.own_point(link, holds);
         let d = Vec2::new(self.unit, 0.0);
         let first = self.take(4);
         let pair = |i: u32| Pair { x: Reg(first.0 + i), y: Reg(first.0 + i + 1) };
@@ -482,8 +476,8 @@ impl Compiler<'_> {
             turning: [None; 2],
         };
         let mut held = Vec::new();
-        for leg in legs {
-            held.push(self.held_for_track(g, link, &body, leg)?);
+        for hold in holds {
+            held.push(self.held_for_track(g, link, &body, hold)?);
         }
         let held: [Held; 3] = held.try_into().map_err(|_| self.without_kernel(g))?;
         let step = self.steps[P as usize].len();
@@ -491,18 +485,18 @@ impl Compiler<'_> {
         self.tracks.push(Track { group: g, link, step, own, arm, unit: self.unit, held, start });
         self.bodies[link.0] = Some(body);
         // The rows come after the track: they need the link's places.
-        for leg in legs {
-            self.held(g, link, leg)?;
+        for hold in holds {
+            self.held(g, link, hold)?;
         }
         Ok(())
     }
 
     /// A leg of a followed link: what is known of it, in registers.
-    fn held_for_track(&mut self, g: usize, link: LinkId, body: &Body, leg: &Leg) -> Result<Held, NoKernel> {
+    fn held_for_track(&mut self, g: usize, link: LinkId, body: &Body, hold: &Hold) -> Result<Held, NoKernel> {
         // Local places are counted from the link's own point.
         let from_own = |local: Point| local - body.at;
-        if let Leg::InSlot { pin, guide } = *leg {
-            return match self.at.shapes.guides[guide.0] {
+        match *hold {
+            Hold::Slot { pin, guide } => match self.at.shapes.guides[guide.0] {
                 Some(Path::Line { through, direction }) => {
                     Ok(Held::Slot { through: from_own(through), direction, over: self.point(pin, P)? })
                 }
@@ -510,19 +504,19 @@ impl Compiler<'_> {
                     Ok(Held::Circle { near: from_own(centre), far: self.point(pin, P)?, radius: self.constant(radius) })
                 }
                 None => Err(self.without_kernel(g)),
-            };
-        }
-        if matches!(leg, Leg::Glide { .. }) {
+            },
             // A gliding leg needs the link's own place at the instant only, which is known before the link is.
-            return Err(self.without_kernel(g));
+            Hold::Glide { .. } => Err(self.without_kernel(g)),
+            Hold::Distance { .. } | Hold::Guide { .. } => {
+                let rows = self.rows[g].len();
+                let (spot, locus) = self.held(g, link, hold)?;
+                self.rows[g].truncate(rows);
+                let Spot::Fixed(_, local) = spot else { return Err(self.without_kernel(g)) };
+                Ok(match locus {
+                    Locus::Circle { centre, radius, .. } => Held::Circle { near: from_own(local), far: centre, radius },
+                    Locus::Line { through, direction, .. } => Held::Line { near: from_own(local), through, direction },
+                })
+            }
         }
-        let rows = self.rows[g].len();
-        let (spot, locus) = self.held(g, link, leg)?;
-        self.rows[g].truncate(rows);
-        let Spot::Fixed(_, local) = spot else { return Err(self.without_kernel(g)) };
-        Ok(match locus {
-            Locus::Circle { centre, radius, .. } => Held::Circle { near: from_own(local), far: centre, radius },
-            Locus::Line { through, direction, .. } => Held::Line { near: from_own(local), through, direction },
-        })
     }
 }
