@@ -1,9 +1,9 @@
 //! Legs: how known bodies hold the core of a group.
 //!
-//! Decided here, from topology alone: which freedoms a leg takes, its letter in the name of a dyad, and what it gives of the core, as
-//! a statement ([`Gives`], [`Hold`], [`ConstraintLine`]) in which legs of one geometry are one. Positions, plan, drawing and sweep
-//! match the statements and work them out each in its own numbers; none of them asks for the kind of leg. Not decided here: which
-//! legs a group has ([`super::groups`]), and any length.
+//! Decided here, from topology alone: what a leg gives of the core, as a statement ([`Gives`], [`Hold`], [`ConstraintLine`]) in which
+//! legs of one geometry are one; and what follows from it, the freedoms that it takes and its letter in the name of a dyad.
+//! Positions, plan, drawing and sweep match the statements and work them out each in its own numbers; none of them asks for the kind
+//! of leg. Not decided here: which legs a group has ([`super::groups`]), and any length.
 
 use crate::scene::{GuideId, LinkId, PointId};
 
@@ -208,51 +208,7 @@ pub struct Entry {
 }
 
 impl Leg {
-    /// How many freedoms of the core the leg takes.
-    pub fn freedoms(&self) -> usize {
-        match self {
-            Leg::Pinned { .. } | Leg::Driven { .. } | Leg::DrivenGlide { .. } | Leg::Carried { .. } => 2,
-            Leg::Angle { .. }
-            | Leg::Bar { .. }
-            | Leg::OnGuide { .. }
-            | Leg::InSlot { .. }
-            | Leg::Cylinder { .. }
-            | Leg::Glide { .. }
-            | Leg::Ram { .. } => 1,
-        }
-    }
-
-    /// The pair by which it ends at a known body, in the name of a dyad: revolute or prismatic.
-    pub fn letter(&self) -> &'static str {
-        match self {
-            Leg::Pinned { .. } | Leg::Bar { .. } | Leg::Cylinder { .. } | Leg::Ram { .. } => "R",
-            Leg::Angle { .. }
-            | Leg::OnGuide { .. }
-            | Leg::InSlot { .. }
-            | Leg::Glide { .. }
-            | Leg::Driven { .. }
-            | Leg::DrivenGlide { .. }
-            | Leg::Carried { .. } => "P",
-        }
-    }
-
-    /// Whether a driver moves the core itself by this leg. A cylinder and a ram are driven too: they change their own length.
-    pub fn drives(&self) -> bool {
-        match self {
-            Leg::Angle { driver, .. } => driver.is_some(),
-            Leg::Driven { .. } | Leg::DrivenGlide { .. } => true,
-            Leg::Pinned { .. }
-            | Leg::Bar { .. }
-            | Leg::OnGuide { .. }
-            | Leg::InSlot { .. }
-            | Leg::Cylinder { .. }
-            | Leg::Glide { .. }
-            | Leg::Ram { .. }
-            | Leg::Carried { .. } => false,
-        }
-    }
-
-    /// What it gives of the core.
+    /// What it gives of the core: the one place that tells the kinds of leg apart.
     pub fn gives(&self) -> Gives {
         Gives::Hold(match *self {
             Leg::Carried { link } => return Gives::Carrier(link),
@@ -267,6 +223,32 @@ impl Leg {
             Leg::Glide { guide, other } => Hold::Glide { guide, other, driver: None },
             Leg::DrivenGlide { guide, other, driver } => Hold::Glide { guide, other, driver: Some(driver) },
         })
+    }
+
+    /// How many freedoms of the core the leg takes: a place on a known body two, a direction or a locus one, and a driver along a guide
+    /// one more.
+    pub fn freedoms(&self) -> usize {
+        match self.gives() {
+            Gives::Carrier(_) | Gives::Pivot(_) => 2,
+            Gives::Angle { .. } | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. }) => 1,
+            Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => 1 + usize::from(driver.is_some()),
+        }
+    }
+
+    /// The pair by which it ends at a known body, in the name of a dyad: revolute or prismatic.
+    pub fn letter(&self) -> &'static str {
+        match self.gives() {
+            Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. }) => "R",
+            Gives::Carrier(_) | Gives::Angle { .. } | Gives::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => "P",
+        }
+    }
+
+    /// Whether a driver moves the core itself by this leg. A cylinder and a ram are driven too: they change their own length.
+    pub fn drives(&self) -> bool {
+        match self.gives() {
+            Gives::Angle { driver, .. } | Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => driver.is_some(),
+            Gives::Carrier(_) | Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. }) => false,
+        }
     }
 
     /// The locus that it gives for a point of the core, if that is what it gives.
@@ -309,9 +291,9 @@ impl Hold {
     /// is held along a direction and no line of its own.
     pub fn line(&self) -> Option<ConstraintLine> {
         match *self {
-            Hold::Distance { near, far, strut: Strut::Bar(_) | Strut::Cylinder(_) } => Some(ConstraintLine::Along { near, far }),
+            Hold::Distance { near, far, .. } => Some(ConstraintLine::Along { near, far }),
             Hold::Guide { pin, guide, driver: None } | Hold::Slot { pin, guide } => Some(ConstraintLine::Normal { pin, guide }),
-            Hold::Distance { strut: Strut::Ram { .. }, .. } | Hold::Guide { driver: Some(_), .. } | Hold::Glide { .. } => None,
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { .. } => None,
         }
     }
 }

@@ -47,7 +47,7 @@ impl Toggle {
     pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
         match &group.core {
             Core::Pin { pin, legs } => match &legs[..] {
-                [a, b] if [a, b].iter().all(|l| l.line().is_some()) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
+                [a, b] if [a, b].iter().all(|l| told(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
                 _ => None,
             },
             Core::Link { link, legs } if group.class() == Some("III") => {
@@ -126,6 +126,11 @@ impl Toggle {
             Toggle::Open(links) => links.clone(),
         }
     }
+}
+
+/// Whether a clause names a leg that holds a pin. One with a ram does not: there the links of the group are told instead.
+fn told(leg: &Leg) -> bool {
+    leg.line().is_some() && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
 }
 
 /// The line along which a leg holds the pin, or the link: a point of it and its direction (a unit vector).
