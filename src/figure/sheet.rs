@@ -11,7 +11,6 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{inked, shortest};
 use crate::scene::{Lang, Scene};
-use crate::sweep::driver_name;
 use crate::worked::Worked;
 
 use super::arrange::{Pieces, arrange, column};
@@ -258,7 +257,7 @@ pub fn scale(mu: f64) -> String {
 
 /// A driver's position in the label language, and its unit there: `\varphi_{1}` in degrees, `s_{B}` or `l_{BC}` in millimetres.
 pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, &'static str) {
-    let (name, unit) = driver_name(scene, driver);
+    let (name, unit) = scene.driver_name(driver);
     let symbol = match name.split_once('_') {
         Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
         Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),

@@ -11,7 +11,7 @@ mod leg;
 mod mobility;
 
 pub(crate) use demand::nodes_of;
-pub use demand::{Demand, Level, Need};
+pub use demand::{Demand, Level, Need, level_of};
 pub use groups::{Core, Group};
 pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};

@@ -413,18 +413,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A length for people, in the scene's own unit with four significant digits; what is written in millimetres, in metres
-    /// from 10 m on.
-    pub fn length_words(&self, value_m: f64) -> String {
-        match self.length_unit.name {
-            "mm" => crate::quantity::metres(value_m),
-            name => {
-                let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
-                format!("{} {name}", crate::quantity::significant(value, 4))
-            }
-        }
-    }
-
     /// Name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         &self.points[p.0].name

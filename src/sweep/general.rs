@@ -9,7 +9,7 @@ use crate::answer::Value;
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration};
 use crate::quantity::significant;
-use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use crate::scene::{Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -64,23 +64,9 @@ impl<'a> General<'a> {
     }
 }
 
-/// Name and unit of a driver's column.
-pub fn driver_name(scene: &Scene, driver: usize) -> (String, &'static str) {
-    let point = |p: crate::scene::PointId| scene.point_name(p);
-    match &scene.drivers[driver].kind {
-        DriverKind::Turn { link, against, .. } if *against == scene.ground => (format!("phi_{}", scene.link_name(*link)), "rad"),
-        DriverKind::Turn { link, against, .. } => (format!("phi_{}/{}", scene.link_name(*link), scene.link_name(*against)), "rad"),
-        DriverKind::Slide { guide, .. } => {
-            let g = &scene.guides[guide.0];
-            (format!("s_{}", g.pin.map_or_else(|| g.slider.map_or("", |s| scene.link_name(s)), point)), "m")
-        }
-        DriverKind::Cylinder { a, b, .. } => (format!("l_{}{}", point(*a), point(*b)), "m"),
-    }
-}
-
 /// A driver's value for people: `phi_1 = 92.5°`.
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
-    let (name, unit) = driver_name(scene, driver);
+    let (name, unit) = scene.driver_name(driver);
     match unit {
         "rad" => format!("{name} = {}°", significant(value.to_degrees(), 6)),
         _ => format!("{name} = {}", scene.length_words(value)),

@@ -1,0 +1,31 @@
+//! How drivers and lengths of a scene are called when a person is told of them.
+
+use super::{DriverKind, PointId, Scene};
+
+impl Scene {
+    /// Name and unit of a driver's column.
+    pub fn driver_name(&self, driver: usize) -> (String, &'static str) {
+        let point = |p: PointId| self.point_name(p);
+        match &self.drivers[driver].kind {
+            DriverKind::Turn { link, against, .. } if *against == self.ground => (format!("phi_{}", self.link_name(*link)), "rad"),
+            DriverKind::Turn { link, against, .. } => (format!("phi_{}/{}", self.link_name(*link), self.link_name(*against)), "rad"),
+            DriverKind::Slide { guide, .. } => {
+                let g = &self.guides[guide.0];
+                (format!("s_{}", g.pin.map_or_else(|| g.slider.map_or("", |s| self.link_name(s)), point)), "m")
+            }
+            DriverKind::Cylinder { a, b, .. } => (format!("l_{}{}", point(*a), point(*b)), "m"),
+        }
+    }
+
+    /// A length for people, in the scene's own unit with four significant digits; what is written in millimetres, in metres
+    /// from 10 m on.
+    pub fn length_words(&self, value_m: f64) -> String {
+        match self.length_unit.name {
+            "mm" => crate::quantity::metres(value_m),
+            name => {
+                let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
+                format!("{} {name}", crate::quantity::significant(value, 4))
+            }
+        }
+    }
+}
