@@ -75,7 +75,7 @@
 //! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
 //! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
-//! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked effort report figure render
+//! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
 //! cli        diag json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
 //! ```

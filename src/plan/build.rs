@@ -359,8 +359,7 @@ impl Builder<'_> {
         let holds = Entry::of(legs).holds;
         if holds.is_empty() {
             // The pin is carried by a known link.
-            self.ensure(level, target);
-            return;
+            return self.ensure(level, target);
         }
         let chains: Vec<Chain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
         let method = self.method_of_pin(&holds);
@@ -401,23 +400,20 @@ impl Builder<'_> {
     /// What a strut turns with, once both its ends are known.
     fn sources_of(&mut self, level: Level, hold: &Hold) {
         let Hold::Distance { near, far, strut } = *hold else { return };
-        match strut {
-            Strut::Bar(link) => {
-                let (of, to) = (self.pin(near), self.pin(far));
-                self.source(level, Body::Link(link), Rate::Measured { of, to });
-            }
-            Strut::Cylinder(driver) => {
-                let (of, to) = (self.pin(near), self.pin(far));
-                self.source(level, Body::Cylinder(driver), Rate::Measured { of, to });
-            }
-            Strut::Ram { link, guide, driver } => {
-                let (of, to, runner) = (self.coincident(near, link), self.pin(far), self.pin(near));
-                // The carried point under the runner, from the runner: the sliding is given. Its Coriolis term at the
-                // acceleration level needs the link's ω, which is measured at the velocity level from this very point.
-                self.source(level, Body::Link(link), Rate::Measured { of, to });
-                let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
-                self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
-            }
+        let (body, of) = match strut {
+            Strut::Bar(link) => (Body::Link(link), self.pin(near)),
+            Strut::Cylinder(driver) => (Body::Cylinder(driver), self.pin(near)),
+            // The carried point under the runner. The Coriolis term of the sliding needs the link's ω at the acceleration level; it is
+            // measured at the velocity level from this very point.
+            Strut::Ram { link, .. } => (Body::Link(link), self.coincident(near, link)),
+        };
+        let to = self.pin(far);
+        self.source(level, body, Rate::Measured { of, to });
+        if let Strut::Ram { guide, driver, .. } = strut {
+            // From the runner: the sliding is given.
+            let runner = self.pin(near);
+            let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
+            self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
         }
     }
 
