@@ -7,7 +7,7 @@
 
 use crate::scene::{GuideId, LinkId, PointId};
 
-/// How a known body holds an unknown point or link. Each leg but `Pinned` and `Carried` takes one freedom.
+/// How a known body holds an unknown point or link; [`Leg::freedoms`] says how much of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Leg {
     /// A known pin sits on the core link (takes two freedoms).
