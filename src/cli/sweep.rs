@@ -128,14 +128,14 @@ pub fn within(steps: usize, most: usize, what: &str) -> Result<usize, Failure> {
 /// Farthest ends of a range, in turns: a mechanism whose links are followed is followed through all of them.
 const MOST_TURNS: f64 = 10_000.0;
 
-/// An end of a range as an angle that is not too far off.
-fn angle(text: &str) -> Result<Angle, Faults> {
-    let angle = edit::angle(text)?;
-    if angle.degrees().abs() <= 360.0 * MOST_TURNS {
+/// An end of a range, if it is not too far off.
+fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure> {
+    let turns = angle.degrees().abs() / 360.0;
+    if turns <= MOST_TURNS {
         return Ok(angle);
     }
-    let d = Diagnostic::error("range", format!("it lies {} turns off; at most {MOST_TURNS} are allowed", angle.degrees().abs() / 360.0));
-    Err(d.help("the motion comes again with every turn, or with every few").into())
+    let d = Diagnostic::error("range", format!("it lies {turns} turns off; at most {MOST_TURNS} are allowed"));
+    Err(Failure::argument(option, text, d.help("the motion comes again with every turn, or with every few")))
 }
 
 fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {
@@ -143,10 +143,11 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
         return Err(input.failed(Diagnostic::error("no-driver", "the scene has no driver").into()));
     };
     if let DriverKind::Turn { .. } = d.kind {
-        bounds(range, angle)?;
+        bounds(range, edit::angle)?;
         let (from, to) = (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
         let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;
-        return Ok(Steps { way: Way::Turn(first, last), steps });
+        let way = Way::Turn(not_too_far("--from", from, first)?, not_too_far("--to", to, last)?);
+        return Ok(Steps { way, steps });
     }
     let per_value = station::angle_per_value(placed.scene, &placed.at, driver);
     let [from, to] = match bounds(range, edit::length)? {

@@ -59,7 +59,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         let (of, to) = between.ends();
         let from = (self.mark(to), self.image(p, to));
         let end = (self.mark(of), self.image(p, of));
-        let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known };
+        let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known, between: true };
         match between {
             Between::Join(t) => {
                 p.edges.push(edge(vec![*t], from, end, false));
@@ -87,7 +87,9 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((p.end_of(&at.0, t)?, later))) {
                     (at, open) = (end, later);
                 }
+                let first = p.edges.len();
                 let at = self.lay_off(p, at, open, None)?;
+                p.edges[first..].iter_mut().for_each(|e| e.between = true);
                 if !rest.is_empty() {
                     p.edges.push(edge(rest.clone(), at, end, false));
                     p.actions.push(Action::Join(p.edges.len() - 1));

@@ -290,6 +290,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                         from: (*mark, *from),
                         to: (Mark::Image(target), found),
                         known: false,
+                        between: false,
                     });
                     edges.push(p.edges.len() - 1);
                 }
@@ -330,7 +331,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 Some(target) if Some(i) == last_drawn => Mark::Image(target),
                 Some(_) | None => part_mark(p, term),
             };
-            p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true });
+            p.edges.push(Edge { terms: vec![*term], from: at, to: (mark, end), known: true, between: false });
             p.actions.push(Action::LayOff(p.edges.len() - 1));
             at = (mark, end);
         }

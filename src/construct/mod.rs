@@ -60,6 +60,8 @@ pub struct Edge<N = f64> {
     pub to: (Mark, Point<N>),
     /// Whether its magnitude was known when it was drawn.
     pub known: bool,
+    /// Whether it belongs to no equation, but is read off between two images.
+    pub between: bool,
 }
 
 /// Two lines crossed.

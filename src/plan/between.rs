@@ -141,7 +141,22 @@ fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
     })
 }
 
+/// The point whose acceleration a question asks in parts.
+fn parts_of(what: &Asked) -> Option<Need> {
+    match what {
+        Asked::NormalAcceleration(a, _) | Asked::TangentialAcceleration(a, _) => Some(Need::Point(a.point, a.link)),
+        _ => None,
+    }
+}
+
 impl Builder<'_> {
+    /// Among the points asked for behind a group, those of which the parts are asked come first: an equation from a known point shows them,
+    /// an image does not.
+    pub(super) fn parts_first(&mut self) {
+        let parts: Vec<Need> = self.scene.find.iter().flat_map(|f| parts_of(&f.what)).collect();
+        self.due.iter_mut().for_each(|due| due.sort_by_key(|(need, _)| !parts.contains(need)));
+    }
+
     /// Writes what is drawn between images at a level: for turnings that are measured from a part, and for questions.
     pub(super) fn draw_between(&mut self, level: Level) {
         let measured: Vec<(usize, Body, VertexId, VertexId)> = self

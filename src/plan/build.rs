@@ -31,6 +31,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         due: vec![Vec::new(); m.groups.len()],
     };
     b.assign_needs();
+    b.parts_first();
     for level in Level::RATES {
         if demand.level >= level {
             b.walk(level);
@@ -71,7 +72,7 @@ pub(super) struct Builder<'a> {
     pending: Vec<Step>,
     undrawable: Vec<usize>,
     /// For each group the things asked for that can be told once it is done, with their level.
-    due: Vec<Vec<(Need, Level)>>,
+    pub(super) due: Vec<Vec<(Need, Level)>>,
 }
 
 pub(super) fn slot(level: Level) -> usize {
