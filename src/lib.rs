@@ -70,7 +70,7 @@
 //! analytic   diag quantity scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
-//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy report*
+//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
 //! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
 //! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report

@@ -16,7 +16,7 @@ use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
-use crate::scene::{DriverKind, Lang, Scene};
+use crate::scene::{Book, DriverKind, Lang, Scene};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
@@ -135,9 +135,9 @@ fn tag(lang: Lang) -> &'static str {
 /// What the page is told of a drawing. `scales`, where there are several: for each its μ and the index of the formula that says
 /// it, and which one each frame has.
 fn drawing(d: &Scenery, told: &Told, frames: &Frames, formulas: &mut Formulas) -> Value {
-    let list = scales(d.shows, frames);
+    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
     let scales = if list.len() > 1 {
-        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(d.shows, *mu))])).collect();
+        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(book, d.shows, *mu))])).collect();
         let level = usize::from(d.shows == Shows::Polygon(Level::Acceleration));
         let which: Vec<i64> = frames.list.iter().map(|f| f.scale[level] as i64).collect();
         json!([said, bank::runs(&which)])
@@ -156,20 +156,19 @@ fn scales(shows: Shows, frames: &Frames) -> &[f64] {
 }
 
 /// A scale as the label language says it.
-fn scale_formula(shows: Shows, mu: f64) -> String {
-    let (symbol, unit) = match shows {
-        Shows::Mechanism => ("l", "m/mm"),
-        Shows::Polygon(Level::Acceleration) => ("a", "(m/s^2)/mm"),
-        Shows::Polygon(_) => ("v", "(m/s)/mm"),
+fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
+    let level = match shows {
+        Shows::Mechanism => Level::Position,
+        Shows::Polygon(level) => level,
     };
-    format!("\\mu_{symbol} = {} {unit}", sheet::scale(mu))
+    sheet::of_level(book, level, mu)
 }
 
 /// A drawing with its caption; its scale is said below.
 fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
-    let list = scales(d.shows, frames);
+    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
     let mu = list.first().copied().unwrap_or(0.0);
     let caption: fn(Lang) -> &'static str = match d.shows {
         Shows::Mechanism => |l| figure_words::words(l).diagram,
@@ -189,7 +188,7 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span>{smaller}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
-        mathml(&Label::math(scale_formula(d.shows, mu))),
+        mathml(&Label::math(scale_formula(book, d.shows, mu))),
     )
 }
 

@@ -34,6 +34,9 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
         raw.units.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
+    for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
+        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
     let before = faults.list.len();
     let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
     for (key, node) in entries(links, "\"links\"", faults) {

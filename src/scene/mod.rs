@@ -3,6 +3,7 @@
 //! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
+pub mod book;
 mod decode;
 pub mod edit;
 pub mod eval;
@@ -20,6 +21,7 @@ mod tests;
 pub mod units;
 mod values;
 
+pub use book::{Book, Kind};
 pub use model::*;
 
 use crate::diag::{Faults, Severity, Span, Warned};

@@ -4,6 +4,7 @@
 //! Whether the given things suffice to fix the mechanism is *not* decided here but in [`crate::mechanism`] and
 //! [`crate::position`].
 
+use super::book::{Book, Kind};
 use super::units::Unit;
 use crate::diag::Span;
 
@@ -375,6 +376,15 @@ pub struct Paper {
     pub mu_a: Option<f64>,
     /// The pencil error (mm) within which 95 % of the marks fall.
     pub pencil_mm: Option<f64>,
+    /// The units (SI) in which scales of lengths, velocities and accelerations are round; absent: SI.
+    pub round_in: Option<[f64; 3]>,
+}
+
+impl Paper {
+    /// The unit (SI) in which the scale of a drawing is round: of the mechanism (0), the velocities (1), the accelerations (2).
+    pub fn unit(&self, drawing: usize) -> f64 {
+        self.round_in.map_or(1.0, |units| units[drawing])
+    }
 }
 
 /// A scene: everything its file says.
@@ -410,12 +420,17 @@ pub struct Scene {
     pub paper: Paper,
     /// The unit in which the file writes its lengths: what is said of the scene is said in it.
     pub length_unit: &'static Unit,
+    /// The units in which answers, scales and tables are printed.
+    pub book: Book,
 }
 
 impl Scene {
-    /// A length for people, in the scene's own unit with four significant digits; what is written in millimetres, in metres
+    /// A length for people, in the unit of its answers or else its own, with four significant digits; what is written in millimetres, in metres
     /// from 10 m on.
     pub fn length_words(&self, value_m: f64) -> String {
+        if let Some(unit) = self.book.chosen(Kind::Length) {
+            return format!("{} {}", crate::quantity::significant(unit.of(value_m), 4), unit.name());
+        }
         match self.length_unit.name {
             "mm" => crate::quantity::metres(value_m),
             name => {

@@ -85,7 +85,7 @@ impl Rows {
         let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
         notes.extend(general::gaps(&words, &self.missing));
         let heads =
-            std::iter::once(general::driver_name(placed.scene, driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
+            std::iter::once(general::driver_column(placed.scene, driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
         let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column { name, unit, values });
         Table { columns: columns.collect(), notes }
     }

@@ -71,10 +71,10 @@ impl Overlay {
     }
 
     /// The scale of the vectors (SI per mm); `None` where none are drawn.
-    pub fn mu(&self, worked: &Worked) -> Option<f64> {
+    pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
         let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-        Some(scale::choose(most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+        Some(scale::choose_in(scene.paper.unit(p.level as usize), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
     }
 }
 
@@ -173,7 +173,7 @@ impl Draft<'_> {
     }
 
     fn vectors(&mut self, w: &Writer, overlay: &Overlay) {
-        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.worked)) else { return };
+        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
         let Some(p) = self.worked.construction.polygon(level) else { return };
         let (worked, style) = (self.worked, self.style);
         for (v, vector) in shown(worked, level) {

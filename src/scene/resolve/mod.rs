@@ -3,6 +3,7 @@
 //! Each file reads one section. All of them go on after a fault, so that one run shows them all; only what hangs on a
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
+mod answers;
 mod declare;
 mod drivers;
 mod find;
@@ -109,7 +110,8 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let guides = ground.map(|_| guides::guides(&context, &places, faults));
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
         let find = ground.map(|_| find::find(&context, faults));
-        let paper = paper::paper(raw, &values, faults);
+        let book = answers::book(raw, faults);
+        let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
         faults.list.extend(values.unused(&raw.parameters));
@@ -130,6 +132,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             notation,
             paper,
             length_unit,
+            book,
         }
     };
     Some(scene)
