@@ -142,8 +142,18 @@ impl BookUnit {
         &self.name
     }
 
+    /// A number with the unit, for a text: `12.5 in/s²`, `60°`.
+    pub fn text(&self, number: &str) -> String {
+        if self.is_degree() { format!("{number}°") } else { format!("{number} {}", self.name) }
+    }
+
+    /// The same in the label language: `12.5 in/s^2`, `60\degree`.
+    pub fn label(&self, number: &str) -> String {
+        if self.is_degree() { format!("{number}\\degree") } else { format!("{number} {}", self.label) }
+    }
+
     /// Whether it is the degree, which stands at its number without a space.
-    fn is_degree(&self) -> bool {
+    pub fn is_degree(&self) -> bool {
         matches!(self.name.as_str(), "deg" | "°")
     }
 }

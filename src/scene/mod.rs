@@ -20,9 +20,11 @@ pub mod templates;
 mod tests;
 pub mod units;
 mod values;
+mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
+pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};
 use crate::json;
