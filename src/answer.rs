@@ -5,6 +5,7 @@
 //! of its own), so that a wrong definition shows as a disagreement.
 
 use crate::geom::Vec2;
+pub use crate::mechanism::level_of;
 use crate::mechanism::{Joined, Level, joined};
 use crate::number::Real;
 use crate::position::Configuration;
@@ -35,24 +36,6 @@ pub trait Source<N = f64> {
     fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>>;
     /// Turning rate.
     fn turning(&self, level: Level, link: LinkId) -> Option<N>;
-}
-
-/// The level of a question.
-pub fn level_of(what: &Asked) -> Level {
-    match what {
-        Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => Level::Position,
-        Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) | Asked::Omega(_) | Asked::RelativeOmega(..) => {
-            Level::Velocity
-        }
-        Asked::Acceleration(_)
-        | Asked::RelativeAcceleration(..)
-        | Asked::NormalAcceleration(..)
-        | Asked::TangentialAcceleration(..)
-        | Asked::SlidingAcceleration(..)
-        | Asked::Coriolis(..)
-        | Asked::Alpha(_)
-        | Asked::RelativeAlpha(..) => Level::Acceleration,
-    }
 }
 
 /// The value of a question of places; `None` for a question of motion, and where a place is not known.

@@ -59,7 +59,7 @@
 //! quantity   -
 //! trig       scene*
 //! number     trig scene*
-//! scene      diag json trig number
+//! scene      diag json quantity trig number
 //! geom       number
 //! mechanism  diag scene
 //! position   diag quantity number scene geom mechanism
@@ -67,7 +67,7 @@
 //! motion     number scene geom mechanism position answer
 //! plan       scene mechanism
 //! construct  diag quantity number scene geom mechanism position answer plan
-//! analytic   diag quantity scene geom mechanism position answer
+//! analytic   diag scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
 //! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy

@@ -10,17 +10,16 @@ use std::path::{Path, PathBuf};
 /// Files longer than [`LONGEST`], each with the lines that it may have. The list only shrinks: a file that grows past its number is
 /// taken apart, one that became shorter gets the smaller number, one that fits is struck off.
 const LONG_FILES: &[(&str, usize)] = &[
-    ("src/construct/board.rs", 512),
     ("src/lesson/page.js", 679),
     ("src/mechanism/groups.rs", 469),
-    ("src/plan/build.rs", 540),
+    ("src/plan/build.rs", 537),
     ("src/render/svg.rs", 576),
     ("src/sweep/compile/mod.rs", 526),
     ("src/sweep/compile/place.rs", 528),
     ("src/worksheet/pages.rs", 519),
     ("tests/browser/main.rs", 472),
     ("tests/random/mech.rs", 639),
-    ("tests/random/properties.rs", 704),
+    ("tests/random/properties.rs", 701),
     ("tests/sweep.rs", 749),
 ];
 
@@ -87,9 +86,9 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(String, String)> {
 
 /// The library's files without their tests and comments: lines keep their numbers. `main.rs` and `lib.rs` belong to no room.
 fn code() -> Vec<(String, String)> {
-    let library = files("src", &["rs"])
-        .into_iter()
-        .filter(|(name, _)| !name.ends_with("/tests.rs") && !["src/main.rs", "src/lib.rs"].contains(&name.as_str()));
+    let library = files("src", &["rs"]).into_iter().filter(|(name, _)| {
+        !name.ends_with("/tests.rs") && !name.contains("/tests/") && !["src/main.rs", "src/lib.rs"].contains(&name.as_str())
+    });
     let bare = |text: String| {
         let end = text.match_indices("#[cfg(test)]\nmod ").find(|(i, _)| text[*i..].lines().nth(1).is_some_and(|l| l.ends_with('{')));
         let (code, tests) = text.split_at(end.map_or(text.len(), |(i, _)| i));

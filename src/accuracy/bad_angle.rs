@@ -11,7 +11,6 @@ use crate::position::Configuration;
 use crate::position::newton::{driver_values, moved};
 use crate::quantity::{shortest, significant};
 use crate::scene::DriverKind;
-use crate::sweep::driver_name;
 use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
@@ -254,7 +253,7 @@ impl BadAngle {
         }
         if let Some(p) = self.pose {
             let angle = significant(p.crossing_deg, 2);
-            let name = driver_name(drawn.scene, p.driver).0;
+            let name = drawn.scene.driver_name(p.driver).0;
             help.push(match p.to_deg {
                 Some(to) => format!("take the pose at {name} = {} deg, where the lines cross under {angle}°", shortest(to)),
                 None => format!("turn the driver {name} by {} deg, where the lines cross under {angle}°", shortest(p.turn_deg)),

@@ -28,7 +28,7 @@ pub struct Regular {
 pub fn regular(scene: &Scene, m: &Mechanism, demand: &Demand, at: &Configuration, questions: &[Find]) -> Option<Regular> {
     let extent = at.extent();
     let given = |p: usize| match &scene.points[p].place {
-        Place::At([x, y]) => at.points[p].is_none_or(|here| (here.x - x.value).hypot(here.y - y.value) <= SAME_POSE * extent),
+        Place::At([x, y]) => at.points[p].is_none_or(|here| libm::hypot(here.x - x.value, here.y - y.value) <= SAME_POSE * extent),
         _ => true,
     };
     if !(0..scene.points.len()).all(given) {

@@ -11,7 +11,7 @@ use crate::sweep::long::Long;
 use crate::sweep::pieces::Pieces;
 use crate::sweep::station::{self, Way};
 use crate::sweep::vary::{Span, Variation, Varied};
-use crate::sweep::{self, Placed, Stations, Steps};
+use crate::sweep::{Placed, Stations, Steps};
 use std::process::ExitCode;
 
 /// Steps of a sweep unless the command line says otherwise: one for each degree of a turn.
@@ -75,7 +75,7 @@ pub fn limits(a: Limits) -> Run {
 pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
     driver_named(scene, name).ok_or_else(|| {
-        let names: Vec<String> = (0..scene.drivers.len()).map(|d| sweep::driver_name(scene, d).0).collect();
+        let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
         let d = Diagnostic::error("no-driver", format!("the scene has no driver `{name}`"));
         Failure::argument("--over", name, d.help(format!("its drivers are {}", names.join(", "))))
     })
@@ -106,7 +106,7 @@ fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result
 
 /// A driver by the name of its column: `phi_1`, `s_B`, `l_BC`; `driver` and `driver2` count.
 pub fn driver_named(scene: &Scene, name: &str) -> Option<usize> {
-    (0..scene.drivers.len()).find(|&d| sweep::driver_name(scene, d).0 == name || name == format!("driver{}", d + 1))
+    (0..scene.drivers.len()).find(|&d| scene.driver_name(d).0 == name || name == format!("driver{}", d + 1))
 }
 
 /// The stations of a driver between two values as the scene would write them; without them a full turn where it turns, and as far

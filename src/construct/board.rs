@@ -3,15 +3,15 @@
 use super::choices::SPECIAL_LEGS;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon, RateMeasured, RateReading};
+use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon};
 use crate::diag::{Diagnostic, Faults};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Leg, Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Between, Body, By, Chain, GroupSteps, Plan, Rate, Spot, Step, Term, TermKind, VertexId};
+use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::{Configuration, Path};
+use crate::scene::Scene;
 use crate::scene::exact::Inputs;
-use crate::scene::{DriverKind, Scene};
 
 /// Draws a plan.
 ///
@@ -54,7 +54,7 @@ pub(super) struct Board<'a, N, P> {
     pub(super) pencil: &'a mut P,
     pub(super) done: Construction<N>,
     /// The scene's given numbers.
-    inputs: Inputs<'a, N>,
+    pub(super) inputs: Inputs<'a, N>,
     /// μ_l.
     pub(super) mu_l: N,
     /// What a blunt pencil made of joints and guides; nothing for the exact one.
@@ -65,7 +65,7 @@ pub(super) struct Board<'a, N, P> {
 type Line<N> = (Point<N>, Vec2<N>);
 
 /// The mark in which a part ends.
-fn part_mark<N>(p: &Polygon<N>, term: &Term) -> Mark {
+pub(super) fn part_mark<N>(p: &Polygon<N>, term: &Term) -> Mark {
     let taken = |m: &Mark| matches!(m, Mark::Part(t) if t.is_same(term) == Some(false));
     if p.edges.iter().any(|e| taken(&e.to.0)) { Mark::Again(*term) } else { Mark::Part(*term) }
 }
@@ -212,31 +212,6 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         Ok(polygon)
     }
 
-    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn.
-    fn read_off(&mut self, p: &mut Polygon<N>, steps: &GroupSteps, open: &mut Vec<&Between>) -> Result<(), Faults> {
-        loop {
-            for (body, rate) in &steps.rates {
-                self.turning(p, *body, *rate);
-            }
-            let there = |b: &&Between| {
-                let (of, to) = b.ends();
-                p.images[of.0].is_some() && p.images[to.0].is_some() && self.knows_turnings(b)
-            };
-            let Some(next) = open.iter().position(there) else { return Ok(()) };
-            let between = open.remove(next);
-            // The alternative of the group that was drawn may show it.
-            let terms = between.terms();
-            let each = terms.iter().all(|t| self.plan.vanishes(self.scene, p.level, t) || p.edge_of(&[*t]).is_some());
-            let shown = match between {
-                Between::Join(_) | Between::Perpendicular { .. } => each,
-                Between::LayOff { .. } => each && p.edge_of(&terms).is_some(),
-            };
-            if !shown {
-                self.between(p, between)?;
-            }
-        }
-    }
-
     fn step(&mut self, p: &mut Polygon<N>, step: &Step) -> Result<(), Faults> {
         match step {
             Step::Equation { target, chains, .. } => self.equation(p, *target, chains),
@@ -265,15 +240,15 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     /// Whether all vectors of a level vanish because no driver moves.
-    fn stands(&self, level: Level) -> bool {
+    pub(super) fn stands(&self, level: Level) -> bool {
         level == Level::Velocity && self.plan.rest.is_all()
     }
 
-    fn image(&self, p: &Polygon<N>, v: VertexId) -> Point<N> {
+    pub(super) fn image(&self, p: &Polygon<N>, v: VertexId) -> Point<N> {
         p.images[v.0].expect("the plan finds a vertex before it uses it")
     }
 
-    fn mark(&self, v: VertexId) -> Mark {
+    pub(super) fn mark(&self, v: VertexId) -> Mark {
         if self.plan.vertex(v).fixed { Mark::Pole } else { Mark::Image(v) }
     }
 
@@ -341,70 +316,8 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         Ok(())
     }
 
-    /// Whether the turning rates that a vector between two images is laid off with are read already.
-    fn knows_turnings(&self, between: &Between) -> bool {
-        let Between::LayOff { known, .. } = between else { return true };
-        let by_omega = |t: &&Term| matches!(t.kind, TermKind::Normal | TermKind::Coriolis);
-        let body = |t: &Term| match t.by {
-            By::Turning(body) => Some(body),
-            By::Guide { guide, .. } => Some(Body::Link(self.scene.guides[guide.0].on)),
-            By::Cylinder(d) => Some(Body::Cylinder(d)),
-            By::Apart => None,
-        };
-        known.iter().filter(by_omega).filter_map(body).all(|b| {
-            let still = matches!(b, Body::Link(l) if self.m.never_turns[l.0]);
-            still || self.done.rate(Level::Velocity, b).is_some()
-        })
-    }
-
-    /// Draws a vector, or the parts of one, between two images.
-    fn between(&mut self, p: &mut Polygon<N>, between: &Between) -> Result<(), Faults> {
-        if self.stands(p.level) {
-            return Ok(());
-        }
-        let (of, to) = between.ends();
-        let from = (self.mark(to), self.image(p, to));
-        let end = (self.mark(of), self.image(p, of));
-        let edge = |terms: Vec<Term>, from, to, known| Edge { terms, from, to, known };
-        match between {
-            Between::Join(t) => {
-                p.edges.push(edge(vec![*t], from, end, false));
-                p.actions.push(Action::Join(p.edges.len() - 1));
-            }
-            Between::Perpendicular { normal, tangential } => {
-                // Where a chain has laid aⁿ off from the same image, its end is the foot.
-                if let Some(foot) = p.end_of(&from.0, normal) {
-                    p.edges.push(edge(vec![*tangential], foot, end, false));
-                    p.actions.push(Action::Join(p.edges.len() - 1));
-                    return Ok(());
-                }
-                let u = self.arm(of, to).unit().ok_or_else(|| Faults::from(self.coincide(of, to)))?;
-                let apart = self.drawn_length(normal);
-                let u = self.pencil.ruler(p.level, u, apart);
-                let foot = self.pencil.mark(p.level, from.1 + u * u.dot(end.1 - from.1));
-                let foot = (part_mark(p, normal), foot);
-                p.edges.push(edge(vec![*normal], from, foot, false));
-                p.edges.push(edge(vec![*tangential], foot, end, false));
-                p.actions.push(Action::Perpendicular { edges: [p.edges.len() - 2, p.edges.len() - 1], direction: u });
-            }
-            Between::LayOff { known, rest } => {
-                // What a chain has laid off from the same image stands already.
-                let (mut at, mut open) = (from, &known[..]);
-                while let Some((end, later)) = open.split_first().and_then(|(t, later)| Some((p.end_of(&at.0, t)?, later))) {
-                    (at, open) = (end, later);
-                }
-                let at = self.lay_off(p, at, open, None)?;
-                if !rest.is_empty() {
-                    p.edges.push(edge(rest.clone(), at, end, false));
-                    p.actions.push(Action::Join(p.edges.len() - 1));
-                }
-            }
-        }
-        Ok(())
-    }
-
     /// Lays known terms off one after another; the last ends in the image of `target`, if one is given.
-    fn lay_off(
+    pub(super) fn lay_off(
         &mut self,
         p: &mut Polygon<N>,
         from: (Mark, Point<N>),
@@ -441,7 +354,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    fn guide_tangent(&self, term: &Term) -> Vec2<N> {
+    pub(super) fn guide_tangent(&self, term: &Term) -> Vec2<N> {
         let By::Guide { guide, .. } = term.by else { unreachable!("only sliding terms have a tangent") };
         let pin = match self.plan.vertex(term.of).spot {
             Spot::Point(p) => self.at.point(p),
@@ -460,7 +373,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         u.ok_or_else(|| self.coincide(term.of, term.to).into())
     }
 
-    fn coincide(&self, a: VertexId, b: VertexId) -> Diagnostic {
+    pub(super) fn coincide(&self, a: VertexId, b: VertexId) -> Diagnostic {
         let (a, b) = (self.name(a), self.name(b));
         Diagnostic::error("coincident-points", format!("{a} and {b} coincide in this pose: their line has no direction"))
             .help("choose another pose, or other lengths")
@@ -471,7 +384,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     /// Whether the first point of a sliding term belongs to the carrier of the guide (then signs are reversed).
-    fn reversed(&self, term: &Term) -> bool {
+    pub(super) fn reversed(&self, term: &Term) -> bool {
         let By::Guide { guide, .. } = term.by else { return false };
         let on = self.scene.guides[guide.0].on;
         let v = self.plan.vertex(term.of);
@@ -480,125 +393,6 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             (None, Spot::Point(p)) => self.scene.links[on.0].points.contains(&p),
             (None, Spot::Special { .. }) => false,
         }
-    }
-
-    /// ω or α of a body from what was read so far.
-    fn rate(&self, level: Level, body: Body) -> N {
-        if let Body::Link(l) = body
-            && self.m.never_turns[l.0]
-        {
-            return N::from_f64(0.0);
-        }
-        self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
-    }
-
-    /// Finds the turning of a body; needed ones that come earlier in the list are there already.
-    fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) {
-        let level = p.level;
-        if self.done.rate(level, body).is_some() {
-            return;
-        }
-        let zero = N::from_f64(0.0);
-        let known = |value| RateReading { level, body, value, measured: None };
-        let reading = match rate {
-            _ if self.stands(level) => known(zero),
-            Rate::Zero => known(zero),
-            Rate::Same(other) => known(self.rate(level, Body::Link(other))),
-            Rate::Given { driver, against } => {
-                let own = self.given(level, driver);
-                // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
-                let own = match self.scene.drivers[driver].kind {
-                    DriverKind::Turn { link, .. } if Body::Link(link) == body => own,
-                    _ => -own,
-                };
-                known(self.rate(level, Body::Link(against)) + own)
-            }
-            Rate::Measured { of, to } => {
-                let Some([from, end]) = self.measured_between(p, body, of, to) else { return };
-                let mu: N = scale::number(p.mu);
-                let r = self.arm_of(body, of, to);
-                let l = r.norm();
-                let drawn = self.pencil.read(level, end.1 - from.1);
-                // Carried back to the link: the part square to the arm turns it.
-                let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
-                let length = if square.approx() < 0.0 { -square } else { square };
-                RateReading {
-                    level,
-                    body,
-                    value: square * mu / l,
-                    measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }),
-                }
-            }
-        };
-        self.done.rates.push(reading);
-        p.actions.push(Action::Rate(self.done.rates.len() - 1));
-    }
-
-    /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
-    /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
-    fn measured_between(&self, p: &Polygon<N>, body: Body, of: VertexId, to: VertexId) -> Option<[(Mark, Point<N>); 2]> {
-        let kind = match (p.level, body) {
-            (Level::Acceleration, _) => TermKind::Tangential,
-            (_, Body::Cylinder(_)) => TermKind::Relative,
-            (_, Body::Link(_)) => return Some([(self.mark(to), p.images[to.0]?), (self.mark(of), p.images[of.0]?)]),
-        };
-        let wanted = Term { kind, of, to, by: By::Turning(body), known: false };
-        p.edge_of(&[wanted]).map(|(marks, _)| marks)
-    }
-
-    /// A known term as a vector in SI.
-    fn known_vector(&mut self, p: &Polygon<N>, term: &Term) -> Result<Vec2<N>, Faults> {
-        let two = N::from_f64(2.0);
-        let arm = || self.arm(term.of, term.to);
-        let turning = |body| self.arm_of(body, term.of, term.to);
-        Ok(match (term.kind, term.by) {
-            (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(Level::Velocity, body),
-            (TermKind::Normal, By::Turning(body)) => {
-                let omega = self.rate(Level::Velocity, body);
-                turning(body) * -(omega * omega)
-            }
-            (TermKind::Tangential, By::Turning(body)) => turning(body).perp() * self.rate(Level::Acceleration, body),
-            (TermKind::Extension, By::Cylinder(d)) => {
-                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
-                e * self.given(p.level, d)
-            }
-            (TermKind::Coriolis, By::Cylinder(d)) => {
-                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
-                e.perp() * (two * self.rate(Level::Velocity, Body::Cylinder(d)) * self.given(Level::Velocity, d))
-            }
-            (TermKind::Slide, By::Guide { driver: Some(d), .. }) => {
-                let given = self.given(p.level, d);
-                self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
-            }
-            (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
-                self.slide_velocity(term).perp() * (two * omega)
-            }
-            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
-                let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
-                let v = self.slide_velocity(term);
-                let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
-                let inward = self.turned(guide, (centre - self.at.point(pin)) * (N::from_f64(1.0) / radius));
-                let size = v.norm2() / radius;
-                inward * if self.reversed(term) { -size } else { size }
-            }
-            _ => unreachable!("this kind of term is never known"),
-        })
-    }
-
-    fn given(&self, level: Level, driver: usize) -> N {
-        let d = &self.scene.drivers[driver];
-        match level {
-            Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
-            _ => self.inputs.number(&d.rate),
-        }
-    }
-
-    /// Sliding velocity between the two points of a term, measured on the velocity polygon.
-    fn slide_velocity(&mut self, term: &Term) -> Vec2<N> {
-        let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
-        let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
-        self.pencil.read(Level::Velocity, drawn) * scale::number(mu)
     }
 
     fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {

@@ -5,9 +5,11 @@
 //! multiplied by μ. It never looks at the loop equations. Each of these acts is one of a [`pencil`]: the exact one, or a blunt one
 //! ([`by_hand`]), which shows what the drawing is worth.
 
+mod between;
 mod board;
 mod choices;
 mod hand;
+mod measure;
 pub mod pencil;
 mod readings;
 pub mod scale;

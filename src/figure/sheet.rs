@@ -11,7 +11,6 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{inked, shortest};
 use crate::scene::{Book, Kind, Lang, Scene};
-use crate::sweep::driver_name;
 use crate::worked::Worked;
 
 use super::arrange::{Pieces, arrange, column};
@@ -262,7 +261,7 @@ pub fn scale(mu: f64) -> String {
 
 /// A driver's position in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length.
 pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, Kind) {
-    let (name, kind) = driver_name(scene, driver);
+    let (name, kind) = scene.driver_name(driver);
     let symbol = match name.split_once('_') {
         Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
         Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),

@@ -41,6 +41,24 @@ impl Level {
     }
 }
 
+/// The level of a question.
+pub fn level_of(what: &Asked) -> Level {
+    match what {
+        Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => Level::Position,
+        Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) | Asked::Omega(_) | Asked::RelativeOmega(..) => {
+            Level::Velocity
+        }
+        Asked::Acceleration(_)
+        | Asked::RelativeAcceleration(..)
+        | Asked::NormalAcceleration(..)
+        | Asked::TangentialAcceleration(..)
+        | Asked::SlidingAcceleration(..)
+        | Asked::Coriolis(..)
+        | Asked::Alpha(_)
+        | Asked::RelativeAlpha(..) => Level::Acceleration,
+    }
+}
+
 /// A thing asked for: the motion of a point (of a certain link) or the turning of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Need {

@@ -10,7 +10,7 @@ mod joined;
 mod mobility;
 
 pub(crate) use demand::nodes_of;
-pub use demand::{Demand, Level, Need};
+pub use demand::{Demand, Level, Need, level_of};
 pub use groups::{Core, Group, Leg};
 pub use joined::{Joined, joined};
 pub use mobility::Mobility;

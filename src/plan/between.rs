@@ -6,8 +6,7 @@
 
 use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
-use crate::answer::level_of;
-use crate::mechanism::{Joined, Leg, Level, Mechanism, Need, Passive, joined, nodes_of};
+use crate::mechanism::{Joined, Leg, Level, Mechanism, Need, Passive, joined, level_of, nodes_of};
 use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.

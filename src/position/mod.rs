@@ -9,6 +9,7 @@
 
 mod assemble;
 mod branch;
+mod configure;
 mod coupled;
 mod finish;
 pub mod fold;
@@ -22,7 +23,8 @@ mod shape;
 pub mod toggle;
 pub(crate) mod triad;
 
-pub use assemble::{configure, later, recompute};
+pub use assemble::{later, recompute};
+pub use configure::configure;
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;

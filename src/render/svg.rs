@@ -90,9 +90,7 @@ fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults>
     }
     let mut value = document.to_string();
     value.push('\n');
-    let mut notes = writer.faults.list;
-    notes.extend(figure.remarks());
-    Ok(Warned { value, notes })
+    Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
 }
 
 /// Items as elements, one string each, for pages that put documents together by themselves.

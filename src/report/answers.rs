@@ -316,6 +316,7 @@ fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
         "drawing": null,
         "analysis": null,
         "longer_numbers": null,
+        "measured_between": null,
         "measured_mm": null,
         "scale": null,
         "difference": null,

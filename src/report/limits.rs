@@ -3,7 +3,6 @@
 use super::phrase::tr;
 use crate::quantity::significant;
 use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
-use crate::sweep::driver_name;
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
 use crate::sweep::limit::{Event, Kind as EventKind};
 use serde_json::{Value as Json, json};
@@ -96,7 +95,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
 
 impl<'a> Words<'a> {
     fn new(scene: &'a Scene, driver: usize, limits: &'a Limits, lang: Lang) -> Self {
-        let (name, kind) = driver_name(scene, driver);
+        let (name, kind) = scene.driver_name(driver);
         Words { scene, limits, lang, name, angular: kind == Kind::Angle }
     }
 

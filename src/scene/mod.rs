@@ -18,6 +18,7 @@ pub mod schema;
 pub mod templates;
 #[cfg(test)]
 mod tests;
+mod told;
 pub mod units;
 mod values;
 mod written;

@@ -4,7 +4,7 @@
 //! Whether the given things suffice to fix the mechanism is *not* decided here but in [`crate::mechanism`] and
 //! [`crate::position`].
 
-use super::book::{Book, Kind};
+use super::book::Book;
 use super::units::Unit;
 use crate::diag::Span;
 
@@ -425,21 +425,6 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A length for people, in the unit of its answers or else its own, with four significant digits; what is written in millimetres, in metres
-    /// from 10 m on.
-    pub fn length_words(&self, value_m: f64) -> String {
-        if let Some(unit) = self.book.chosen(Kind::Length) {
-            return format!("{} {}", crate::quantity::significant(unit.of(value_m), 4), unit.name());
-        }
-        match self.length_unit.name {
-            "mm" => crate::quantity::metres(value_m),
-            name => {
-                let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
-                format!("{} {name}", crate::quantity::significant(value, 4))
-            }
-        }
-    }
-
     /// Name of a point.
     pub fn point_name(&self, p: PointId) -> &str {
         &self.points[p.0].name

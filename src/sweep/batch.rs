@@ -4,7 +4,7 @@
 //! itself, in any order and on any number of threads, with the same bits. Memory is that of a [`Block`], not of the batch.
 
 use super::chunks::run_on_branches;
-use super::general::{General, driver_column};
+use super::general::General;
 use super::pieces::{Stop, never};
 use super::station::{Stations, angle_per_value};
 use super::vary::Variation;
@@ -79,7 +79,7 @@ impl Batch<'_> {
     pub fn columns(&self) -> Vec<(String, &'static str)> {
         let mut out = vec![("mechanism".to_owned(), "")];
         out.extend(self.variation.names().zip(&self.values).map(|(n, v)| (n.to_owned(), v.first().map_or("", |v| self.variation.unit(v)))));
-        out.push(driver_column(self.scene, self.driver));
+        out.push(self.scene.driver_column(self.driver));
         for f in &self.scene.find {
             out.extend(compile::ask::names(f));
         }

@@ -9,7 +9,7 @@ use crate::answer::Value;
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration};
 use crate::quantity::significant;
-use crate::scene::{DriverKind, Kind, Lang, LinkId, Scene};
+use crate::scene::{Kind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -64,29 +64,9 @@ impl<'a> General<'a> {
     }
 }
 
-/// Name of a driver's column, and what it is: an angle or a length.
-pub fn driver_name(scene: &Scene, driver: usize) -> (String, Kind) {
-    let point = |p: crate::scene::PointId| scene.point_name(p);
-    match &scene.drivers[driver].kind {
-        DriverKind::Turn { link, against, .. } if *against == scene.ground => (format!("phi_{}", scene.link_name(*link)), Kind::Angle),
-        DriverKind::Turn { link, against, .. } => (format!("phi_{}/{}", scene.link_name(*link), scene.link_name(*against)), Kind::Angle),
-        DriverKind::Slide { guide, .. } => {
-            let g = &scene.guides[guide.0];
-            (format!("s_{}", g.pin.map_or_else(|| g.slider.map_or("", |s| scene.link_name(s)), point)), Kind::Length)
-        }
-        DriverKind::Cylinder { a, b, .. } => (format!("l_{}{}", point(*a), point(*b)), Kind::Length),
-    }
-}
-
-/// The same with the SI unit of the column.
-pub(super) fn driver_column(scene: &Scene, driver: usize) -> (String, &'static str) {
-    let (name, kind) = driver_name(scene, driver);
-    (name, kind.si())
-}
-
 /// A driver's value for people: `phi_1 = 92.5°`.
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
-    let (name, kind) = driver_name(scene, driver);
+    let (name, kind) = scene.driver_name(driver);
     match kind {
         Kind::Angle => format!("{name} = {}", scene.book.text(kind, &significant(scene.book.value(kind, value), 6))),
         Kind::Length | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha => format!("{name} = {}", scene.length_words(value)),

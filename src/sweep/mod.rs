@@ -56,7 +56,6 @@ use crate::scene::Scene;
 use changes::Changes;
 use chunks::{run_on_branches, run_parts, sized};
 use general::General;
-pub use general::driver_name;
 use limit::Probe;
 use program::Program;
 

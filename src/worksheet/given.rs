@@ -58,14 +58,14 @@ impl Maker<'_> {
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
                 let along = match self.lang() {
-                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.size(x), if back { "away from" } else { "toward" }),
-                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, self.size(x)),
+                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.unsigned(x), if back { "away from" } else { "toward" }),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
                 };
                 let left = y.value > 0.0;
                 match self.lang() {
                     _ if y.value == 0.0 => along,
-                    Lang::En => format!("{along} and ${}$ to the {}", self.size(y), if left { "left" } else { "right" }),
-                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.size(y)),
+                    Lang::En => format!("{along} and ${}$ to the {}", self.unsigned(y), if left { "left" } else { "right" }),
+                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.unsigned(y)),
                 }
             }
             Place::Polar { base: (a, b), length: l, angle: turn } => {
@@ -101,7 +101,7 @@ impl Maker<'_> {
         let en = self.lang() == Lang::En;
         match path {
             GuidePath::Arc { centre, radius } => {
-                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, length(r))).unwrap_or_default();
+                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, self.length(r))).unwrap_or_default();
                 let centre = self.point(*centre);
                 if en { format!(" along an arc about {centre}{r}") } else { format!("，圆弧槽，圆心 {centre}{r}") }
             }
@@ -227,7 +227,7 @@ impl Maker<'_> {
     }
 
     /// A length without its sign, which is told in words.
-    fn size(&self, given: &Given) -> String {
+    fn unsigned(&self, given: &Given) -> String {
         self.length(given).trim_start_matches('−').to_owned()
     }
 

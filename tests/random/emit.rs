@@ -16,6 +16,13 @@ pub enum Pose {
     Mixed,
 }
 
+impl Pose {
+    /// By coordinates and by lengths in turn.
+    pub fn of(seed: u64) -> Pose {
+        if seed.is_multiple_of(2) { Pose::Coordinates } else { Pose::Lengths }
+    }
+}
+
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ask {

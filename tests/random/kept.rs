@@ -10,7 +10,7 @@ use hodograph::answer::{Value, level_of};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::scene::{Scene, read, templates};
-use hodograph::worked::{Outcome, Scope, work};
+use hodograph::worked::{Outcome, Scope, Worked, work};
 
 /// What was seen.
 #[derive(Default, Debug)]
@@ -284,4 +284,10 @@ fn a_pin_within_rounding_of_its_pivot() {
     let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", "-90 deg")]).unwrap();
     let faults = work(&scene_of(&text), Scope::Questions).err().expect("no direction");
     assert!(faults.to_string().contains("lies on the pivot"), "{faults}");
+}
+
+/// Whether positions were found again in longer numbers.
+pub fn settled(scene: &Scene, w: &Worked) -> bool {
+    let again = hodograph::position::recompute::<f64>(scene, &w.mechanism, &w.demand, &w.configuration);
+    again.is_ok_and(|at| at != w.configuration)
 }

@@ -1,6 +1,7 @@
 //! Properties of solved random mechanisms.
 
 use crate::emit::{self, Ask, Pose, Style};
+use crate::kept::settled;
 use crate::mech::{self, Mech};
 use hodograph::answer::{Source, Value};
 use hodograph::construct::Edge;
@@ -8,7 +9,7 @@ use hodograph::diag::Faults;
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::{Body, By, Plan, Spot, Step, Term, TermKind, Vertex, VertexId};
-use hodograph::position::{self, Configuration, Path, newton};
+use hodograph::position::{Configuration, Path, newton};
 use hodograph::scene::{self, DriverKind, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -100,20 +101,12 @@ fn each(own: u64, pose: Pose, ask: Ask, mut check: impl FnMut(&Mech, &Case)) {
     }
 }
 
-fn pose_of(seed: u64) -> Pose {
-    if seed.is_multiple_of(2) { Pose::Coordinates } else { Pose::Lengths }
-}
-
 fn difference(a: Value, b: Value) -> f64 {
     match (a, b) {
         (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
         (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
         _ => f64::INFINITY,
     }
-}
-
-fn size(v: Value) -> f64 {
-    v.magnitude()
 }
 
 /// The mechanism that was grown, place by place: the reader and the position solver put it together again.
@@ -147,7 +140,7 @@ fn drawing_agrees_with_the_loop_equations() {
             cases += 1;
             ill += usize::from(!c.well_conditioned());
             for (text, drawn, computed) in c.results() {
-                if !(size(drawn).is_finite() && size(computed).is_finite()) {
+                if !(drawn.magnitude().is_finite() && computed.magnitude().is_finite()) {
                     c.fail(format!("{text} is not finite: {drawn:?} {computed:?}"));
                 }
                 answers += 1;
@@ -219,7 +212,7 @@ fn vectors_are_differences_of_positions() {
     let (mut worst_v, mut worst_a, mut cases) = (0.0f64, 0.0f64, 0);
     for seed in seeds(160) {
         let Some(m) = mechanism(seed).filter(|m| m.groups.len() <= 8) else { continue };
-        let pose = if m.coordinates_only { Pose::Coordinates } else { pose_of(seed) };
+        let pose = if m.coordinates_only { Pose::Coordinates } else { Pose::of(seed) };
         let c = solve(seed, &m, &style(pose, Ask::Everything, seed));
         let extent = c.worked.configuration.extent();
         let largest = |l| c.worked.construction.polygon(l).map_or(0.0, |p| p.largest());
@@ -485,14 +478,15 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
     let mut worst = 0.0f64;
     let largest = |text: &str| {
         let kind = text.split('_').next().unwrap_or("");
-        a.results().filter(|r| r.0.split('_').next() == Some(kind)).map(|r| size(r.2)).fold(0.0, f64::max)
+        a.results().filter(|r| r.0.split('_').next() == Some(kind)).map(|r| r.2.magnitude()).fold(0.0, f64::max)
     };
     // What vanishes is compared with what does not.
-    let motion = a.results().filter(|r| !r.0.starts_with(['x', 'y'])).map(|r| size(r.2)).fold(0.0, f64::max);
+    let motion = a.results().filter(|r| !r.0.starts_with(['x', 'y'])).map(|r| r.2.magnitude()).fold(0.0, f64::max);
     for ((text, drawn, computed), (_, other_drawn, other)) in a.results().zip(b.results()) {
         for (was, is) in [(drawn, other_drawn), (computed, other)] {
             let off = difference(map(text, was), is);
-            let reference = size(map(text, was)).max(1e-3 * size(map(text, Value::Scalar(largest(text))))).max(1e-4 * motion).max(1e-9);
+            let reference =
+                map(text, was).magnitude().max(1e-3 * map(text, Value::Scalar(largest(text))).magnitude()).max(1e-4 * motion).max(1e-9);
             worst = worst.max(off / reference);
             if off > tolerance * reference {
                 a.fail(format!("{what} changes {text} from {was:?} to {is:?} (off {:e})\n{}\nand", off / reference, b.text));
@@ -505,13 +499,6 @@ fn compare(what: &str, a: &Case, b: &Case, tolerance: f64, map: impl Fn(&str, Va
 /// How a quantity goes with the length unit.
 fn goes_with_length(text: &str) -> bool {
     !(text.starts_with("omega") || text.starts_with("alpha"))
-}
-
-/// Whether positions of a case were found again in longer numbers.
-fn settled(c: &Case) -> bool {
-    let w = &c.worked;
-    let again = position::recompute::<f64>(&c.scene, &w.mechanism, &w.demand, &w.configuration);
-    again.is_ok_and(|at| at != w.configuration)
 }
 
 #[test]
@@ -527,15 +514,15 @@ fn a_power_of_two_changes_no_digit() {
                     Value::Vector(v) => Value::Vector(v * stretch),
                     Value::Scalar(s) => Value::Scalar(s * stretch),
                 };
+                let near = 1e-9 * is.magnitude() + 1e-11 * scale(Value::Scalar(1.0)).magnitude();
                 // Positions that `f64` loses digits of are those of the decimals as written, and 2^k times a decimal is another one.
-                let written = settled(&c) || settled(&b);
-                let close = difference(scale(was), is) <= 1e-9 * size(is) + 1e-11 * size(scale(Value::Scalar(1.0)));
-                if scale(was) != is && !(written && close) {
+                let written = || settled(&c.scene, &c.worked) || settled(&b.scene, &b.worked);
+                if scale(was) != is && (difference(scale(was), is) > near || !written()) {
                     c.fail(format!("2^{k} changes {text} from {was:?} to {is:?}\n{}\nand", b.text));
                 }
                 // The paper's scales are 1, 2, 2.5, 5 × 10^k: what is read off it is rounded otherwise.
                 let (d, e) = (difference(scale(drawn), other_drawn), difference(scale(was), scale(drawn)));
-                if d > 4.0 * e + 1e-9 * size(is) + 1e-11 * size(scale(Value::Scalar(1.0))) {
+                if d > 4.0 * e + near {
                     c.fail(format!("2^{k} changes the drawn {text} from {drawn:?} to {other_drawn:?}"));
                 }
             }

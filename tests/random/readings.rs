@@ -229,7 +229,7 @@ fn readings_of_random_mechanisms_are_edges() {
     let mut read = 0;
     for seed in seeds(150) {
         let Some(m) = mechanism(seed) else { continue };
-        let pose = if m.coordinates_only || seed % 2 == 0 { emit::Pose::Coordinates } else { emit::Pose::Lengths };
+        let pose = if m.coordinates_only { emit::Pose::Coordinates } else { emit::Pose::of(seed) };
         let text = emit::scene(&m, &style(pose, emit::Ask::Velocities, seed));
         let scene = asking_all(scene::read(&text).unwrap().value);
         let Ok(worked) = work(&scene, Scope::Questions) else { continue };

@@ -212,7 +212,9 @@ fn numbers(scene: &Scene, worked: &Worked) -> Value {
     fn bare(value: &mut Value) {
         match value {
             Value::Object(fields) => {
-                fields.retain(|key, _| !matches!(key.as_str(), "find" | "title" | "notes" | "words" | "links" | "message" | "help"));
+                fields.retain(|key, _| {
+                    !matches!(key.as_str(), "find" | "measured_between" | "title" | "notes" | "words" | "links" | "message" | "help")
+                });
                 fields.values_mut().for_each(bare);
             }
             Value::Array(list) => list.iter_mut().for_each(bare),

@@ -12,8 +12,8 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
-use crate::quantity::shortest;
-use crate::scene::{PointId, Scene};
+use crate::quantity::{inked, shortest};
+use crate::scene::{Given, Kind, PointId, Scene, Told};
 use crate::sweep::follow::Follower;
 use crate::sweep::points::at_equal_steps;
 use crate::worked::Worked;
@@ -154,7 +154,17 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The given lengths in millimetres, on the side away from the mechanism's middle.
+    /// A given length at its dimension line: millimetres to the micrometre without their name, all else with its unit.
+    fn dimension(&self, given: &Given) -> String {
+        let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
+        match self.scene.told(Kind::Length, &given.text, given.value) {
+            Told::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
+            Told::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
+            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => shortest((given.value * 1e6).round() / 1e3),
+        }
+    }
+
+    /// The given lengths, on the side away from the mechanism's middle.
     fn dimensions(&mut self) {
         let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
         let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
@@ -164,8 +174,7 @@ impl Draft<'_> {
             let offset_mm = if left { DIMENSION_MM } else { -DIMENSION_MM };
             let name = format!("dimension-{}{}", self.scene.point_name(length.a), self.scene.point_name(length.b));
             let owner = self.d.draw(&name, "", sym::dimension(self.style, a, b, offset_mm));
-            // Millimetres to the micrometre, as they are written.
-            let text = shortest((length.value.value * 1e6).round() / 1e3);
+            let text = self.dimension(&length.value);
             let (from, to) = sym::dimension_line(a, b, offset_mm);
             let request = LabelRequest::along(Label::math(text), self.style.small_mm, from, to, self.style.thin.width_mm / 2.0);
             self.d.label(&name, "dimension", request.owned(owner));

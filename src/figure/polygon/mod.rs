@@ -6,6 +6,7 @@
 //! can show the polygon as it grows.
 
 mod inset;
+mod marks;
 
 use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
@@ -22,6 +23,7 @@ use crate::figure::place::LabelRequest;
 use crate::figure::style::Style;
 use crate::figure::symbols as sym;
 use inset::Inset;
+use marks::marks;
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;
@@ -78,18 +80,6 @@ pub fn polygon(style: &Style, w: &Writer, p: &Polygon) -> Part {
     let part = finished(drawing);
     let insets = draft.insets(|arrow| part.left_out.contains(&names[arrow]));
     if insets.is_empty() { part } else { finished(draft.draw(&style, &insets).0) }
-}
-
-/// All marks of a polygon between which something can be measured, each once: the pole, images, ends of parts.
-fn marks(w: &Writer, p: &Polygon) -> Vec<(Mark, Point)> {
-    let images = p.images.iter().enumerate().filter_map(|(v, at)| Some((p.mark(w.plan, VertexId(v)), (*at)?)));
-    let mut all = vec![(Mark::Pole, Point::ORIGIN)];
-    for mark in p.edges.iter().flat_map(|e| [e.from, e.to]).chain(images) {
-        if !all.iter().any(|m| m.0 == mark.0) {
-            all.push(mark);
-        }
-    }
-    all
 }
 
 /// The same without insets and before its labels are placed, for series of drawings: those of which one is `full` ([`is_full`]) are

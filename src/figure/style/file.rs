@@ -16,6 +16,9 @@ use crate::json::{self, Kind, Node};
 /// A length that a style sets: its key, where it is kept, and its bounds in mm.
 type Length = (&'static str, fn(&mut Style) -> &mut f64, [f64; 2]);
 
+/// A mark is a letter or a word in the label language, and stands in many labels.
+const MARK_MAX: usize = 40;
+
 /// Lines thinner than a hair do not print, thicker than 2 mm they hide what they join.
 const LINES: &[Length] = &[
     ("link", |s| &mut s.link.width_mm, [0.1, 2.0]),
@@ -196,6 +199,10 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     let Some(f) = Fields::open(node, "\"notation\"", MARKS, faults) else { return };
     let mut one = |key: &str, place: &mut Option<String>| {
         let Some(text) = f.get(key).and_then(|n| word(n, &format!("`{key}`"), faults)) else { return };
+        if text.text.chars().count() > MARK_MAX {
+            let d = Diagnostic::error("mark", format!("`{key}` has more than {MARK_MAX} characters")).at(text.span);
+            return faults.push(d.help("write another mark"));
+        }
         let label = Label::math(text.text.as_str());
         let set = text::set(&label);
         match set.faults.first() {

@@ -1,0 +1,134 @@
+//! What is measured on the board, turning rates and sliding velocities, and the known vectors that are reckoned from it and laid off.
+
+use super::board::Board;
+use super::pencil::Pencil;
+use super::scale;
+use super::{Action, Mark, Polygon, RateMeasured, RateReading};
+use crate::diag::Faults;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::number::Real;
+use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
+use crate::position::Path;
+use crate::scene::DriverKind;
+
+impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
+    /// ω or α of a body from what was read so far.
+    pub(super) fn rate(&self, level: Level, body: Body) -> N {
+        if let Body::Link(l) = body
+            && self.m.never_turns[l.0]
+        {
+            return N::from_f64(0.0);
+        }
+        self.done.rate(level, body).expect("the plan finds a turning rate before it uses it")
+    }
+
+    /// Finds the turning of a body; needed ones that come earlier in the list are there already.
+    pub(super) fn turning(&mut self, p: &mut Polygon<N>, body: Body, rate: Rate) {
+        let level = p.level;
+        if self.done.rate(level, body).is_some() {
+            return;
+        }
+        let zero = N::from_f64(0.0);
+        let known = |value| RateReading { level, body, value, measured: None };
+        let reading = match rate {
+            _ if self.stands(level) => known(zero),
+            Rate::Zero => known(zero),
+            Rate::Same(other) => known(self.rate(level, Body::Link(other))),
+            Rate::Given { driver, against } => {
+                let own = self.given(level, driver);
+                // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
+                let own = match self.scene.drivers[driver].kind {
+                    DriverKind::Turn { link, .. } if Body::Link(link) == body => own,
+                    _ => -own,
+                };
+                known(self.rate(level, Body::Link(against)) + own)
+            }
+            Rate::Measured { of, to } => {
+                let Some([from, end]) = self.measured_between(p, body, of, to) else { return };
+                let mu: N = scale::number(p.mu);
+                let r = self.arm_of(body, of, to);
+                let l = r.norm();
+                let drawn = self.pencil.read(level, end.1 - from.1);
+                // Carried back to the link: the part square to the arm turns it.
+                let square = (r * (N::from_f64(1.0) / l)).cross(drawn);
+                let length = if square.approx() < 0.0 { -square } else { square };
+                RateReading {
+                    level,
+                    body,
+                    value: square * mu / l,
+                    measured: Some(RateMeasured { length, arm: l, line: (of, to), marks: [from, end] }),
+                }
+            }
+        };
+        self.done.rates.push(reading);
+        p.actions.push(Action::Rate(self.done.rates.len() - 1));
+    }
+
+    /// The two marks from whose distance a turning is measured: the images of two points of a link; for accelerations, and for the line of
+    /// a cylinder, the ends of the part square to the arm. `None` as long as they are not there.
+    fn measured_between(&self, p: &Polygon<N>, body: Body, of: VertexId, to: VertexId) -> Option<[(Mark, Point<N>); 2]> {
+        let kind = match (p.level, body) {
+            (Level::Acceleration, _) => TermKind::Tangential,
+            (_, Body::Cylinder(_)) => TermKind::Relative,
+            (_, Body::Link(_)) => return Some([(self.mark(to), p.images[to.0]?), (self.mark(of), p.images[of.0]?)]),
+        };
+        let wanted = Term { kind, of, to, by: By::Turning(body), known: false };
+        p.edge_of(&[wanted]).map(|(marks, _)| marks)
+    }
+
+    /// A known term as a vector in SI.
+    pub(super) fn known_vector(&mut self, p: &Polygon<N>, term: &Term) -> Result<Vec2<N>, Faults> {
+        let two = N::from_f64(2.0);
+        let arm = || self.arm(term.of, term.to);
+        let turning = |body| self.arm_of(body, term.of, term.to);
+        Ok(match (term.kind, term.by) {
+            (TermKind::Relative, By::Turning(body)) => turning(body).perp() * self.rate(Level::Velocity, body),
+            (TermKind::Normal, By::Turning(body)) => {
+                let omega = self.rate(Level::Velocity, body);
+                turning(body) * -(omega * omega)
+            }
+            (TermKind::Tangential, By::Turning(body)) => turning(body).perp() * self.rate(Level::Acceleration, body),
+            (TermKind::Extension, By::Cylinder(d)) => {
+                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
+                e * self.given(p.level, d)
+            }
+            (TermKind::Coriolis, By::Cylinder(d)) => {
+                let e = arm().unit().ok_or_else(|| Faults::from(self.coincide(term.of, term.to)))?;
+                e.perp() * (two * self.rate(Level::Velocity, Body::Cylinder(d)) * self.given(Level::Velocity, d))
+            }
+            (TermKind::Slide, By::Guide { driver: Some(d), .. }) => {
+                let given = self.given(p.level, d);
+                self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
+            }
+            (TermKind::Coriolis, By::Guide { guide, .. }) => {
+                let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                self.slide_velocity(term).perp() * (two * omega)
+            }
+            (TermKind::SlideNormal, By::Guide { guide, .. }) => {
+                let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
+                let v = self.slide_velocity(term);
+                let Spot::Point(pin) = self.plan.vertex(term.of).spot else { unreachable!("a runner is a point") };
+                let inward = self.turned(guide, (centre - self.at.point(pin)) * (N::from_f64(1.0) / radius));
+                let size = v.norm2() / radius;
+                inward * if self.reversed(term) { -size } else { size }
+            }
+            _ => unreachable!("this kind of term is never known"),
+        })
+    }
+
+    fn given(&self, level: Level, driver: usize) -> N {
+        let d = &self.scene.drivers[driver];
+        match level {
+            Level::Acceleration => d.acceleration.as_ref().map_or(N::from_f64(0.0), |a| self.inputs.number(a)),
+            _ => self.inputs.number(&d.rate),
+        }
+    }
+
+    /// Sliding velocity between the two points of a term, measured on the velocity polygon.
+    fn slide_velocity(&mut self, term: &Term) -> Vec2<N> {
+        let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
+        let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
+        self.pencil.read(Level::Velocity, drawn) * scale::number(mu)
+    }
+}
