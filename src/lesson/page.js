@@ -333,7 +333,9 @@
     $("at").innerHTML = `(${label(times[told])})`;
     answers.forEach((say, i) => (answerItems[i].innerHTML = say(told)));
     const sentence = !begun ? word("finished") : step === 0 ? "" : steps[step - 1].say(told);
-    if (begun && step === 0) $("sentence").textContent = data.statement[which()];
+    const stated = data.statement[which()];
+    if (begun && step === 0 && stated.html) $("sentence").innerHTML = formulas(stated.html);
+    else if (begun && step === 0) $("sentence").textContent = stated;
     else $("sentence").innerHTML = sentence;
     const { html } = equation(begun && step > 0 ? steps[step - 1] : null, told);
     if (html !== written) $("equation").innerHTML = written = html;

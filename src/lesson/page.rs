@@ -16,6 +16,8 @@ use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
+use crate::report::phrase::{Phrase, Piece};
+use crate::report::statement::paragraphs;
 use crate::scene::{Book, DriverKind, Lang, Scene};
 
 use super::bank::{self, Formulas};
@@ -62,7 +64,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "lang": tag(options.lang),
         "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
         "title": LANGS.map(title),
-        "statement": LANGS.map(|lang| statement(scene, lang)),
+        "statement": LANGS.map(|lang| statement(scene, lang, &mut formulas)),
         "driver": driver(scene, options.driver),
         "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
@@ -192,9 +194,15 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     )
 }
 
-fn statement(scene: &Scene, lang: Lang) -> String {
-    let given = scene.statement.as_ref().map_or("", |s| s.get(lang));
-    if given.is_empty() { word("diagram", lang).to_owned() } else { given.to_owned() }
+/// The statement for the page: words as they are, or `{html}` with the indices of its formulas.
+fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> Value {
+    let stated = paragraphs(scene, lang);
+    let plain = |p: &Phrase| p.pieces().iter().all(|piece| matches!(piece, Piece::Words(_)));
+    match stated.is_empty() {
+        true => json!(word("diagram", lang)),
+        false if stated.iter().all(plain) => json!(stated.iter().map(Phrase::plain).collect::<Vec<_>>().join("\n")),
+        false => json!({"html": stated.iter().map(|p| formulas.phrase(p)).collect::<Vec<_>>().join("<br>")}),
+    }
 }
 
 /// What is moved: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no

@@ -127,13 +127,13 @@ fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) 
 }
 
 /// A text of no more than so many characters.
-fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<String> {
+fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
     let count = word.text.chars().count();
     if count > most {
         faults.push(Diagnostic::error("too-long", format!("{what} has {count} characters; at most {most} are allowed")).at(word.span));
         return None;
     }
-    Some(word.text)
+    Some(word)
 }
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {

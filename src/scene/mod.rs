@@ -15,6 +15,7 @@ mod names;
 mod raw;
 mod resolve;
 pub mod schema;
+pub mod statement;
 pub mod templates;
 #[cfg(test)]
 mod tests;

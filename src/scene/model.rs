@@ -5,6 +5,7 @@
 //! [`crate::position`].
 
 use super::book::Book;
+use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
@@ -393,7 +394,7 @@ pub struct Scene {
     /// Title.
     pub title: Localized,
     /// The problem statement, if the file has one.
-    pub statement: Option<Localized>,
+    pub statement: Option<Statement>,
     /// Named parameters with their SI values, as written.
     pub parameters: Vec<(String, Given)>,
     /// Points in order of first mention.

@@ -17,8 +17,8 @@ pub(super) struct RawQuantity {
 /// A text in one language (`other` absent) or in both.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawLocalized {
-    pub en: Option<String>,
-    pub zh: Option<String>,
+    pub en: Option<Word>,
+    pub zh: Option<Word>,
 }
 
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use super::book::{BookUnit, Kind};
 use super::expr::{self, Expr, ExprKind};
-use super::model::Scene;
+use super::model::{Given, Scene};
 
 /// A given quantity for a reader.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,38 +20,44 @@ impl Scene {
     ///
     /// The unit is that of the book; without one that of the text, or of the first parameter in it that has one of the kind.
     pub fn told(&self, kind: Kind, text: &str, si: f64) -> Told {
-        let literal = literal(text, kind);
-        let written = literal.as_ref().map(|l| l.1.clone()).or_else(|| self.unit_in(text, kind, self.parameters.len()));
-        match (self.book.chosen(kind), literal, written) {
-            (Some(chosen), Some((number, unit)), _) if unit == *chosen => Told::AsWritten(number, unit),
-            (Some(_), _, None) if si == 0.0 => Told::Usual,
-            (Some(chosen), ..) => Told::Computed(chosen.of(si), chosen.clone()),
-            (None, Some((number, unit)), _) => Told::AsWritten(number, unit),
-            (None, None, Some(unit)) => Told::Computed(unit.of(si), unit),
-            (None, None, None) => Told::Usual,
+        let written = as_written(&self.parameters, kind, text, si);
+        match (self.book.chosen(kind), written) {
+            (Some(chosen), Told::AsWritten(number, unit)) if unit == *chosen => Told::AsWritten(number, unit),
+            (Some(_), Told::Usual) if si == 0.0 => Told::Usual,
+            (Some(chosen), _) => Told::Computed(chosen.of(si), chosen.clone()),
+            (None, written) => written,
         }
     }
+}
 
-    /// The unit of a text that may use the first so many parameters.
-    fn unit_in(&self, text: &str, kind: Kind, earlier: usize) -> Option<BookUnit> {
-        if let Some((_, unit)) = literal(text, kind) {
-            return Some(unit);
-        }
-        let names: Vec<&str> = self.parameters[..earlier].iter().map(|p| p.0.as_str()).collect();
-        self.unit_of(&expr::parse(text, &names).ok()?, kind, earlier)
+/// How a quantity of a scene with these parameters is told, whatever unit the answers have.
+pub(super) fn as_written(parameters: &[(String, Given)], kind: Kind, text: &str, si: f64) -> Told {
+    if let Some((number, unit)) = literal(text, kind) {
+        return Told::AsWritten(number, unit);
     }
+    unit_in(parameters, text, kind).map_or(Told::Usual, |unit| Told::Computed(unit.of(si), unit))
+}
 
-    fn unit_of(&self, expr: &Expr, kind: Kind, earlier: usize) -> Option<BookUnit> {
-        match &expr.kind {
-            ExprKind::Number(_) | ExprKind::Pi => None,
-            ExprKind::Unit(unit) => BookUnit::read(unit.name, kind).ok(),
-            ExprKind::Parameter(name) => {
-                let at = self.parameters[..earlier].iter().rposition(|p| p.0 == *name)?;
-                self.unit_in(&self.parameters[at].1.text, kind, at)
-            }
-            ExprKind::Neg(a) | ExprKind::Call(_, a) => self.unit_of(a, kind, earlier),
-            ExprKind::Binary(_, a, b) => self.unit_of(a, kind, earlier).or_else(|| self.unit_of(b, kind, earlier)),
+/// The unit of a text that may use these parameters.
+fn unit_in(parameters: &[(String, Given)], text: &str, kind: Kind) -> Option<BookUnit> {
+    if let Some((_, unit)) = literal(text, kind) {
+        return Some(unit);
+    }
+    let names: Vec<&str> = parameters.iter().map(|p| p.0.as_str()).collect();
+    unit_of(parameters, &expr::parse(text, &names).ok()?, kind)
+}
+
+fn unit_of(parameters: &[(String, Given)], expr: &Expr, kind: Kind) -> Option<BookUnit> {
+    match &expr.kind {
+        ExprKind::Number(_) | ExprKind::Pi => None,
+        ExprKind::Unit(unit) => BookUnit::read(unit.name, kind).ok(),
+        ExprKind::Parameter(name) => {
+            // A parameter uses those before it.
+            let at = parameters.iter().rposition(|p| p.0 == *name)?;
+            unit_in(&parameters[..at], &parameters[at].1.text, kind)
         }
+        ExprKind::Neg(a) | ExprKind::Call(_, a) => unit_of(parameters, a, kind),
+        ExprKind::Binary(_, a, b) => unit_of(parameters, a, kind).or_else(|| unit_of(parameters, b, kind)),
     }
 }
 
