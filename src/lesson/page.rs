@@ -16,7 +16,6 @@ use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
-use crate::report::phrase::{Phrase, Piece};
 use crate::report::statement::paragraphs;
 use crate::scene::{Book, DriverKind, Lang, Scene};
 
@@ -194,15 +193,10 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     )
 }
 
-/// The statement for the page: words as they are, or `{html}` with the indices of its formulas.
-fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> Value {
-    let stated = paragraphs(scene, lang);
-    let plain = |p: &Phrase| p.pieces().iter().all(|piece| matches!(piece, Piece::Words(_)));
-    match stated.is_empty() {
-        true => json!(word("diagram", lang)),
-        false if stated.iter().all(plain) => json!(stated.iter().map(Phrase::plain).collect::<Vec<_>>().join("\n")),
-        false => json!({"html": stated.iter().map(|p| formulas.phrase(p)).collect::<Vec<_>>().join("<br>")}),
-    }
+/// The statement for the page: HTML, its formulas told by their indices, a line for each paragraph.
+fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
+    let stated: Vec<String> = paragraphs(scene, lang).iter().map(|p| formulas.phrase(p)).collect();
+    if stated.is_empty() { escaped(word("diagram", lang)) } else { stated.join("<br>") }
 }
 
 /// What is moved: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
@@ -225,14 +219,29 @@ fn driver(scene: &Scene, k: usize) -> Value {
             (false, format!("l_{{{}{}}}", name_label(scene.point_name(*a)), name_label(scene.point_name(*b))))
         }
     };
-    let factor = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
+    let (book, what) = (&scene.book, scene.driver_name(k).1);
+    let factor = match (book.chosen(what), turns) {
+        (Some(unit), _) => unit.of(1.0),
+        (None, true) => 180.0 / std::f64::consts::PI,
+        (None, false) => 1e3,
+    };
     let start = match &driver.kind {
-        DriverKind::Turn { angle: Some(a), .. } => Some(a.value.degrees()),
+        DriverKind::Turn { angle: Some(a), .. } if book.chosen(what).is_none() => Some(a.value.degrees()),
         _ => driver_position(scene, k).map(|s| s * factor),
     };
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;
-    json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
+    let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
+    // A unit of the book, and in how many parts of it the page tells the position.
+    if book.chosen(what).is_some() {
+        // About as fine as tenths of a degree and of a millimetre.
+        let usual = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
+        let parts = libm::exp10(libm::ceil(libm::log10(10.0 * usual / factor) - 0.5)).max(10.0);
+        told["unit"] = json!(book.text(what, ""));
+        told["turn"] = json!(std::f64::consts::TAU * factor);
+        told["parts"] = json!(parts);
+    }
+    told
 }
 
 /// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.
