@@ -27,7 +27,7 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema.
+//!   templates, schema; in which unit a number is printed ([`scene::book`]).
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
 //!   questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.

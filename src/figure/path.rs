@@ -222,7 +222,7 @@ impl Page<'_> {
         let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
         let book = &self.scene().book;
         let (driver, kind) = driver_symbol(self.scene(), self.driver);
-        let (unit, factor) = book.fine(kind);
+        let ((unit, factor), parts) = (book.fine(kind), book.parts(kind, 100.0));
         let mut rows = Vec::new();
         for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
             let cell = |text: Label, anchor, row: &str, k: usize| {
@@ -239,7 +239,7 @@ impl Page<'_> {
             row("driver", Label::math(format!("{driver},\\, {unit}")), &|k| {
                 let value = marks[k].driver;
                 let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
-                Label::math(crate::quantity::inked(&crate::quantity::shortest((shown * 100.0).round() / 100.0)))
+                Label::math(crate::quantity::inked(&crate::quantity::shortest((shown * parts).round() / parts)))
             });
             for (p, point) in self.moved.points.iter().enumerate() {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {

@@ -234,12 +234,9 @@ fn driver(scene: &Scene, k: usize) -> Value {
     let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
     // A unit of the book, and in how many parts of it the page tells the position.
     if book.chosen(what).is_some() {
-        // About as fine as tenths of a degree and of a millimetre.
-        let usual = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
-        let parts = libm::exp10(libm::ceil(libm::log10(10.0 * usual / factor) - 0.5)).max(10.0);
         told["unit"] = json!(book.text(what, ""));
         told["turn"] = json!(std::f64::consts::TAU * factor);
-        told["parts"] = json!(parts);
+        told["parts"] = json!(book.parts(what, 10.0));
     }
     told
 }

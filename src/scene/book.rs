@@ -339,6 +339,13 @@ impl Book {
         }
     }
 
+    /// In how many parts of its unit a driver's position is told, where that is `usual` of a degree or a millimetre: as finely, to a
+    /// power of ten, in any other unit.
+    pub fn parts(&self, kind: Kind, usual: f64) -> f64 {
+        let (factor, plain) = (self.fine(kind).1, Book::default().fine(kind).1);
+        if factor == plain { usual } else { libm::exp10(libm::round(libm::log10(usual * plain / factor))).max(1.0) }
+    }
+
     /// One of the unit in SI units, where one is chosen: scales are round in it. Else 1.
     pub fn size(&self, kind: Kind) -> f64 {
         self.chosen(kind).map_or(1.0, BookUnit::size)
@@ -423,6 +430,9 @@ mod tests {
         let mut book = Book::default();
         assert_eq!((book.upright(Kind::Alpha), book.scale_label(Kind::Acceleration)), ("\\text{rad/s}^2".into(), "(m/s^2)/mm".into()));
         assert_eq!((book.scale_name(Kind::Length), book.fine(Kind::Length)), ("m/mm".into(), ("\\text{mm}".into(), 1e3)));
+        assert_eq!([book.parts(Kind::Length, 100.0), book.parts(Kind::Angle, 10.0)], [100.0, 10.0]);
+        book.set(Kind::Length, unit("km", Kind::Length));
+        assert_eq!(book.parts(Kind::Length, 100.0), 1e8);
         book.set(Kind::Acceleration, unit("m*s^-2", Kind::Acceleration));
         book.set(Kind::Angle, unit("rad", Kind::Angle));
         assert_eq!((book.upright(Kind::Acceleration), book.text(Kind::Angle, "1")), ("\\text{m·s}^{-2}".into(), "1 rad".into()));

@@ -196,10 +196,10 @@ impl Page<'_> {
         let style = &table.options.style;
         let scene = &table.rows[0].scene;
         let (_, kind) = driver_symbol(scene, table.driver);
-        let (unit, factor) = scene.book.fine(kind);
+        let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
         let value = table.rows[row].driver;
         let shown = if kind == Kind::Angle { turned(value, factor, table.full) } else { value * factor };
-        let shown = inked(&shortest((shown * 100.0).round() / 100.0));
+        let shown = inked(&shortest((shown * parts).round() / parts));
         let value = if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") };
         vec![
             text("position", at + Vec2::new(0.0, 1.5), Label::math((row + 1).to_string()), style.caption_mm * 1.5, Anchor::Middle)
