@@ -207,6 +207,7 @@ fn statements_hold_mathematics_and_values() {
         ("the crank {l_ab}", "`{l_ab}` in the statement names no parameter (did you mean `l_AB`?"),
         ("$v = {l_ab}$", "`{l_ab}` in the statement names no parameter"),
         ("find $v_{D$ now", "label `v_{D`: a { without its }"),
+        (&format!("${}x$", "{".repeat(9000)), "braces of a formula are nested more than 24 deep"),
         (r"find $\omga_1$", r"label `\omga_1`: unknown command \omga"),
     ] {
         let (written, said) = problem(statement, json!({}));

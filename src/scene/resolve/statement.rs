@@ -26,6 +26,9 @@ pub(super) fn statement(
     }
 }
 
+/// Deeper braces are refused: those who set formulas recurse.
+const DEEPEST: usize = 24;
+
 /// Reads one text.
 struct Reader<'a, 'f> {
     parameters: &'a [(String, Given)],
@@ -35,7 +38,7 @@ struct Reader<'a, 'f> {
     faults: &'f mut Faults,
 }
 
-impl Reader<'_, '_> {
+impl<'a> Reader<'a, '_> {
     /// Its paragraphs, one a line.
     fn text(&mut self) -> Vec<Vec<Run>> {
         let text = &self.word.text;
@@ -65,8 +68,8 @@ impl Reader<'_, '_> {
                 '}' if rest.starts_with("}}") => (taken, plain) = (2, "}".into()),
                 '$' => {
                     if let Some(end) = closing(&line[after..]) {
-                        let inner = &line[after..after + end];
-                        formula = Some((self.with_values(inner, after), (after, after + end)));
+                        let place = (after, after + end);
+                        formula = self.shallow(place).map(|inner| (self.with_values(inner, after), place));
                         taken = end + 2;
                     }
                 }
@@ -93,6 +96,26 @@ impl Reader<'_, '_> {
         }
         push_words(&mut runs, &mut words);
         trimmed(runs)
+    }
+
+    /// The formula at a place, if its braces are not nested too deep.
+    fn shallow(&mut self, place: (usize, usize)) -> Option<&'a str> {
+        let word: &'a Word = self.word;
+        let inner = &word.text[place.0..place.1];
+        let mut depth = 0usize;
+        for c in inner.chars() {
+            match c {
+                '{' => depth += 1,
+                '}' => depth = depth.saturating_sub(1),
+                _ => {}
+            }
+            if depth > DEEPEST {
+                let message = format!("braces of a formula are nested more than {DEEPEST} deep");
+                self.faults.push(Diagnostic::error("formula", message).at(self.place(place)));
+                return None;
+            }
+        }
+        Some(inner)
     }
 
     /// A formula, which begins at a byte of the text, with the values of the parameters that stand in it in braces of their own.
