@@ -195,7 +195,7 @@ fn stands_alone(before: &str) -> bool {
     !before.ends_with(['_', '^']) && !before.trim_end_matches(|c: char| c.is_ascii_alphabetic()).ends_with('\\')
 }
 
-/// Where the formula that begins here ends: before a dollar sign in the same line that follows no space and precedes no digit. `None`: the
+/// Where the formula that begins here ends: before the next dollar sign in the line, if that follows no space and precedes no digit. `None`: the
 /// dollar sign before it is one. Those are the rules of Pandoc's Markdown, under which prices stay prices.
 fn closing(text: &str) -> Option<usize> {
     if text.starts_with(|c: char| c.is_whitespace() || c == '$') {
@@ -206,7 +206,7 @@ fn closing(text: &str) -> Option<usize> {
         let after = text[*i + 1..].chars().next();
         before.is_some_and(|c| !c.is_whitespace() && c != '\\') && !after.is_some_and(|c| c.is_ascii_digit())
     };
-    text.match_indices('$').map(|(i, _)| i).find(ends)
+    text.find('$').filter(ends)
 }
 
 /// The name in the braces with which a text begins.
