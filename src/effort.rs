@@ -85,8 +85,9 @@ impl Work {
 fn printed(c: &Certified) -> usize {
     let shown = |part: &Part| match part {
         Part::X | Part::Y => false,
-        Part::Scalar => c.part(Part::Degrees).is_none(),
-        Part::Magnitude | Part::Direction | Part::Degrees => true,
+        Part::Scalar => c.part(Part::Degrees).is_none() && c.part(Part::Printed).is_none(),
+        Part::Magnitude | Part::Degrees => c.part(Part::Printed).is_none(),
+        Part::Direction | Part::Printed => true,
     };
     c.parts.iter().filter(|(part, number)| shown(part) && number.text(1).is_some()).count()
 }

@@ -27,7 +27,7 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema.
+//!   templates, schema; in which unit a number is printed ([`scene::book`]).
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
 //!   questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
@@ -70,7 +70,7 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
-//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy report*
+//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
 //! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
 //! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report

@@ -141,7 +141,7 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
         let free = matches!(drawn.scene.find[find].what, Asked::Coordinate(..) | Asked::LinkAngle(_));
         let relative = (!free && value.magnitude() > 0.0).then(|| absolute / value.magnitude());
         let parts = spread.0.map(|c| c.radius(WITHIN));
-        let larger = relative.map(|r| larger(drawn, &layout, r, parts));
+        let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, parts));
         absolute.is_finite().then_some(Tolerance { absolute, relative, parts, larger })
     });
     Drafting { pencil_mm, tolerances: tolerances.collect(), crossings: crossings(drawn.construction, pencil_mm) }

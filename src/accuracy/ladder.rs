@@ -4,6 +4,7 @@
 //! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
 
 use super::apart::apart;
+use super::printed::with_printed;
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
 use crate::diag::{Diagnostic, Faults};
@@ -13,7 +14,7 @@ use crate::number::decimal::{Certain, Enclosure};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::position::Configuration;
 use crate::quantity;
-use crate::scene::{Asked, Lang, Scene};
+use crate::scene::{Asked, Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 use crate::{motion, position};
 
@@ -79,6 +80,8 @@ pub enum Part {
     Scalar,
     /// An angle in degrees.
     Degrees,
+    /// The magnitude or the scalar in the unit that the scene asks for.
+    Printed,
 }
 
 impl Part {
@@ -91,6 +94,7 @@ impl Part {
             Part::Y => "y",
             Part::Scalar => "value",
             Part::Degrees => "value_deg",
+            Part::Printed => "in_unit",
         }
     }
 }
@@ -172,8 +176,8 @@ pub struct Certified {
 pub struct Reading {
     /// mm of polygon.
     pub length_mm: Number,
-    /// For a turning rate, the arm (m).
-    pub arm_m: Option<Number>,
+    /// For a turning rate, the arm in the unit in which lengths are printed (m, or that of the book).
+    pub arm: Option<Number>,
 }
 
 /// Digits to which readings are printed: one more than a ruler gives.
@@ -264,7 +268,7 @@ pub fn certify(scene: &Scene, worked: &Worked, digits: usize) -> Vec<Certified> 
             c.rung = rung;
             match seen {
                 Ok((parts, reading)) => {
-                    let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm_m));
+                    let mut read = reading.iter().flat_map(|r| std::iter::once(&r.length_mm).chain(&r.arm));
                     let whole = parts.iter().all(|(_, n)| n.holds(digits, last)) && read.all(|n| n.holds(READING_DIGITS, last));
                     c.why = match whole {
                         true => None,
@@ -333,7 +337,9 @@ impl Climb for Look<'_> {
             let r = &self.worked.results[*i];
             let find = &scene.find[r.find];
             match evaluate(scene, &at, &motion, &find.what) {
-                Some(value) => parts(find.what, value, r.scale, self.digits).map(|list| (list, reading(&at, r, value))),
+                Some(value) => parts(find.what, value, r.scale, self.digits)
+                    .and_then(|list| with_printed(&scene.book, &find.what, value, list))
+                    .map(|list| (list, reading(scene, &at, r, value))),
                 None => Err(match motion.singular.first() {
                     Some(&g) => {
                         let names: Vec<_> = m.groups[g].links.iter().map(|l| scene.link_name(*l)).collect();
@@ -354,7 +360,7 @@ pub type Parts = Result<Vec<(Part, Number)>, Why>;
 type Seen = Result<(Vec<(Part, Number)>, Option<Reading>), Why>;
 
 /// What the ruler gives: |v|/μ, or |ω| l/μ for a turning rate measured on a line of length l.
-fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
+fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value: Value<N>) -> Option<Reading> {
     let m = r.drawn.as_ref()?.measured.as_ref()?;
     let mu: N = scale::number(m.mu);
     let number = |x: N| x.enclosure().map(Number::new);
@@ -370,7 +376,7 @@ fn reading<N: Certain>(at: &Configuration<N>, r: &Outcome, value: Value<N>) -> O
     let mut length_mm = number(size / mu)?;
     // Less than a thousandth of a millimetre is nothing that a ruler gives; beside an answer that is surely not zero it is told.
     length_mm.zero = length_mm.enclosure.contains_zero() && length_mm.enclosure.largest() < 1e-3;
-    Some(Reading { length_mm, arm_m: arm.and_then(number) })
+    Some(Reading { length_mm, arm: arm.and_then(|arm| number(scene.book.in_chosen(Kind::Length, arm))) })
 }
 
 /// The numbers of one answer as they are printed; `scale` is the size against which it is judged to be zero.

@@ -4,6 +4,7 @@ use super::drafting::Drawn;
 use crate::construct::Layout;
 use crate::construct::scale::finer;
 use crate::mechanism::Level;
+use crate::scene::Paper;
 
 /// The relative tolerance that an engineering drawing is expected to give.
 const WANTED: f64 = 0.01;
@@ -45,14 +46,14 @@ impl Larger {
 }
 
 /// The enlargement for a relative tolerance; `parts` says which drawings matter.
-pub(super) fn larger(drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64; 3]) -> Larger {
+pub(super) fn larger(paper: &Paper, drawn: &Drawn, layout: &Layout, relative: f64, parts: [f64; 3]) -> Larger {
     let factor = relative / WANTED;
     let present = [Some(layout.mu_l), layout.mu_v, layout.mu_a];
     let mut mu = [None; 3];
     let mut size_mm = [0.0f64; 2];
     for (i, level) in Level::ALL.into_iter().enumerate() {
         let Some(now) = present[i].filter(|_| parts[i] > 0.0) else { continue };
-        let then = if factor > 1.0 { finer(now, factor) } else { now };
+        let then = if factor > 1.0 { finer(paper.unit(i), now, factor) } else { now };
         let on_paper = drawn.size_mm(level).map(|mm| mm * now / then);
         if on_paper[0].max(on_paper[1]) > size_mm[0].max(size_mm[1]) {
             size_mm = on_paper;

@@ -13,7 +13,7 @@ use crate::number::Real;
 use crate::number::decimal::Certain;
 use crate::plan::VertexId;
 use crate::position;
-use crate::scene::Scene;
+use crate::scene::{Book, Kind, Scene};
 use crate::worked::Worked;
 use std::collections::BTreeMap;
 
@@ -27,11 +27,11 @@ pub enum What {
     Angle,
     /// How far a pencil error moves a crossing (mm).
     Moved,
-    /// The same through μ, in SI.
+    /// The same through μ, in the unit in which such vectors are printed.
     Off,
-    /// The arm by which a measured rate is divided (m).
+    /// The arm by which a measured rate is divided, in the unit in which lengths are printed.
     Arm,
-    /// A turning rate (rad/s, rad/s²).
+    /// A turning rate, in the unit in which it is printed (rad/s, rad/s², or those of the book).
     Rate,
 }
 
@@ -51,7 +51,7 @@ impl What {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Key {
     Step(Level, usize, What),
-    /// Length of the vector of a vertex in which a laid-off vector ends (SI).
+    /// Length of the vector of a vertex in which a laid-off vector ends, in the unit in which it is printed.
     Vector(Level, VertexId),
 }
 
@@ -101,7 +101,8 @@ impl Steps {
         self.numbers.get(&Key::Step(level, action, what)).map(|n| &n.0)
     }
 
-    /// The length of the vector of a vertex in which a laid-off vector ends, in SI.
+    /// The length of the vector of a vertex in which a laid-off vector ends, in the unit in which such vectors are printed (SI, or that
+    /// of the book).
     pub fn vector(&self, level: Level, v: VertexId) -> Option<&Number> {
         self.numbers.get(&Key::Vector(level, v)).map(|n| &n.0)
     }
@@ -160,19 +161,21 @@ impl Climb for Redrawn<'_> {
         let at = position::recompute::<N>(self.scene, m, demand, configuration).ok()?;
         let layout = Layout::of(construction);
         let (paper, _) = by_hand(self.scene, m, &at, plan, &layout, &mut Exact).ok()?;
-        Some(numbers(&paper, self.pencil_mm))
+        Some(numbers(&self.scene.book, &paper, self.pencil_mm))
     }
 }
 
 /// Everything that the sentences tell of a drawing; `None` for what has no value in its numbers.
-fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
+fn numbers<N: Certain>(book: &Book, paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(Key, Option<Number>)> {
     let mut out = Vec::new();
     for (i, c) in paper.diagram.crossed.iter().enumerate() {
-        let told = crossing(c.sine, paper.diagram.mu_l, pencil_mm);
+        let told = crossing(c.sine, |moved| book.in_chosen(Kind::Length, moved * scale::number(paper.diagram.mu_l)), pencil_mm);
         out.extend(told.into_iter().map(|(what, n)| (Key::Step(Level::Position, i, what), n)));
     }
     for level in Level::RATES {
         let Some(p) = paper.polygon(level) else { continue };
+        let vector = |si: N| book.in_chosen(level.kind(), si);
+        let turning = |si: N| book.in_chosen(level.turning(), si);
         let rates = paper.rates.iter().filter(|r| r.level == level);
         let largest = rates.map(|r| r.value.approx().abs()).fold(0.0, f64::max);
         for (i, action) in p.actions.iter().enumerate() {
@@ -183,7 +186,7 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
                     // A given vector stands in the equations as a number.
                     if let Mark::Image(v) = p.edges[*e].to.0 {
                         let nothing = from_pole(p, v).and_then(length).is_some_and(|l| l.zero);
-                        let size = from_pole(p, v).and_then(|drawn| some((drawn * scale::number(p.mu)).norm()));
+                        let size = from_pole(p, v).and_then(|drawn| some(vector((drawn * scale::number(p.mu)).norm())));
                         out.push((Key::Vector(level, v), size.map(|n| n.or_zero(nothing))));
                     }
                 }
@@ -191,7 +194,7 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
                     for (k, e) in edges.iter().enumerate() {
                         tell(What::Length(k), length(span(&p.edges[*e])));
                     }
-                    crossing(*sine, p.mu, pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
+                    crossing(*sine, |moved| vector(moved * scale::number(p.mu)), pencil_mm).into_iter().for_each(|(what, n)| tell(what, n));
                 }
                 Action::Reach(v) | Action::Copy { target: v, .. } => tell(What::Length(0), from_pole(p, *v).and_then(length)),
                 Action::Join(e) => tell(What::Length(0), length(span(&p.edges[*e]))),
@@ -208,12 +211,12 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
                             let mm = length_of(m.length);
                             let zero = mm.as_ref().is_some_and(|n| n.zero);
                             tell(What::Length(0), mm);
-                            tell(What::Arm, some(m.arm));
+                            tell(What::Arm, some(book.in_chosen(Kind::Length, m.arm)));
                             zero
                         }
                         None => some(r.value).as_ref().is_some_and(small),
                     };
-                    tell(What::Rate, some(r.value).map(|n| n.or_zero(zero)));
+                    tell(What::Rate, some(turning(r.value)).map(|n| n.or_zero(zero)));
                 }
                 Action::Nothing { .. } | Action::Line { .. } | Action::Same { .. } => {}
             }
@@ -222,12 +225,12 @@ fn numbers<N: Certain>(paper: &Construction<N>, pencil_mm: Option<f64>) -> Vec<(
     out
 }
 
-/// What is told of a crossing of this sine, on a drawing to this scale.
-fn crossing<N: Certain>(sine: N, mu: f64, pencil_mm: Option<f64>) -> Vec<(What, Option<Number>)> {
+/// What is told of a crossing of this sine; `off` is what so many millimetres of its drawing are worth.
+fn crossing<N: Certain>(sine: N, off: impl Fn(N) -> N, pencil_mm: Option<f64>) -> Vec<(What, Option<Number>)> {
     let mut told = vec![(What::Angle, some(angle_deg(sine)))];
     if let Some(e) = pencil_mm {
         let moved = scale::number::<N>(e) / absolute(sine);
-        told.extend([(What::Moved, some(moved)), (What::Off, some(moved * scale::number(mu)))]);
+        told.extend([(What::Moved, some(moved)), (What::Off, some(off(moved)))]);
     }
     told
 }

@@ -29,7 +29,7 @@ use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement};
 use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -173,6 +173,9 @@ impl Input {
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         match scene::read(&bytes) {
+            Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
+                Err(Failure::input(statement::faults(&value), &name, &source))
+            }
             Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default(), asked: None }),
             Err(faults) => Err(Failure::input(faults, &name, &source)),
         }

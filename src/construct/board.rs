@@ -19,7 +19,7 @@ use crate::scene::exact::Inputs;
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
     let mut exact = Exact;
-    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose(scale::size(at), boxes.diagram));
+    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(at), boxes.diagram));
     let mut board = Board::new(scene, m, at, plan, mu_l, &mut exact);
     for g in 0..m.groups.len() {
         if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
@@ -38,7 +38,7 @@ pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, 
         // Drawn once on a sheet of any size to see how large it is, then to the scale that fits.
         let mark = board.done.rates.len();
         let trial = board.draw(level, board.trial_scale(level))?;
-        let mu = fixed.unwrap_or_else(|| scale::choose(trial.extent(), boxes.polygon));
+        let mu = fixed.unwrap_or_else(|| scale::choose_in(scene.paper.unit(level as usize), trial.extent(), boxes.polygon));
         board.done.rates.truncate(mark);
         let polygon = board.draw(level, mu)?;
         board.keep(polygon);

@@ -90,21 +90,26 @@ pub fn choose(extent: [f64; 2], room: [f64; 2]) -> f64 {
     decimal(1.0, exponent + 2)
 }
 
-/// The largest preferred μ with which a drawing is at least `factor` times as large as with `mu`.
-pub fn finer(mu: f64, factor: f64) -> f64 {
-    let need = mu / factor;
+/// The same, round in a unit of so many SI units: 0.2 (ft/s)/mm, and not 0.05 (m/s)/mm, where velocities are printed in ft/s.
+pub fn choose_in(unit: f64, extent: [f64; 2], room: [f64; 2]) -> f64 {
+    choose(extent.map(|e| e / unit), room) * unit
+}
+
+/// The largest preferred μ, round in a unit of so many SI units, with which a drawing is at least `factor` times as large as with `mu`.
+pub fn finer(unit: f64, mu: f64, factor: f64) -> f64 {
+    let need = mu / unit / factor;
     if !(need > 0.0 && need.is_finite()) {
         return mu;
     }
     let exponent = libm::floor(libm::log10(need)) as i32;
     let series = [exponent + 1, exponent, exponent - 1].into_iter().flat_map(|e| [5.0, 2.5, 2.0, 1.0].map(|step| decimal(step, e)));
     // The hair's breadth of `choose`, the other way.
-    series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need)
+    series.into_iter().find(|then| *then <= need * (1.0 + 1e-9)).unwrap_or(need) * unit
 }
 
-/// The smallest preferred μ with which a drawing is at most a `factor`-th of the size that it has with `mu`.
-pub fn coarser(mu: f64, factor: f64) -> f64 {
-    choose([mu * factor, 0.0], [1.0, 1.0])
+/// The smallest preferred μ, round in a unit, with which a drawing is at most a `factor`-th of the size that it has with `mu`.
+pub fn coarser(unit: f64, mu: f64, factor: f64) -> f64 {
+    choose_in(unit, [mu * factor, 0.0], [1.0, 1.0])
 }
 
 /// A scale in other numbers: the decimal that it is printed as, and no neighbour of it.
@@ -159,10 +164,11 @@ mod tests {
 
     #[test]
     fn the_next_finer_of_the_series() {
-        assert_eq!(finer(0.01, 1.1), 0.005);
-        assert_eq!(finer(0.01, 2.0), 0.005);
-        assert_eq!(finer(0.01, 2.1), 0.0025);
-        assert_eq!(finer(0.03, 1.0), 0.025);
-        assert_eq!(finer(1.0, 1e3), 0.001);
+        for (factor, finer_mu) in [(1.1, 0.005), (2.0, 0.005), (2.1, 0.0025)] {
+            assert_eq!(finer(1.0, 0.01, factor), finer_mu);
+        }
+        assert_eq!(finer(1.0, 0.03, 1.0), 0.025);
+        assert_eq!(finer(1.0, 1.0, 1e3), 0.001);
+        assert_eq!([finer(0.5, 0.1, 2.0), coarser(0.5, 0.1, 2.0), choose_in(0.5, [0.3, 0.1], [1.0, 1.0])], [0.05, 0.25, 0.5]);
     }
 }

@@ -7,6 +7,7 @@ use crate::construct::scale;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::quantity::{inked, shortest};
+use crate::scene::Book;
 
 use super::drawing::{Drawing, Part};
 use super::item::{Colour, Shape};
@@ -46,6 +47,8 @@ pub struct Hodograph<'a> {
     pub most: f64,
     /// SI per mm.
     pub mu: f64,
+    /// Units of the numbers at the axes.
+    pub book: &'a Book,
 }
 
 /// The runs of a curve on the paper (SI); where it leaves the paper, a run ends at the edge. Whether any does.
@@ -124,9 +127,10 @@ pub fn hodograph(style: &Style, h: &Hodograph) -> Part {
 
 /// The axes through the pole, with the ticks of one step.
 fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
-    let step = scale::choose([TICK_MM * h.mu, 0.0], [1.0, 1.0]);
+    let kind = h.level.kind();
+    let step = scale::choose_in(h.book.size(kind), [TICK_MM * h.mu, 0.0], [1.0, 1.0]);
     let stroke = style.thin.coloured(AXIS);
-    let unit = if h.level == Level::Acceleration { "\\text{m/s}^2" } else { "\\text{m/s}" };
+    let unit = h.book.upright(kind);
     let letter = if h.level == Level::Acceleration { "a" } else { "v" };
     for (axis, along) in [("x", Vec2::new(1.0, 0.0)), ("y", Vec2::new(0.0, 1.0))] {
         let parts = || runs.iter().flatten().map(|v| v.dot(along));
@@ -144,7 +148,8 @@ fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
             let across = along.perp() * TICK_HALF_MM;
             let line = Shape::Line { from: at - across, to: at + across, stroke };
             let owner = d.shape(&format!("{name}-tick"), "tick", line);
-            let request = LabelRequest::at_point(Label::math(inked(&shortest(value))), style.small_mm, at, TICK_HALF_MM);
+            let request =
+                LabelRequest::at_point(Label::math(inked(&shortest(h.book.value(kind, value)))), style.small_mm, at, TICK_HALF_MM);
             // A number may be missing where the curve runs: its neighbours tell the step.
             d.label(&format!("{name}-{tick}"), "tick", request.owned(owner).towards(-along.perp()).optional(true));
         }

@@ -11,7 +11,7 @@ use crate::mechanism::Level;
 use crate::plan::names::point_label;
 use crate::quantity::direction_degrees;
 use crate::report::phrase::{Phrase, fill, tr};
-use crate::scene::{PointId, Scene};
+use crate::scene::{Kind, PointId, Scene};
 use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
 use crate::worked::{Worked, work_placed};
 
@@ -91,7 +91,8 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let ghosts = poses.iter().chain([&worked.configuration]).flat_map(|c| c.points.iter().flatten().copied());
     let places = moved.moments.iter().flat_map(|m| moved.points.iter().filter_map(|p| m.configuration.points[p.0]));
     let boxes = Boxes::of(&scene.paper, &worked.plan);
-    fitted.paper.mu_l = Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose(scale::extent(ghosts.chain(places)), boxes.diagram)));
+    fitted.paper.mu_l =
+        Some(scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::extent(ghosts.chain(places)), boxes.diagram)));
     let worked = &work_placed(&fitted, worked.mechanism.clone(), worked.demand.clone(), worked.configuration.clone())?.value;
     let maker = Maker { scene: &fitted, worked, options, certified: Vec::new() };
     let mut page = Page { maker, moved: &moved, driver: wanted.driver, cut: false };
@@ -172,7 +173,7 @@ impl Page<'_> {
 
     /// Velocity and acceleration hodograph of each point, those of one kind to one scale.
     fn hodographs(&mut self, boxes: &Boxes) -> Vec<Part> {
-        let paper = &self.scene().paper;
+        let paper = self.scene().paper.clone();
         let fixed = [paper.mu_v, paper.mu_a];
         let mut parts = Vec::new();
         for (l, level) in Level::RATES.into_iter().enumerate() {
@@ -185,7 +186,9 @@ impl Page<'_> {
             let shown: Vec<_> = curves.iter().map(|c| runs(c, self.moved.full, most)).collect();
             self.cut |= shown.iter().any(|s| s.1);
             let ends = shown.iter().flat_map(|s| s.0.iter().flatten()).map(|v| v.to_point());
-            let mu = fixed[l].unwrap_or_else(|| scale::choose(scale::extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon));
+            let mu = fixed[l].unwrap_or_else(|| {
+                scale::choose_in(paper.unit(l + 1), scale::extent(ends.chain([crate::geom::Point::ORIGIN])), boxes.polygon)
+            });
             for (k, &point) in self.moved.points.iter().enumerate() {
                 let find = &questions(self.scene(), point)[l];
                 let h = Hodograph {
@@ -198,6 +201,7 @@ impl Page<'_> {
                     marks: &of(&self.moved.marks, k),
                     most,
                     mu,
+                    book: &self.scene().book,
                 };
                 let part = hodograph(&self.maker.options.style, &h);
                 let name = self.scene().point_name(point);
@@ -207,7 +211,7 @@ impl Page<'_> {
                     _ => ("Acceleration hodograph of ${}$", "点 ${}$ 的加速度矢端曲线", format!("mu_a-{name}")),
                 };
                 let words = fill(tr(self.maker.options.lang, en, zh), &[("", &point_label(name))]);
-                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(level, mu), &id));
+                parts.push(self.maker.titled(part, Phrase::new(&words).label(), &of_level(&self.scene().book, level, mu), &id));
             }
         }
         parts
@@ -216,8 +220,9 @@ impl Page<'_> {
     /// The numbered positions: where the driver stands, the magnitudes of the vectors; and what is to be said of them.
     fn text(&self) -> Part {
         let (style, lang) = (&self.maker.options.style, self.maker.options.lang);
-        let (driver, unit) = driver_symbol(self.scene(), self.driver);
-        let turns = unit == "\\degree";
+        let book = &self.scene().book;
+        let (driver, kind) = driver_symbol(self.scene(), self.driver);
+        let ((unit, factor), parts) = (book.fine(kind), book.parts(kind, 100.0));
         let mut rows = Vec::new();
         for (block, marks) in self.moved.marks.chunks(IN_ROW).enumerate() {
             let cell = |text: Label, anchor, row: &str, k: usize| {
@@ -231,17 +236,17 @@ impl Page<'_> {
                 rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm });
             };
             row("number", Label::text(tr(lang, "Position", "位置")), &|k| Label::math((block * IN_ROW + k + 1).to_string()));
-            row("driver", Label::math(format!("{driver},\\, {}", if turns { "\\degree" } else { "\\text{mm}" })), &|k| {
+            row("driver", Label::math(format!("{driver},\\, {unit}")), &|k| {
                 let value = marks[k].driver;
-                let shown = if turns { turned(value.to_degrees(), self.moved.full) } else { value * 1e3 };
-                Label::math(crate::quantity::inked(&crate::quantity::shortest((shown * 100.0).round() / 100.0)))
+                let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
+                Label::math(crate::quantity::inked(&crate::quantity::shortest((shown * parts).round() / parts)))
             });
             for (p, point) in self.moved.points.iter().enumerate() {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {
-                    let unit = if l == 0 { "\\text{m/s}" } else { "\\text{m/s}^2" };
+                    let unit = book.upright(find.what.kind());
                     let symbol = symbol(find, &self.maker.options.notation);
                     row(&find.text, Label::math(format!("{symbol},\\, {unit}")), &|k| match marks[k].vectors[p][l] {
-                        Some(v) => Label::math(number(v.norm(), DIGITS)),
+                        Some(v) => Label::math(number(book.value(find.what.kind(), v.norm()), DIGITS)),
                         None => Label::text("—"),
                     });
                 }
@@ -289,8 +294,8 @@ impl Page<'_> {
             let first = self.moved.marks.first().and_then(|m| m.vectors[k][0]).map(|v| direction_degrees(v.angle()));
             let words = tr(
                 lang,
-                "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} m/s, at position 1 towards {first}°.",
-                "点 {} 的轨迹，及其速度、加速度在{travel}中的矢端曲线：速度大小 {slow} 至 {fast} m/s，位置 1 的方向 {first}°。",
+                "Path of point {}, its velocity and its acceleration drawn from one pole through {travel}: speed from {slow} to {fast} {unit}, at position 1 towards {first}°.",
+                "点 {} 的轨迹，及其速度、加速度在{travel}中的矢端曲线：速度大小 {slow} 至 {fast} {unit}，位置 1 的方向 {first}°。",
             );
             let travel = match (self.moved.full, self.moved.limits) {
                 (true, _) => tr(lang, "a full turn", "原动件一整转"),
@@ -298,15 +303,18 @@ impl Page<'_> {
                 _ => tr(lang, "the travel", "行程"),
             };
             let plain = |v: f64| crate::quantity::significant(v, 3);
-            let fast = if self.cut { "∞".to_owned() } else { plain(fast) };
+            let book = &self.scene().book;
+            let speed = |v: f64| plain(book.value(Kind::Velocity, v));
+            let fast = if self.cut { "∞".to_owned() } else { speed(fast) };
             let first = first.map_or("—".to_owned(), plain);
             said.push(fill(
                 words,
                 &[
                     ("", name),
                     ("travel", travel),
-                    ("slow", &plain(if slow.is_finite() { slow } else { f64::NAN })),
+                    ("slow", &speed(if slow.is_finite() { slow } else { f64::NAN })),
                     ("fast", &fast),
+                    ("unit", book.name(Kind::Velocity)),
                     ("first", &first),
                 ],
             ));
@@ -315,10 +323,11 @@ impl Page<'_> {
     }
 }
 
-/// An angle as it is written beside a crank: in [0°, 360°) where it turns fully.
-pub(super) fn turned(degrees: f64, full: bool) -> f64 {
-    let degrees = (degrees * 1e8).round() / 1e8;
-    if full { degrees.rem_euclid(360.0) } else { degrees }
+/// An angle as it is written beside a crank, in a unit of which a radian has so many: less than a turn, and not less than zero, where
+/// the crank turns fully.
+pub(super) fn turned(radians: f64, factor: f64, full: bool) -> f64 {
+    let shown = (radians * factor * 1e8).round() / 1e8;
+    if full { shown.rem_euclid(std::f64::consts::TAU * factor) } else { shown }
 }
 
 /// Title, drawings and table on the page: the mechanism beside the hodographs, these in one row or one column for each kind,

@@ -45,7 +45,7 @@ fn singular(answers: &Answers) -> Vec<String> {
     if let Some((r, c, other)) = worked.results.iter().zip(certified).find_map(|(r, c)| Some((r, c, differs(r)?))) {
         let find = &scene.find[r.find];
         let sense = sense(find, other, c, words, digits).plain();
-        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(find, other, c, digits));
+        let value = format!("${} = {}$ {sense}", symbol(find, notation), amount(&scene.book, find, other, c, digits));
         lines.push(fill(words.other_motion, &[("", value.trim_end())]));
     }
     lines

@@ -1,7 +1,7 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
-use crate::accuracy::ladder::{Certified, Number, Part as Kind, READING_DIGITS, Why};
+use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::answer::{Value, level_of};
 use crate::construct::ShownAs;
 use crate::mechanism::Level;
@@ -10,12 +10,12 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{direction_degrees, inked, significant};
 use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
-use crate::report::drafting;
+use crate::report::drafting::{self, Amount};
 use crate::report::phrase::{Phrase, fill};
-use crate::scene::{Asked, Axis, Find, Scene};
+use crate::scene::{Asked, Axis, Book, Find, Kind, Scene};
 use crate::worked::{Outcome, Worked};
 
-use super::drawing::Part;
+use super::drawing;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
@@ -58,7 +58,7 @@ impl<'a> Answers<'a> {
 }
 
 /// The block of results.
-pub fn results(style: &Style, answers: &Answers) -> Part {
+pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let heading = Cell {
         label: Label::text(words.results).in_fonts(&style.fonts),
@@ -107,7 +107,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
         let nothing = worked.construction.is_empty(level_of(&find.what));
-        let measured = if nothing { None } else { measured(r, c, find, words) };
+        let measured = if nothing { None } else { measured(&scene.book, r, c, find, words) };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -121,9 +121,9 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
                 first,
                 from,
                 second,
-                cell(Label::math(amount(find, value, c, digits)), Anchor::Start, "value"),
+                cell(Label::math(amount(&scene.book, find, value, c, digits)), Anchor::Start, "value"),
                 cell(sense(find, value, c, words, digits), Anchor::Start, "sense"),
-                tolerance(worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
+                tolerance(&scene.book, worked, r, find).and_then(|t| cell(t, Anchor::Start, "tolerance")),
             ],
             height_mm: ROW_MM,
         });
@@ -143,7 +143,7 @@ pub fn results(style: &Style, answers: &Answers) -> Part {
         items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
         below += REMARK_MM;
     }
-    Part::of(items)
+    drawing::Part::of(items)
 }
 
 /// A cell of the list.
@@ -163,7 +163,7 @@ pub fn sentence(answers: &Answers) -> String {
         };
         let find = &scene.find[r.find];
         let value = r.value();
-        let plain = format!("{} = {} ", named(&answers.writer(), find, r), amount(find, value, c, digits));
+        let plain = format!("{} = {} ", named(&answers.writer(), find, r), amount(&scene.book, find, value, c, digits));
         let text = Label::math(plain).then(Label::text(" ")).then(sense(find, value, c, words, digits)).plain();
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
@@ -212,19 +212,17 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
 }
 
 /// The tolerance of drawing by hand: `± 0.62 %`; nothing where it was not asked for, and for what is given.
-fn tolerance(worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
+fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<Label> {
     let t = worked.drafting.as_ref()?.tolerances[r.find].as_ref()?;
-    let (value, unit) = drafting::amount(find, t)?;
-    let number = number(value, drafting::DIGITS);
-    Some(match unit {
-        "%" => Label::math(format!("\\pm\\,{number}")).then(Label::text(" %")),
-        "°" => Label::math(format!("\\pm\\,{number}\\degree")),
-        unit => Label::math(format!("\\pm\\,{number} {}", unit.replace('²', "^2"))),
+    let number = |value| number(value, drafting::DIGITS);
+    Some(match drafting::amount(book, find, t)? {
+        Amount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
+        Amount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
     })
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
-pub fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
+pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
     let level = level_of(&find.what);
     if level == Level::Position {
         return None;
@@ -245,15 +243,16 @@ pub fn measured(r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Optio
     let read = format!("{mm_text} mm \\cdot {scale}");
     Some(Label::math(match measured.arm_m {
         Some(length) => {
-            let arm = certain(c.reading.as_ref().and_then(|r| r.arm_m.as_ref()));
-            format!("{read} / {} m", arm.unwrap_or_else(|| number(length, DIGITS)))
+            let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
+            let arm = arm.unwrap_or_else(|| number(book.value(Kind::Length, length), DIGITS));
+            format!("{read} / {}", book.label(Kind::Length, &arm))
         }
         None => read,
     }))
 }
 
 /// A certified number, `shift` powers of ten up; where not a digit is certain, about what the `f64` solution says.
-fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> String {
+fn certain(c: &Certified, part: Part, digits: usize, shift: i32, rough: f64) -> String {
     match c.part(part).and_then(|n| n.text_scaled(digits, shift)) {
         Some((text, _)) => inked(&text),
         None => match c.rough_digits(digits) {
@@ -264,39 +263,40 @@ fn certain(c: &Certified, part: Kind, digits: usize, shift: i32, rough: f64) -> 
 }
 
 /// An answer's number with its unit, in the label language.
-pub fn amount(find: &Find, value: Value, c: &Certified, digits: usize) -> String {
-    match (find.what, value) {
-        (Asked::LinkAngle(_), Value::Scalar(s)) => format!("{}\\degree", certain(c, Kind::Degrees, digits, 0, s.to_degrees())),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) if s.abs() < 10.0 => {
-            format!("{} mm", certain(c, Kind::Scalar, digits, 3, s * 1e3))
+pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> String {
+    let kind = find.what.kind();
+    let chosen = book.chosen(kind).is_some();
+    let number = match value {
+        // Small lengths are told in millimetres.
+        Value::Scalar(s) if kind == Kind::Length && !chosen && s.abs() < 10.0 => {
+            return format!("{} mm", certain(c, Part::Scalar, digits, 3, s * 1e3));
         }
-        (_, Value::Vector(v)) => format!("{} {}", certain(c, Kind::Magnitude, digits, 0, v.norm()), unit(find)),
-        (Asked::Coordinate(..) | Asked::Distance(..), Value::Scalar(s)) => format!("{} m", certain(c, Kind::Scalar, digits, 0, s)),
-        // The sense is told in words.
-        (_, Value::Scalar(s)) => format!("{} {}", certain(c, Kind::Scalar, digits, 0, s).trim_start_matches('−'), unit(find)),
-    }
-}
-
-fn unit(find: &Find) -> &'static str {
-    match find.what {
-        Asked::Omega(_) | Asked::RelativeOmega(..) => "rad/s",
-        Asked::Alpha(_) | Asked::RelativeAlpha(..) => "rad/s^2",
-        ref what if level_of(what) == Level::Acceleration => "m/s^2",
-        _ => "m/s",
-    }
+        Value::Scalar(s) => {
+            let part = match kind {
+                _ if chosen => Part::Printed,
+                Kind::Angle => Part::Degrees,
+                Kind::Length | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha => Part::Scalar,
+            };
+            certain(c, part, digits, 0, book.value(kind, s))
+        }
+        Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
+    };
+    // The sense is told in words.
+    let turns = matches!(kind, Kind::Omega | Kind::Alpha);
+    book.label(kind, if turns { number.trim_start_matches('−') } else { &number })
 }
 
 /// An answer's direction or sense of turning, in words.
 pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
     match (find.what, value) {
-        (_, Value::Vector(v)) if c.part(Kind::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
-            let degrees = certain(c, Kind::Direction, digits, 0, direction_degrees(v.angle()));
+        (_, Value::Vector(v)) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
+            let degrees = certain(c, Part::Direction, digits, 0, direction_degrees(v.angle()));
             // A number alone is upright in the label language; only one with a power of ten needs it.
             let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
             Label::text("∠ ").then(number).then(Label::text("°"))
         }
         (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
-            Label::text(words.sense(c.part(Kind::Scalar).map_or(s, |n| n.sign())))
+            Label::text(words.sense(c.part(Part::Scalar).map_or(s, |n| n.sign())))
         }
         _ => Label::text(""),
     }

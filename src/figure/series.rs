@@ -25,7 +25,7 @@ impl Scales {
     /// the driver's travel; the one with travel 0 is shown in any case.
     pub fn of(paper: &Paper, poses: &[(f64, &Worked)], full: bool, boxes: Boxes) -> Scales {
         let places = poses.iter().flat_map(|(_, w)| w.configuration.points.iter().flatten().copied());
-        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose(extent(places), boxes.diagram));
+        let mu_l = paper.mu_l.unwrap_or_else(|| scale::choose_in(paper.unit(0), extent(places), boxes.diagram));
         let mut scales = Scales { mu_l, mu: [None, None], most: [f64::INFINITY; 2], boxes };
         for (i, (level, fixed)) in Level::RATES.into_iter().zip([paper.mu_v, paper.mu_a]).enumerate() {
             let size = |w: &Worked| size(w, level, &boxes);
@@ -33,7 +33,8 @@ impl Scales {
             let Some(most) = bounded(poses.iter().filter_map(|p| size(p.1)).collect(), own, full) else { continue };
             let fitting = poses.iter().map(|p| p.1).filter(|w| size(w).is_some_and(|s| s <= most));
             let ends = fitting.flat_map(|w| ends(w, level));
-            scales.mu[i] = Some(fixed.unwrap_or_else(|| scale::choose(extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
+            scales.mu[i] =
+                Some(fixed.unwrap_or_else(|| scale::choose_in(paper.unit(i + 1), extent(ends.chain([Point::ORIGIN])), boxes.polygon)));
             scales.most[i] = most;
         }
         scales

@@ -10,7 +10,7 @@ use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{inked, shortest};
-use crate::scene::{Lang, Scene};
+use crate::scene::{Book, Kind, Lang, Scene};
 use crate::worked::Worked;
 
 use super::arrange::{Pieces, arrange, column};
@@ -99,8 +99,8 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
     let (words, mut mu) = maker.caption(Single::Mechanism);
-    if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(worked)) {
-        mu = format!("{mu},\\quad {}", of_level(level, of_vectors));
+    if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
+        mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
     maker.alone(maker.titled(part, Label::text(words), &mu, "mu_l"))
 }
@@ -163,14 +163,15 @@ impl Maker<'_> {
 
     pub fn caption(&self, which: Single) -> (&'static str, String) {
         let paper = &self.worked.construction;
+        let book = &self.scene.book;
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
         match which {
-            Single::Mechanism => (self.words().diagram, format!("\\mu_l = {} m/mm", scale(paper.diagram.mu_l))),
+            Single::Mechanism => (self.words().diagram, of_level(book, Level::Position, paper.diagram.mu_l)),
             Single::Equations | Single::Results => ("", String::new()),
             Single::Polygon(level) if paper.is_empty(level) => {
                 (self.words().polygon(level), format!("\\text{{{}}}", self.words().no_vectors))
             }
-            Single::Polygon(level) => (self.words().polygon(level), of_level(level, mu(level))),
+            Single::Polygon(level) => (self.words().polygon(level), of_level(book, level, mu(level))),
         }
     }
 
@@ -243,11 +244,14 @@ impl Maker<'_> {
 }
 
 /// The scale of a level: `\mu_v = 0.01 (m/s)/mm`.
-pub fn of_level(level: Level, mu: f64) -> String {
-    match level {
-        Level::Acceleration => format!("\\mu_a = {} (m/s^2)/mm", scale(mu)),
-        _ => format!("\\mu_v = {} (m/s)/mm", scale(mu)),
-    }
+pub fn of_level(book: &Book, level: Level, mu: f64) -> String {
+    let kind = level.kind();
+    let letter = match level {
+        Level::Position => 'l',
+        Level::Velocity => 'v',
+        Level::Acceleration => 'a',
+    };
+    format!("\\mu_{letter} = {} {}", scale(book.value(kind, mu)), book.scale_label(kind))
 }
 
 /// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
@@ -255,13 +259,13 @@ pub fn scale(mu: f64) -> String {
     inked(&shortest(mu))
 }
 
-/// A driver's position in the label language, and its unit there: `\varphi_{1}` in degrees, `s_{B}` or `l_{BC}` in millimetres.
-pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, &'static str) {
-    let (name, unit) = scene.driver_name(driver);
+/// A driver's position in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length.
+pub fn driver_symbol(scene: &Scene, driver: usize) -> (String, Kind) {
+    let (name, kind) = scene.driver_name(driver);
     let symbol = match name.split_once('_') {
         Some(("phi", link)) => format!("\\varphi_{{{}}}", name_label(link)),
         Some((letter, of)) => format!("{letter}_{{{}}}", name_label(of)),
         None => name,
     };
-    (symbol, if unit == "rad" { "\\degree" } else { "\\text{mm}" })
+    (symbol, kind)
 }

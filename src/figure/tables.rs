@@ -82,7 +82,7 @@ impl Tables<'_> {
     }
 
     fn equation(&self, level: Level, target: VertexId, chains: &[Chain], step: &str) -> Option<Part> {
-        let w = self.writer;
+        let (w, book) = (self.writer, &self.writer.scene.book);
         if let [chain] = chains {
             let [term] = chain.known[..] else {
                 // Nothing is added: the point moves as one known before.
@@ -101,7 +101,8 @@ impl Tables<'_> {
                 let magnitude = match (w.magnitude(level, &term), self.construction.vector(level, target)) {
                     (known, Some(v)) if known == w.notation.known => {
                         let certain = self.steps.vector(level, target).and_then(|n| n.text(DIGITS)).map(|(text, _)| inked(&text));
-                        format!("{} {}", certain.unwrap_or_else(|| format!("\\approx {}", number(v.norm(), 1))), unit(level))
+                        let rough = || format!("\\approx {}", number(book.value(level.kind(), v.norm()), 1));
+                        book.label(level.kind(), &certain.unwrap_or_else(rough))
                     }
                     (formula, _) => formula,
                 };
@@ -224,13 +225,6 @@ fn kind(level: Level) -> &'static str {
     match level {
         Level::Acceleration => "acceleration",
         _ => "velocity",
-    }
-}
-
-fn unit(level: Level) -> &'static str {
-    match level {
-        Level::Acceleration => "m/s^2",
-        _ => "m/s",
     }
 }
 

@@ -62,11 +62,12 @@ impl Ladder {
         if needed(all) < GAIN * needed(shortened) {
             return Some(alone);
         }
-        let mut mu = vec![scale::choose(shortened, boxes.polygon)];
+        let unit = paper.unit(level as usize);
+        let mut mu = vec![scale::choose_in(unit, shortened, boxes.polygon)];
         // Divided alike when a place is looked for, so that the usual polygon itself is held.
         let largest = usual / mu[0];
         while most / mu[mu.len() - 1] > largest {
-            mu.push(coarser(mu[mu.len() - 1], STEP));
+            mu.push(coarser(unit, mu[mu.len() - 1], STEP));
         }
         Some(Ladder { level, boxes, mu, largest })
     }

@@ -287,12 +287,14 @@
   const ends = () => [times[0], times[count - 1]];
   const start = data.driver.start === null ? 0 : data.driver.start;
 
+  const [turn, parts] = [data.driver.turn || 360, data.driver.parts || 10];
+
   function shownValue(t) {
     let v = start + t * data.driver.factor;
-    if (data.driver.turns) v = ((v % 360) + 360) % 360;
-    const digits = Math.round(v * 10) / 10;
-    const text = String(data.driver.turns && digits === 360 ? 0 : digits).replace("-", "−");
-    return data.driver.turns ? `${text}°` : `${text} mm`;
+    if (data.driver.turns) v = ((v % turn) + turn) % turn;
+    const digits = Math.round(v * parts) / parts;
+    const text = String(data.driver.turns && digits === turn ? 0 : digits).replace("-", "−");
+    return text + (data.driver.unit || (data.driver.turns ? "°" : " mm"));
   }
 
   const label = (t) => `${data.driver.symbol} = ${shownValue(t)}`;
@@ -332,9 +334,7 @@
   function tell() {
     $("at").innerHTML = `(${label(times[told])})`;
     answers.forEach((say, i) => (answerItems[i].innerHTML = say(told)));
-    const sentence = !begun ? word("finished") : step === 0 ? "" : steps[step - 1].say(told);
-    if (begun && step === 0) $("sentence").textContent = data.statement[which()];
-    else $("sentence").innerHTML = sentence;
+    $("sentence").innerHTML = !begun ? word("finished") : step ? steps[step - 1].say(told) : formulas(data.statement[which()]);
     const { html } = equation(begun && step > 0 ? steps[step - 1] : null, told);
     if (html !== written) $("equation").innerHTML = written = html;
     $("count").textContent = word("step", step, steps.length);
@@ -560,7 +560,7 @@
     $("notes").textContent = `${word(`scales${drawings.some((d) => d.scales) ? "_steps" : ""}${data.cut ? "_cut" : ""}`)} ${word("rates")}`;
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     grip.setAttribute("aria-label", word("handle"));
-    const values = data.full ? [start, start + 360] : ends().map((t) => start + t * data.driver.factor);
+    const values = data.full ? [start, start + turn] : ends().map((t) => start + t * data.driver.factor);
     grip.setAttribute("aria-valuemin", Math.round(values[0] * 10) / 10);
     grip.setAttribute("aria-valuemax", Math.round(values[1] * 10) / 10);
     toldLimit = null;

@@ -16,7 +16,8 @@ use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
-use crate::scene::{DriverKind, Lang, Scene};
+use crate::report::statement::paragraphs;
+use crate::scene::{Book, DriverKind, Lang, Scene};
 
 use super::bank::{self, Formulas};
 use super::equations::equations;
@@ -62,7 +63,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "lang": tag(options.lang),
         "words": {"en": table(Lang::En), "zh": table(Lang::Zh)},
         "title": LANGS.map(title),
-        "statement": LANGS.map(|lang| statement(scene, lang)),
+        "statement": LANGS.map(|lang| statement(scene, lang, &mut formulas)),
         "driver": driver(scene, options.driver),
         "travel": frames.list.iter().map(|f| ten_digits(f.travel)).collect::<Vec<_>>(),
         "base": frames.base,
@@ -135,9 +136,9 @@ fn tag(lang: Lang) -> &'static str {
 /// What the page is told of a drawing. `scales`, where there are several: for each its μ and the index of the formula that says
 /// it, and which one each frame has.
 fn drawing(d: &Scenery, told: &Told, frames: &Frames, formulas: &mut Formulas) -> Value {
-    let list = scales(d.shows, frames);
+    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
     let scales = if list.len() > 1 {
-        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(d.shows, *mu))])).collect();
+        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(book, d.shows, *mu))])).collect();
         let level = usize::from(d.shows == Shows::Polygon(Level::Acceleration));
         let which: Vec<i64> = frames.list.iter().map(|f| f.scale[level] as i64).collect();
         json!([said, bank::runs(&which)])
@@ -156,20 +157,19 @@ fn scales(shows: Shows, frames: &Frames) -> &[f64] {
 }
 
 /// A scale as the label language says it.
-fn scale_formula(shows: Shows, mu: f64) -> String {
-    let (symbol, unit) = match shows {
-        Shows::Mechanism => ("l", "m/mm"),
-        Shows::Polygon(Level::Acceleration) => ("a", "(m/s^2)/mm"),
-        Shows::Polygon(_) => ("v", "(m/s)/mm"),
+fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
+    let level = match shows {
+        Shows::Mechanism => Level::Position,
+        Shows::Polygon(level) => level,
     };
-    format!("\\mu_{symbol} = {} {unit}", sheet::scale(mu))
+    sheet::of_level(book, level, mu)
 }
 
 /// A drawing with its caption; its scale is said below.
 fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
-    let list = scales(d.shows, frames);
+    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
     let mu = list.first().copied().unwrap_or(0.0);
     let caption: fn(Lang) -> &'static str = match d.shows {
         Shows::Mechanism => |l| figure_words::words(l).diagram,
@@ -189,13 +189,14 @@ fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
          <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span>{smaller}</figcaption>\n</figure>\n",
         told.markup,
         escaped(caption(lang)),
-        mathml(&Label::math(scale_formula(d.shows, mu))),
+        mathml(&Label::math(scale_formula(book, d.shows, mu))),
     )
 }
 
-fn statement(scene: &Scene, lang: Lang) -> String {
-    let given = scene.statement.as_ref().map_or("", |s| s.get(lang));
-    if given.is_empty() { word("diagram", lang).to_owned() } else { given.to_owned() }
+/// The statement for the page: HTML, its formulas told by their indices, a line for each paragraph.
+fn statement(scene: &Scene, lang: Lang, formulas: &mut Formulas) -> String {
+    let stated: Vec<String> = paragraphs(scene, lang).iter().map(|p| formulas.phrase(p)).collect();
+    if stated.is_empty() { escaped(word("diagram", lang)) } else { stated.join("<br>") }
 }
 
 /// What is moved: whether it turns, its symbol, where it stands in the scene's own pose (degrees or millimetres; null where no
@@ -218,14 +219,26 @@ fn driver(scene: &Scene, k: usize) -> Value {
             (false, format!("l_{{{}{}}}", name_label(scene.point_name(*a)), name_label(scene.point_name(*b))))
         }
     };
-    let factor = if turns { 180.0 / std::f64::consts::PI } else { 1e3 };
+    let (book, what) = (&scene.book, scene.driver_name(k).1);
+    let factor = match (book.chosen(what), turns) {
+        (Some(unit), _) => unit.of(1.0),
+        (None, true) => 180.0 / std::f64::consts::PI,
+        (None, false) => 1e3,
+    };
     let start = match &driver.kind {
-        DriverKind::Turn { angle: Some(a), .. } => Some(a.value.degrees()),
+        DriverKind::Turn { angle: Some(a), .. } if book.chosen(what).is_none() => Some(a.value.degrees()),
         _ => driver_position(scene, k).map(|s| s * factor),
     };
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;
-    json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back})
+    let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
+    // A unit of the book, and in how many parts of it the page tells the position.
+    if book.chosen(what).is_some() {
+        told["unit"] = json!(book.text(what, ""));
+        told["turn"] = json!(std::f64::consts::TAU * factor);
+        told["parts"] = json!(book.parts(what, 10.0));
+    }
+    told
 }
 
 /// What is said at each end of the travel, English and Chinese; null where nothing stops the driver.

@@ -94,5 +94,5 @@ fn answer(frame: &Frame, certified: &[Certified], i: usize, notation: &Notation,
     let (r, c) = frame.worked.results.iter().zip(certified).find(|(r, _)| r.find == i)?;
     let find = &frame.scene.find[r.find];
     let sense = sense(find, r.value(), c, words(lang), DIGITS).plain();
-    Some(format!("${} = {}$ {sense}", symbol(find, notation), amount(find, r.value(), c, DIGITS)).trim_end().to_owned())
+    Some(format!("${} = {}$ {sense}", symbol(find, notation), amount(&frame.scene.book, find, r.value(), c, DIGITS)).trim_end().to_owned())
 }

@@ -1,7 +1,7 @@
 //! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
 
 use super::{Mechanism, Node};
-use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
+use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// How deep a thing is asked for. Each level needs the ones before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -21,6 +21,24 @@ impl Level {
 
     /// Those that have equations and a polygon.
     pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
+
+    /// What its vectors are: lengths on the diagram, velocities, accelerations.
+    pub fn kind(self) -> Kind {
+        match self {
+            Level::Position => Kind::Length,
+            Level::Velocity => Kind::Velocity,
+            Level::Acceleration => Kind::Acceleration,
+        }
+    }
+
+    /// What the turning of a link is.
+    pub fn turning(self) -> Kind {
+        match self {
+            Level::Position => Kind::Angle,
+            Level::Velocity => Kind::Omega,
+            Level::Acceleration => Kind::Alpha,
+        }
+    }
 }
 
 /// The level of a question.

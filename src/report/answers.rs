@@ -12,22 +12,10 @@ use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::quantity::{direction_degrees, shortest, significant};
-use crate::scene::{Asked, Find, Lang, Scene};
+use crate::scene::{Book, Find, Kind, Lang, Scene};
 use crate::worked::{Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
-
-/// The SI unit of a question's answer.
-pub fn unit(what: &Asked) -> &'static str {
-    match what {
-        Asked::Coordinate(..) | Asked::Distance(..) => "m",
-        Asked::LinkAngle(_) => "deg",
-        Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) => "m/s",
-        Asked::Omega(_) | Asked::RelativeOmega(..) => "rad/s",
-        Asked::Alpha(_) | Asked::RelativeAlpha(..) => "rad/s²",
-        _ => "m/s²",
-    }
-}
 
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;
@@ -47,8 +35,8 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
             }
         };
         let find = &scene.find[r.find];
-        let tolerance = drafting::words(find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
-        let value = value_words(find, r.value(), c, digits, lang);
+        let tolerance = drafting::words(&scene.book, find, worked.drafting.as_ref().and_then(|d| d.tolerances[r.find].as_ref()));
+        let value = value_words(&scene.book, find, r.value(), c, digits, lang);
         let remarks = [certainty_words(c, digits, lang), agreement_words(r, lang)];
         let remarks: Vec<String> = remarks.into_iter().filter(|w| !w.is_empty()).collect();
         rows.push([find.text.clone(), value, tolerance, measured_words(&w, worked, find, r, c, digits), remarks.join("  ")]);
@@ -129,8 +117,8 @@ pub fn worst(worked: &Worked) -> Option<f64> {
 }
 
 /// The value as certified; where nothing is, about what the `f64` solution says.
-fn value_words(find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
-    let unit = unit(&find.what);
+fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize, lang: Lang) -> String {
+    let kind = find.what.kind();
     let number = |part: Part, digits: usize, rough: f64| match c.part(part).and_then(|n| n.text(digits)) {
         Some((text, _)) => text,
         None => match c.rough_digits(digits) {
@@ -138,9 +126,16 @@ fn value_words(find: &Find, value: Value, c: &Certified, digits: usize, lang: La
             (known, false) => format!("≈ {}", significant(rough, known)),
         },
     };
+    // The certified number that is printed, in its unit.
+    let printed = match book.chosen(kind) {
+        Some(_) => Part::Printed,
+        None if kind == Kind::Angle => Part::Degrees,
+        None if matches!(value, Value::Vector(_)) => Part::Magnitude,
+        None => Part::Scalar,
+    };
+    let amount = |si: f64, sign: &str| book.text(kind, number(printed, digits, book.value(kind, si)).trim_start_matches(sign));
     match value {
         Value::Vector(v) => {
-            let magnitude = number(Part::Magnitude, digits, v.norm());
             let direction = match c.part(Part::Direction) {
                 None if v.norm() > 0.0 && matches!(c.why, Some(Why::NextOrder(_))) => {
                     format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle())))
@@ -148,16 +143,15 @@ fn value_words(find: &Find, value: Value, c: &Certified, digits: usize, lang: La
                 Some(_) => format!(" ∠ {}°", number(Part::Direction, digits.saturating_sub(1).max(1), direction_degrees(v.angle()))),
                 None => String::new(),
             };
-            format!("{magnitude} {unit}{direction}")
+            format!("{}{direction}", amount(v.norm(), ""))
         }
-        Value::Scalar(s) => match find.what {
-            Asked::LinkAngle(_) => format!("{}°", number(Part::Degrees, digits, s.to_degrees())),
-            Asked::Omega(_) | Asked::Alpha(_) | Asked::RelativeOmega(..) | Asked::RelativeAlpha(..) => {
+        Value::Scalar(s) => match kind {
+            Kind::Omega | Kind::Alpha => {
                 let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
                 let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
-                format!("{} {unit}{sense}", number(Part::Scalar, digits, s).trim_start_matches('-'))
+                format!("{}{sense}", amount(s, "-"))
             }
-            _ => format!("{} {unit}", number(Part::Scalar, digits, s)),
+            Kind::Length | Kind::Angle | Kind::Velocity | Kind::Acceleration => amount(s, ""),
         },
     }
 }
@@ -185,7 +179,7 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
 
 fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Certified, digits: usize) -> String {
     let lang = w.lang;
-    let others: Vec<String> = r.others.iter().map(|v| value_words(find, *v, c, digits, lang)).collect();
+    let others: Vec<String> = r.others.iter().map(|v| value_words(&w.scene.book, find, *v, c, digits, lang)).collect();
     match &r.drawn {
         None if !others.is_empty() => match lang {
             Lang::En => format!("(loop equations; on the other motion {})", others.join(", ")),
@@ -198,15 +192,25 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
             Some(_) if worked.construction.is_empty(level_of(&find.what)) => String::new(),
             Some(m) => {
                 let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
-                let arm = certain(c.reading.as_ref().and_then(|r| r.arm_m.as_ref()));
-                let arm = m.arm_m.map(|l| format!(" / {} m", arm.unwrap_or_else(|| significant(l, READING_DIGITS)))).unwrap_or_default();
+                let book = &w.scene.book;
+                let arm = certain(c.reading.as_ref().and_then(|r| r.arm.as_ref()));
+                let rough = |l: f64| significant(book.value(Kind::Length, l), READING_DIGITS);
+                let arm = m.arm_m.map(|l| format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))).unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
                 let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
-                format!("({} {length} mm · μ {}{arm})", between(w, level_of(&find.what), m), shortest(m.mu))
+                let level = level_of(&find.what);
+                format!("({} {length} mm · μ {}{arm})", between(w, level, m), scale_words(book, level, m))
             }
             None => String::new(),
         },
     }
+}
+
+/// A scale as a factor: with its unit where one of the book is among those of the product, so that the product is right as it stands.
+fn scale_words(book: &Book, level: Level, m: &Measured) -> String {
+    let number = shortest(book.value(level.kind(), m.mu));
+    let turning = m.arm_m.is_some() && book.any(&[Kind::Length, level.turning()]);
+    if turning || book.any(&[level.kind()]) { format!("{number} {}", book.scale_name(level.kind())) } else { number }
 }
 
 /// The letters of the two marks between which a length lies: `bc`, `n′_c–c′`.
@@ -244,10 +248,11 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
             let find = &scene.find[r.find];
             let mut answer = json!({
                 "find": find.text,
-                "unit": unit_of_json(find),
+                "unit": find.what.kind().si(),
                 "unbounded": false,
                 "certified": certificate(c, digits),
                 "value": value(r.value()),
+                "in_unit": in_unit(&scene.book, find, r.value(), c, digits),
                 "drawing": r.drawn.as_ref().map(|a| value(a.value)),
                 "analysis": r.longer.is_none().then(|| value(r.computed)),
                 "longer_numbers": r.longer.map(|rung| rung.name()),
@@ -285,8 +290,16 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     all
 }
 
-fn unit_of_json(find: &Find) -> &'static str {
-    if matches!(find.what, Asked::LinkAngle(_)) { "rad" } else { unit(&find.what) }
+/// The value in the unit that the scene asks for, with its name; null where it asks for none.
+fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> Json {
+    let kind = find.what.kind();
+    let Some(unit) = book.chosen(kind) else { return Json::Null };
+    let si = match value {
+        Value::Vector(v) => v.norm(),
+        Value::Scalar(s) => s,
+    };
+    let text = c.part(Part::Printed).and_then(|n| n.text(digits)).map(|t| t.0);
+    json!({"unit": unit.name(), "value": unit.of(si), "text": text})
 }
 
 /// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
@@ -295,10 +308,11 @@ fn unit_of_json(find: &Find) -> &'static str {
 fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
     let mut answer = json!({
         "find": scene.find[u.find].text,
-        "unit": unit_of_json(&scene.find[u.find]),
+        "unit": scene.find[u.find].what.kind().si(),
         "unbounded": u.refused.why == Refusal::DeadPoint,
         "certified": null,
         "value": null,
+        "in_unit": null,
         "drawing": null,
         "analysis": null,
         "longer_numbers": null,

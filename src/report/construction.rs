@@ -5,19 +5,18 @@ use crate::accuracy::Steps;
 use crate::accuracy::ladder::Number;
 use crate::accuracy::steps::What;
 use crate::construct::{Action, Construction, Mark, Polygon};
+use crate::figure::sheet::of_level;
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Term, VertexId};
 use crate::quantity::{inked, shortest, significant};
-use crate::scene::Lang;
+use crate::scene::{Book, Kind, Lang};
 
 /// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of
 /// [`steps`](crate::accuracy::steps()); where those know of a pencil error, how far it moves each crossing.
 pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
     let level = polygon.level;
-    let unit = level_unit(level);
-    let pole = w.pole(level);
-    let mu = format!("\\mu_{} = {} ({unit})/mm", if level == Level::Acceleration { "a" } else { "v" }, inked(&shortest(polygon.mu)));
+    let (pole, mu) = (w.pole(level), of_level(&w.scene.book, level, polygon.mu));
     let mut out = vec![Phrase::new(&match w.lang {
         Lang::En if paper.is_empty(level) => format!("Take the pole ${pole}$; nothing is drawn, so that there is no scale."),
         Lang::Zh if paper.is_empty(level) => format!("取极点 ${pole}$；无矢量可作，不需比例尺。"),
@@ -34,7 +33,7 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
     out.push_str(&format!(
         "{}: {}\n",
         tr(w.lang, "mechanism diagram", "机构运动简图"),
-        formula(&format!("\\mu_l = {} m/mm", inked(&shortest(paper.diagram.mu_l))))
+        formula(&of_level(&w.scene.book, Level::Position, paper.diagram.mu_l))
     ));
     for level in Level::RATES {
         let Some(p) = paper.polygon(level) else { continue };
@@ -56,10 +55,6 @@ pub fn text(w: &Writer, paper: &Construction, steps: &Steps) -> String {
         ));
     }
     out
-}
-
-fn level_unit(level: Level) -> &'static str {
-    if level == Level::Acceleration { "m/s^2" } else { "m/s" }
 }
 
 /// A step's number as far as it is certain, else about what the drawing in `f64` says.
@@ -195,22 +190,32 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
         Action::Rate(i) => {
             let r = &paper.rates[*i];
             let symbol = w.turning(level, r.body);
-            let unit = if level == Level::Acceleration { "rad/s^2" } else { "rad/s" };
-            let value = told(steps, level, action, What::Rate, r.value.abs());
-            let value = format!("{} {unit}", inked(value.trim_start_matches('-')));
+            let book = &w.scene.book;
+            let value = told(steps, level, action, What::Rate, book.value(level.turning(), r.value.abs()));
+            let value = book.label(level.turning(), &inked(value.trim_start_matches('-')));
             let sense = sense(w.lang, steps.number(level, action, What::Rate).map_or(r.value, Number::sign));
             match r.measured {
                 Some(m) => format!(
-                    "${symbol}$ = {} · {} / {} m = ${value}${}{}",
+                    "${symbol}$ = {} · {} / {} = ${value}${}{}",
                     millimetres(0, m.length),
-                    amid_words(&shortest(p.mu)),
-                    tell(What::Arm, m.arm),
+                    factor(book, level, p.mu),
+                    book.text(Kind::Length, &tell(What::Arm, book.value(Kind::Length, m.arm))),
                     tr(w.lang, ", ", "，"),
                     sense
                 ),
                 None => format!("${symbol}$ = ${value}${}{sense}", tr(w.lang, ", ", "，")),
             }
         }
+    }
+}
+
+/// A scale as a factor of a turning rate: with its unit where a unit of the book is among those of the product, so that the product
+/// is right as it stands.
+fn factor(book: &Book, level: Level, mu: f64) -> String {
+    let number = inked(&shortest(book.value(level.kind(), mu)));
+    match book.any(&[level.kind(), level.turning(), Kind::Length]) {
+        true => format!("${number} {}$", book.scale_label(level.kind())),
+        false => amid_words(&shortest(mu)),
     }
 }
 

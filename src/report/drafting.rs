@@ -1,13 +1,12 @@
 //! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
 
-use super::answers::unit;
 use super::phrase::{formula, tr};
 use crate::accuracy::steps::What;
 use crate::accuracy::{CrossingTolerance, Drafting, Steps, Tolerance};
 use crate::mechanism::Level;
 use crate::plan::text::{Writer, vertex_name};
 use crate::quantity::{shortest, significant};
-use crate::scene::{Asked, Find, Scene};
+use crate::scene::{Book, Find, Kind, Scene};
 use crate::worked::Worked;
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
@@ -15,41 +14,41 @@ use unicode_width::UnicodeWidthStr;
 /// Digits of a tolerance: it is an estimate.
 pub const DIGITS: usize = 2;
 
-/// A tolerance beside its answer: `0.62 %`, or with its unit where a part of the answer says nothing (an answer of zero or smaller than its
+/// A tolerance beside its answer: in % of it, or in its unit where a part of the answer says nothing (an answer of zero or smaller than its
 /// tolerance, a coordinate, an angle). `None` for what is given, not read.
-pub fn amount(find: &Find, t: &Tolerance) -> Option<(f64, &'static str)> {
+pub fn amount(book: &Book, find: &Find, t: &Tolerance) -> Option<Amount> {
     if t.absolute == 0.0 {
         return None;
     }
-    Some(match (t.relative, find.what) {
-        (Some(r), _) if r < 1.0 => (r * 100.0, "%"),
-        (_, Asked::LinkAngle(_)) => (t.absolute.to_degrees(), "°"),
-        (_, ref what) => (t.absolute, unit(what)),
+    let kind = find.what.kind();
+    Some(match t.relative {
+        Some(r) if r < 1.0 => Amount::Percent(r * 100.0),
+        _ => Amount::Of(kind, book.value(kind, t.absolute)),
     })
 }
 
+/// How a tolerance is told.
+pub enum Amount {
+    /// In % of the answer.
+    Percent(f64),
+    /// In the unit of its kind.
+    Of(Kind, f64),
+}
+
 /// The words of [`amount`] for a terminal.
-pub fn words(find: &Find, t: Option<&Tolerance>) -> String {
-    match t.and_then(|t| amount(find, t)) {
-        Some((value, "°")) => format!("± {}°", significant(value, DIGITS)),
-        Some((value, unit)) => format!("± {} {unit}", significant(value, DIGITS)),
+pub fn words(book: &Book, find: &Find, t: Option<&Tolerance>) -> String {
+    match t.and_then(|t| amount(book, find, t)) {
+        Some(Amount::Percent(value)) => format!("± {} %", significant(value, DIGITS)),
+        Some(Amount::Of(kind, value)) => format!("± {}", book.text(kind, &significant(value, DIGITS))),
         None => String::new(),
     }
-}
-
-fn scale_unit(level: usize) -> &'static str {
-    ["m/mm", "(m/s)/mm", "(m/s²)/mm"][level]
-}
-
-fn level_unit(level: Level) -> &'static str {
-    ["m", "m/s", "m/s²"][level as usize]
 }
 
 /// The crossings and the scales for 1 %, as tables; nothing where no tolerances were asked for. `steps` are the certified
 /// numbers of the construction for the same pencil.
 pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
     let Some(d) = &worked.drafting else { return String::new() };
-    let lang = w.lang;
+    let (lang, book) = (w.lang, &w.scene.book);
     let pencil = shortest(d.pencil_mm);
     let mut out = match lang {
         crate::scene::Lang::En => format!("drawn by hand, 95 % of the marks within {pencil} mm\n"),
@@ -63,7 +62,10 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         rows.extend(d.crossings.iter().zip(certain).map(|(c, certain)| {
             let told = |what, rough: f64| certain(what).unwrap_or_else(|| format!("≈ {}", significant(rough, 1)));
             let [moves, si] = match c.moves_on_paper_mm() {
-                Some(mm) => [format!("{} mm", told(What::Moved, mm)), format!("{} {}", told(What::Off, c.moves), level_unit(c.level))],
+                Some(mm) => [
+                    format!("{} mm", told(What::Moved, mm)),
+                    book.text(c.level.kind(), &told(What::Off, book.value(c.level.kind(), c.moves))),
+                ],
                 None => [tr(lang, "off the paper", "移出图纸").to_string(), String::new()],
             };
             [crossing_name(w, c), format!("{}°", told(What::Angle, c.angle_deg())), moves, si]
@@ -78,7 +80,10 @@ pub fn text(w: &Writer, worked: &Worked, steps: &Steps) -> String {
         let Some(l) = t.as_ref().filter(|t| t.absolute > 0.0).and_then(|t| t.larger.as_ref()) else { continue };
         let [width, height] = l.size_mm;
         let by = if l.factor > 1.0 { format!("× {}", shortest(l.rounded())) } else { tr(lang, "as it is", "不必").to_string() };
-        let mu = [0, 1, 2].map(|i| l.mu[i].map_or(String::new(), |mu| format!("{} {}", shortest(mu), scale_unit(i))));
+        let mu = Level::ALL.map(|level| {
+            let kind = level.kind();
+            l.mu[level as usize].map_or(String::new(), |mu| format!("{} {}", shortest(book.value(kind, mu)), book.scale_name(kind)))
+        });
         let sheet = l.sheet().unwrap_or(tr(lang, "larger than A0", "大于 A0"));
         let [l_, v, a] = mu;
         rows.push([find.text.clone(), by, l_, v, a, format!("{width:.0} × {height:.0} mm, {sheet}")]);
@@ -120,7 +125,7 @@ pub fn json(scene: &Scene, worked: &Worked, d: &Drafting) -> Json {
             "angle_deg": c.angle_deg(),
             "tolerance_mm": c.moves_mm,
             "tolerance": c.moves,
-            "unit": level_unit(c.level),
+            "unit": c.level.kind().si(),
         })
     };
     json!({"pencil_mm": d.pencil_mm, "part_within": crate::construct::pencil::WITHIN, "crossings": d.crossings.iter().map(crossing).collect::<Vec<_>>()})

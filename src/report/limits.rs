@@ -2,9 +2,9 @@
 
 use super::phrase::tr;
 use crate::quantity::significant;
-use crate::scene::{Lang, LinkId, PointId, Scene};
+use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
-use crate::sweep::limit::{Event, Kind};
+use crate::sweep::limit::{Event, Kind as EventKind};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;
 
@@ -48,7 +48,7 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
         line(tr(lang, "smallest transmission angles γ:", "最小传动角 γ：").to_owned());
         for t in &limits.transmission {
             let mark = if std::ptr::eq(t, worst) && limits.transmission.len() > 1 { tr(lang, "  (the worst)", "（最小）") } else { "" };
-            line(format!("  {} γ = {} {}{mark}", w.joint(&t.links, t.pin), degrees(t.angle), w.at(t.driver)));
+            line(format!("  {} γ = {} {}{mark}", w.joint(&t.links, t.pin), angle(&scene.book, t.angle), w.at(t.driver)));
         }
     }
     out
@@ -60,7 +60,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
     let links = |l: &[LinkId]| l.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>();
     let event = |e: &Event| {
         json!({
-            "kind": if e.kind == Kind::Limit { "limit" } else { "change-point" },
+            "kind": if e.kind == EventKind::Limit { "limit" } else { "change-point" },
             "driver": e.value,
             "links": links(&e.links),
             "pin": e.pin.map(|p| scene.point_name(p)),
@@ -95,8 +95,8 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
 
 impl<'a> Words<'a> {
     fn new(scene: &'a Scene, driver: usize, limits: &'a Limits, lang: Lang) -> Self {
-        let (name, unit) = scene.driver_name(driver);
-        Words { scene, limits, lang, name, angular: unit == "rad" }
+        let (name, kind) = scene.driver_name(driver);
+        Words { scene, limits, lang, name, angular: kind == Kind::Angle }
     }
 
     /// A crank's position in [0, 2π) where it turns fully.
@@ -110,7 +110,8 @@ impl<'a> Words<'a> {
     }
 
     fn value(&self, value: f64) -> String {
-        if self.angular { degrees(self.wrapped(value)) } else { length(value) }
+        let book = &self.scene.book;
+        if self.angular { angle(book, self.wrapped(value)) } else { length(book, value) }
     }
 
     fn at(&self, value: f64) -> String {
@@ -143,8 +144,8 @@ impl<'a> Words<'a> {
 
     fn event(&self, e: &Event) -> String {
         let what = match e.kind {
-            Kind::Limit => tr(self.lang, "limit", "极限位置"),
-            Kind::ChangePoint => tr(self.lang, "change point", "变点"),
+            EventKind::Limit => tr(self.lang, "limit", "极限位置"),
+            EventKind::ChangePoint => tr(self.lang, "change point", "变点"),
         };
         let line = || format!("{} {}", self.joint(&e.links, e.pin), tr(self.lang, "in line", "共线"));
         let why = e.toggle.as_ref().map_or_else(line, |t| t.words(self.scene, self.lang));
@@ -162,10 +163,10 @@ impl<'a> Words<'a> {
         }
     }
 
-    fn size(output: Output, value: f64) -> String {
+    fn size(&self, output: Output, value: f64) -> String {
         match output {
-            Output::Turning(_) => degrees(value),
-            Output::Sliding(_) => length(value),
+            Output::Turning(_) => angle(&self.scene.book, value),
+            Output::Sliding(_) => length(&self.scene.book, value),
         }
     }
 
@@ -178,9 +179,9 @@ impl<'a> Words<'a> {
         };
         let ratio = s.time_ratio.map_or(String::new(), |k| {
             let theta = std::f64::consts::PI * (k - 1.0) / (k + 1.0);
-            format!(", {} K = {} (θ = {})", tr(lang, "time ratio", "行程速比系数"), significant(k, 6), degrees(theta))
+            format!(", {} K = {} (θ = {})", tr(lang, "time ratio", "行程速比系数"), significant(k, 6), angle(&self.scene.book, theta))
         });
-        format!("{name} {word} {}{ratio}", Self::size(s.output, stroke))
+        format!("{name} {word} {}{ratio}", self.size(s.output, stroke))
     }
 
     fn extreme(&self, s: &Swing, e: &Extreme) -> String {
@@ -189,7 +190,7 @@ impl<'a> Words<'a> {
             (false, _) if s.extremes.iter().any(|e| e.at_limit) => String::new(),
             (false, _) => format!("  ({})", tr(self.lang, "a dead centre if it is driven from there", "若由此从动件驱动则为死点")),
         };
-        format!("{} = {} {}{remark}", self.output(s.output), Self::size(s.output, e.output), self.at(e.driver))
+        format!("{} = {} {}{remark}", self.output(s.output), self.size(s.output, e.output), self.at(e.driver))
     }
 }
 
@@ -204,12 +205,15 @@ fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     }
 }
 
-fn degrees(rad: f64) -> String {
+fn angle(book: &Book, rad: f64) -> String {
     // A zero that was found to rounding is zero; a crossing angle is the root of what was found.
-    let d = if rad.abs() < 1e-7 { 0.0 } else { rad.to_degrees() };
-    format!("{}°", significant(d, 6))
+    let rad = if rad.abs() < 1e-7 { 0.0 } else { rad };
+    book.text(Kind::Angle, &significant(book.value(Kind::Angle, rad), 6))
 }
 
-fn length(m: f64) -> String {
-    format!("{} mm", significant(m * 1e3, 6))
+fn length(book: &Book, m: f64) -> String {
+    match book.chosen(Kind::Length) {
+        Some(unit) => book.text(Kind::Length, &significant(unit.of(m), 6)),
+        None => format!("{} mm", significant(m * 1e3, 6)),
+    }
 }

@@ -11,4 +11,5 @@ pub mod phrase;
 pub mod plan;
 pub mod plan_json;
 pub mod price;
+pub mod statement;
 pub mod table;

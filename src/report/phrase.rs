@@ -35,6 +35,11 @@ impl Phrase {
         Phrase { pieces: vec![Piece::Words(words.into())] }
     }
 
+    /// A sentence of these pieces.
+    pub fn of_pieces(pieces: Vec<Piece>) -> Phrase {
+        Phrase { pieces }
+    }
+
     /// Its pieces.
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces

@@ -34,6 +34,9 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
         raw.units.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
     }
+    for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
+        raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+    }
     let before = faults.list.len();
     let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
     for (key, node) in entries(links, "\"links\"", faults) {
@@ -124,13 +127,13 @@ fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) 
 }
 
 /// A text of no more than so many characters.
-fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<String> {
+fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
     let count = word.text.chars().count();
     if count > most {
         faults.push(Diagnostic::error("too-long", format!("{what} has {count} characters; at most {most} are allowed")).at(word.span));
         return None;
     }
-    Some(word.text)
+    Some(word)
 }
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {

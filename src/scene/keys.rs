@@ -5,6 +5,7 @@ pub(super) const SCENE: &[&str] = &[
     "statement",
     "parameters",
     "units",
+    "answers",
     "links",
     "ground",
     "points",

@@ -3,6 +3,7 @@
 //! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
+pub mod book;
 mod decode;
 pub mod edit;
 pub mod eval;
@@ -14,14 +15,18 @@ mod names;
 mod raw;
 mod resolve;
 pub mod schema;
+pub mod statement;
 pub mod templates;
 #[cfg(test)]
 mod tests;
 mod told;
 pub mod units;
 mod values;
+mod written;
 
+pub use book::{Book, Kind};
 pub use model::*;
+pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};
 use crate::json;

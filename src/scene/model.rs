@@ -4,6 +4,8 @@
 //! Whether the given things suffice to fix the mechanism is *not* decided here but in [`crate::mechanism`] and
 //! [`crate::position`].
 
+use super::book::Book;
+use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
@@ -375,6 +377,15 @@ pub struct Paper {
     pub mu_a: Option<f64>,
     /// The pencil error (mm) within which 95 % of the marks fall.
     pub pencil_mm: Option<f64>,
+    /// The units (SI) in which scales of lengths, velocities and accelerations are round; absent: SI.
+    pub round_in: Option<[f64; 3]>,
+}
+
+impl Paper {
+    /// The unit (SI) in which the scale of a drawing is round: of the mechanism (0), the velocities (1), the accelerations (2).
+    pub fn unit(&self, drawing: usize) -> f64 {
+        self.round_in.map_or(1.0, |units| units[drawing])
+    }
 }
 
 /// A scene: everything its file says.
@@ -383,7 +394,7 @@ pub struct Scene {
     /// Title.
     pub title: Localized,
     /// The problem statement, if the file has one.
-    pub statement: Option<Localized>,
+    pub statement: Option<Statement>,
     /// Named parameters with their SI values, as written.
     pub parameters: Vec<(String, Given)>,
     /// Points in order of first mention.
@@ -410,6 +421,8 @@ pub struct Scene {
     pub paper: Paper,
     /// The unit in which the file writes its lengths: what is said of the scene is said in it.
     pub length_unit: &'static Unit,
+    /// The units in which answers, scales and tables are printed.
+    pub book: Book,
 }
 
 impl Scene {

@@ -17,8 +17,8 @@ pub(super) struct RawQuantity {
 /// A text in one language (`other` absent) or in both.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawLocalized {
-    pub en: Option<String>,
-    pub zh: Option<String>,
+    pub en: Option<Word>,
+    pub zh: Option<Word>,
 }
 
 #[derive(Clone, Debug)]
@@ -92,6 +92,7 @@ pub(super) struct RawScene {
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,
     pub units: Vec<(Word, Word)>,
+    pub answers: Vec<(Word, Word)>,
     pub links: Vec<RawLink>,
     /// Whether `links` could be read in full. If not, a name that is missing may stand in the part that could not be read.
     pub links_sound: bool,

@@ -62,6 +62,7 @@ mod tests {
             ("/$defs/cylinder", keys::CYLINDER),
             ("/$defs/paper", keys::PAPER),
             ("/properties/units", &units),
+            ("/properties/answers", &units),
         ] {
             let object = schema.pointer(place).unwrap_or_else(|| panic!("no {place} in the schema"));
             let written: BTreeSet<&str> = object["properties"].as_object().unwrap().keys().map(String::as_str).collect();

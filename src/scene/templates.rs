@@ -10,6 +10,7 @@ use crate::json::{self, Kind, Node, Word};
 const FILES: &[(&str, &str)] = &[
     // name, text
     ("crank-rocker", include_str!("../../templates/crank-rocker.json")),
+    ("pump-jack", include_str!("../../templates/pump-jack.json")),
     ("drag-link", include_str!("../../templates/drag-link.json")),
     ("crossed-four-bar", include_str!("../../templates/crossed-four-bar.json")),
     ("parallelogram", include_str!("../../templates/parallelogram.json")),

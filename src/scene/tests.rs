@@ -198,7 +198,7 @@ fn places_sides_and_paper() {
     assert!(!scene.sides[0].left);
     assert_eq!(
         scene.paper,
-        Paper { size_mm: Some([297.0, 210.0]), mu_l: Some(0.002), mu_v: Some(0.05), mu_a: Some(1.0), pencil_mm: Some(0.2) }
+        Paper { size_mm: Some([297.0, 210.0]), mu_l: Some(0.002), mu_v: Some(0.05), mu_a: Some(1.0), pencil_mm: Some(0.2), round_in: None }
     );
     assert_eq!((scene.language, scene.notation.as_deref()), (Some(Lang::Zh), Some("cn")));
 }

@@ -122,6 +122,17 @@ impl<'a> Values<'a> {
             .collect()
     }
 
+    /// The dimension of a parameter's value, which counts as used; `None` where there is none or it has a fault.
+    pub fn dim(&self, name: &str) -> Option<Dim> {
+        self.used.borrow_mut().insert(name.to_owned());
+        self.known.get(name).copied().flatten().map(|k| k.value.dim)
+    }
+
+    /// Whether a parameter is called so.
+    pub fn has_name(&self, name: &str) -> bool {
+        self.names.contains(&name)
+    }
+
     /// Whether the `units` table says what bare numbers of a kind are.
     pub fn has_unit(&self, wanted: Wanted) -> bool {
         wanted.key().is_some_and(|k| self.units.contains_key(k))

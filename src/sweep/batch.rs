@@ -79,7 +79,7 @@ impl Batch<'_> {
     pub fn columns(&self) -> Vec<(String, &'static str)> {
         let mut out = vec![("mechanism".to_owned(), "")];
         out.extend(self.variation.names().zip(&self.values).map(|(n, v)| (n.to_owned(), v.first().map_or("", |v| self.variation.unit(v)))));
-        out.push(self.scene.driver_name(self.driver));
+        out.push(self.scene.driver_column(self.driver));
         for f in &self.scene.find {
             out.extend(compile::ask::names(f));
         }

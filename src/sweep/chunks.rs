@@ -84,7 +84,7 @@ impl Rows {
     pub fn into_table(self, placed: &Placed, driver: usize, stations: &Stations, values: Vec<f64>, mut notes: Vec<Diagnostic>) -> Table {
         let words = |k: usize| general::driver_words(placed.scene, driver, stations.values[k]);
         notes.extend(general::gaps(&words, &self.missing));
-        let heads = std::iter::once(placed.scene.driver_name(driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
+        let heads = std::iter::once(placed.scene.driver_column(driver)).chain(placed.scene.find.iter().flat_map(compile::ask::names));
         let columns = heads.zip(self.there(values)).map(|((name, unit), values)| Column { name, unit, values });
         Table { columns: columns.collect(), notes }
     }

@@ -9,7 +9,7 @@ use crate::answer::Value;
 use crate::diag::{Diagnostic, Faults};
 use crate::position::{self, Configuration};
 use crate::quantity::significant;
-use crate::scene::{Lang, LinkId, Scene};
+use crate::scene::{Kind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -66,10 +66,10 @@ impl<'a> General<'a> {
 
 /// A driver's value for people: `phi_1 = 92.5°`.
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
-    let (name, unit) = scene.driver_name(driver);
-    match unit {
-        "rad" => format!("{name} = {}°", significant(value.to_degrees(), 6)),
-        _ => format!("{name} = {}", scene.length_words(value)),
+    let (name, kind) = scene.driver_name(driver);
+    match kind {
+        Kind::Angle => format!("{name} = {}", scene.book.text(kind, &significant(scene.book.value(kind, value), 6))),
+        Kind::Length | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha => format!("{name} = {}", scene.length_words(value)),
     }
 }
 

@@ -97,7 +97,7 @@ fn flipped(i: usize, descending: bool, count: usize) -> usize {
 impl Pieces for Long<'_> {
     fn columns(&self) -> Vec<(String, &'static str)> {
         let scene = self.placed.scene;
-        std::iter::once(scene.driver_name(self.driver)).chain(scene.find.iter().flat_map(compile::ask::names)).collect()
+        std::iter::once(scene.driver_column(self.driver)).chain(scene.find.iter().flat_map(compile::ask::names)).collect()
     }
 
     fn count(&self) -> usize {

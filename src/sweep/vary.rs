@@ -13,7 +13,8 @@ use crate::mechanism::Mechanism;
 use crate::quantity::shortest;
 use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
-use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Place, Scene, Through, templates};
+use crate::scene::units::Dim;
+use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -137,15 +138,9 @@ impl Variation {
 
     /// The unit of a varied parameter's SI value, for a column's head.
     pub fn unit(&self, value: &Value) -> &'static str {
-        match (value.dim.length, value.dim.time, value.dim.angle) {
-            (1, 0, 0) => "m",
-            (0, 0, 1) => "rad",
-            (0, -1, 1) => "rad/s",
-            (0, -2, 1) => "rad/s²",
-            (1, -1, _) => "m/s",
-            (1, -2, _) => "m/s²",
-            _ => "",
-        }
+        // An arc over time is a velocity.
+        let dim = if value.dim.length == 1 && value.dim.time < 0 { Dim { angle: 0, ..value.dim } } else { value.dim };
+        Kind::ALL.into_iter().find(|kind| kind.wanted().dim() == dim).map_or("", Kind::si)
     }
 
     /// A value of a parameter as a command line gives it: a bare number takes the unit that the scene writes.

@@ -5,9 +5,9 @@ use crate::figure::results::number;
 use crate::figure::sheet::scale;
 use crate::plan::names::name_label;
 use crate::plan::text::point_label;
-use crate::quantity::shortest;
+use crate::quantity::{self, shortest};
 use crate::report::phrase::Phrase;
-use crate::scene::{Angle, Direction, DriverKind, Given, Guide, GuidePath, Lang, LinkId, Place, PointId, Through};
+use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Through, Told};
 
 /// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
 const DIGITS: usize = 6;
@@ -19,7 +19,7 @@ impl Maker<'_> {
         // The ends in the order of the scene, as the equations name them.
         let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
         let lengths: Vec<String> =
-            self.scene.lengths.iter().map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), length(&l.value))).collect();
+            self.scene.lengths.iter().map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
         if !lengths.is_empty() {
             all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
         }
@@ -53,27 +53,27 @@ impl Maker<'_> {
         let symbol = point_label(self.name(p));
         Some(match &self.scene.points[p.0].place {
             Place::Unknown => return None,
-            Place::At([x, y]) => format!("${symbol} = ({}, {})$", length(x), length(y)),
+            Place::At([x, y]) => format!("${symbol} = ({}, {})$", self.length(x), self.length(y)),
             Place::InLink { base: (a, b), xy: [x, y] } => {
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
                 let along = match self.lang() {
-                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", size(x), if back { "away from" } else { "toward" }),
-                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, size(x)),
+                    Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.unsigned(x), if back { "away from" } else { "toward" }),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
                 };
                 let left = y.value > 0.0;
                 match self.lang() {
                     _ if y.value == 0.0 => along,
-                    Lang::En => format!("{along} and ${}$ to the {}", size(y), if left { "left" } else { "right" }),
-                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, size(y)),
+                    Lang::En => format!("{along} and ${}$ to the {}", self.unsigned(y), if left { "left" } else { "right" }),
+                    Lang::Zh => format!("{along}、向{} ${}$", if left { "左" } else { "右" }, self.unsigned(y)),
                 }
             }
             Place::Polar { base: (a, b), length: l, angle: turn } => {
                 let (from, to) = (point_label(self.name(*a)), point_label(self.name(*b)));
-                let known = format!("${from}{symbol} = {}$", length(l));
+                let known = format!("${from}{symbol} = {}$", self.length(l));
                 match self.lang() {
-                    Lang::En => format!("{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)", angle(turn)),
-                    Lang::Zh => format!("{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）", angle(turn)),
+                    Lang::En => format!("{known}, turned by ${}$ from ${from}{to}$ (counter-clockwise plus)", self.angle(turn)),
+                    Lang::Zh => format!("{known}，由 ${from}{to}$ 转过 ${}$（逆时针为正）", self.angle(turn)),
                 }
             }
         })
@@ -101,7 +101,7 @@ impl Maker<'_> {
         let en = self.lang() == Lang::En;
         match path {
             GuidePath::Arc { centre, radius } => {
-                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, length(r))).unwrap_or_default();
+                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, self.length(r))).unwrap_or_default();
                 let centre = self.point(*centre);
                 if en { format!(" along an arc about {centre}{r}") } else { format!("，圆弧槽，圆心 {centre}{r}") }
             }
@@ -109,7 +109,7 @@ impl Maker<'_> {
                 let mut out = match direction {
                     Direction::Along(a, b, turn) => {
                         let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
-                        let turned = turn.as_ref().map(|t| format!("${}$", angle(t)));
+                        let turned = turn.as_ref().map(|t| format!("${}$", self.angle(t)));
                         match (turned, en) {
                             (None, true) => format!(" along {line}"),
                             (None, false) => format!("，沿 {line}"),
@@ -118,8 +118,8 @@ impl Maker<'_> {
                         }
                     }
                     Direction::Instant(a) => match en {
-                        true => format!(" at ${}$ to the horizontal", angle(a)),
-                        false => format!("，与水平线成 ${}$", angle(a)),
+                        true => format!(" at ${}$ to the horizontal", self.angle(a)),
+                        false => format!("，与水平线成 ${}$", self.angle(a)),
                     },
                     Direction::Own => String::new(),
                 };
@@ -127,10 +127,10 @@ impl Maker<'_> {
                     Through::Pin => String::new(),
                     Through::Point(p) if matches!(direction, Direction::Along(a, b, None) if a == p || b == p) => String::new(),
                     Through::Point(p) => format!("{}{}", self.tr(" through ", "，过 "), self.point(*p)),
-                    Through::At([x, y]) => format!("{}$({}, {})$", self.tr(" through ", "，过点 "), length(x), length(y)),
+                    Through::At([x, y]) => format!("{}$({}, {})$", self.tr(" through ", "，过点 "), self.length(x), self.length(y)),
                 };
                 if let Some(o) = offset {
-                    let by = length(o);
+                    let by = self.length(o);
                     out += &if en { format!(", offset ${by}$ to the left") } else { format!("，向左偏距 ${by}$") };
                 }
                 out
@@ -159,10 +159,10 @@ impl Maker<'_> {
                 };
                 let number = name_label(&number);
                 if let Some(a) = given {
-                    out += &format!("{comma}$\\varphi_{{{number}}} = {}$", angle(a));
+                    out += &format!("{comma}$\\varphi_{{{number}}} = {}$", self.angle(a));
                 }
                 let (symbol, second) = (format!("\\omega_{{{number}}}"), format!("\\alpha_{{{number}}}"));
-                return self.driven(out, d, [&symbol, &second], ["rad/s", "rad/s^2"], true);
+                return self.driven(out, d, [&symbol, &second], [Kind::Omega, Kind::Alpha], true);
             }
             DriverKind::Slide { guide, position } => {
                 let g = &self.scene.guides[guide.0];
@@ -172,7 +172,7 @@ impl Maker<'_> {
                     Lang::Zh => format!("原动件：{what} 沿导路移动"),
                 };
                 if let Some(s) = position {
-                    out += &format!("{comma}$s = {}$", length(s));
+                    out += &format!("{comma}$s = {}$", self.length(s));
                 }
                 out
             }
@@ -183,50 +183,62 @@ impl Maker<'_> {
                     Lang::Zh => format!("原动件：液压缸 ${ends}$"),
                 };
                 if let Some(l) = given {
-                    out += &format!("{comma}$l_{{{ends}}} = {}$", length(l));
+                    out += &format!("{comma}$l_{{{ends}}} = {}$", self.length(l));
                 }
                 out
             }
         };
-        out = self.driven(out, d, ["v", "a"], ["m/s", "m/s^2"], false);
+        out = self.driven(out, d, ["v", "a"], [Kind::Velocity, Kind::Acceleration], false);
         out
     }
 
     /// Adds the rate of a driver and its acceleration.
-    fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], units: [&str; 2], turns: bool) -> String {
+    fn driven(&self, mut out: String, d: usize, symbols: [&str; 2], kinds: [Kind; 2], turns: bool) -> String {
         let driver = &self.scene.drivers[d];
         let comma = self.tr(", ", "，");
-        let told = |symbol: &str, value: f64, unit: &str| {
+        let told = |symbol: &str, given: &Given, kind: Kind| {
             // The sense of a turning is told in words.
-            let shown = if turns { value.abs() } else { value };
-            let sense = if turns { self.words().sense(value) } else { "" };
-            format!("{comma}$ {symbol} = {} {unit}$ {sense}", inked(shown)).trim_end().to_owned()
+            let shown = |number: String| if turns { number.trim_start_matches('−').to_owned() } else { number };
+            let amount = match self.scene.told(kind, &given.text, given.value) {
+                Told::AsWritten(number, unit) => unit.label(&shown(as_written(&number))),
+                Told::Computed(value, unit) => unit.label(&shown(inked(value))),
+                Told::Usual => Book::default().label(kind, &shown(inked(given.value))),
+            };
+            let sense = if turns { self.words().sense(given.value) } else { "" };
+            format!("{comma}$ {symbol} = {amount}$ {sense}").trim_end().to_owned()
         };
-        out += &told(symbols[0], driver.rate.value, units[0]);
+        out += &told(symbols[0], &driver.rate, kinds[0]);
         match &driver.acceleration {
-            Some(a) if a.value != 0.0 => out += &told(symbols[1], a.value, units[1]),
+            Some(a) if a.value != 0.0 => out += &told(symbols[1], a, kinds[1]),
             _ => out += self.tr(" (constant)", "（匀速）"),
         }
         out
     }
-}
 
-/// A length as it is given.
-fn length(given: &Given) -> String {
-    literal(&given.text).unwrap_or_else(|| match given.value {
-        0.0 => "0".into(),
-        metres if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
-        metres => format!("{} mm", inked(metres * 1e3)),
-    })
-}
+    /// A length as it is given.
+    fn length(&self, given: &Given) -> String {
+        match (self.scene.told(Kind::Length, &given.text, given.value), given.value) {
+            (Told::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
+            (Told::Computed(value, unit), _) => unit.label(&inked(value)),
+            (Told::Usual, 0.0) => "0".into(),
+            (Told::Usual, metres) if metres.abs() >= 10.0 => format!("{} m", inked(metres)),
+            (Told::Usual, metres) => format!("{} mm", inked(metres * 1e3)),
+        }
+    }
 
-/// A length without its sign, which is told in words.
-fn size(given: &Given) -> String {
-    length(given).trim_start_matches('−').to_owned()
-}
+    /// A length without its sign, which is told in words.
+    fn unsigned(&self, given: &Given) -> String {
+        self.length(given).trim_start_matches('−').to_owned()
+    }
 
-fn angle(given: &Given<Angle>) -> String {
-    format!("{}\\degree", inked(given.value.degrees()))
+    /// An angle as it is given; what is written in degrees is told less whole turns.
+    fn angle(&self, given: &Given<Angle>) -> String {
+        match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
+            Told::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
+            Told::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),
+            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => format!("{}\\degree", inked(given.value.degrees())),
+        }
+    }
 }
 
 /// A number in the label language, as short as it is, but not as long as a computed one.
@@ -234,11 +246,7 @@ fn inked(value: f64) -> String {
     if shortest(value).len() > DIGITS + 2 { number(value, DIGITS) } else { scale(value).replace('-', "−") }
 }
 
-/// What is written as a number and a unit stays as it is written; everything else (a name, a sum) is told by its value.
-fn literal(text: &str) -> Option<String> {
-    let text = text.trim();
-    let end = text.find(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'))?;
-    let (value, unit) = (&text[..end], text[end..].trim());
-    value.parse::<f64>().ok()?;
-    matches!(unit, "m" | "cm" | "mm" | "km" | "in" | "ft").then(|| format!("{} {unit}", value.replace('-', "−")))
+/// A number in the label language with the digits with which it is written.
+fn as_written(number: &str) -> String {
+    quantity::inked(&number.replace('E', "e"))
 }

@@ -1,23 +1,21 @@
 //! The problem's side: statement, given, wanted, the mechanism to scale.
 
-use super::{Block, Maker, one_line};
+use super::{Block, Maker};
 use crate::figure::results::symbol;
 use crate::figure::sheet::{Single, single};
 use crate::plan::text::point_label;
 use crate::report::phrase::Phrase;
+use crate::report::statement::paragraphs;
 use crate::scene::{Asked, Axis, Find, Lang, LinkId, OnLink};
 use crate::worked::Worked;
 
 impl Maker<'_> {
     pub(super) fn problem(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(1, "Problem", "题目"));
-        match self.scene.statement.as_ref().map(|s| s.get(self.lang())).filter(|s| !s.is_empty()) {
-            // Words as they stand. Each line is a paragraph.
-            Some(words) => {
-                let lines = words.lines().map(one_line).filter(|line| !line.is_empty());
-                blocks.extend(lines.map(|line| Block::Paragraph(Phrase::of_words(&line))));
-            }
-            None => blocks.push(self.paragraph(
+        let stated = paragraphs(self.scene, self.lang());
+        match stated.is_empty() {
+            false => blocks.extend(stated.into_iter().map(Block::Paragraph)),
+            true => blocks.push(self.paragraph(
                 "The figure shows a planar mechanism to scale. Solve it by vector polygons.",
                 "图示平面机构已按比例画出，试用矢量多边形图解法求解。",
             )),

@@ -9,7 +9,7 @@ use crate::figure::results::{Answers, amount, measured, named, number, sense, sy
 use crate::report::answers::{Line, lines, reason, verdict, worst};
 use crate::report::math::Math;
 use crate::report::phrase::{Phrase, fill};
-use crate::scene::Lang;
+use crate::scene::{Find, Lang};
 use crate::worked::Outcome;
 
 /// Digits at which drawing and analysis stand side by side: more than are printed as results.
@@ -43,8 +43,8 @@ impl Maker<'_> {
             }
             rows.push(vec![
                 math(&named(&self.writer(), find, r)),
-                measured(r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
-                math(&amount(find, value, c, digits)),
+                measured(&scene.book, r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
+                math(&amount(&scene.book, find, value, c, digits)),
                 of_label(&sense(find, value, c, words, digits)),
             ]);
         }
@@ -78,9 +78,10 @@ impl Maker<'_> {
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {
             let (Some(drawn), Some(agreement)) = (&r.drawn, r.agreement) else { continue };
-            let shown = |v: Value| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", size(v, trusted(r))) };
+            let find = &self.scene.find[r.find];
+            let shown = |v: Value| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", self.size(find, v, trusted(r))) };
             rows.push(vec![
-                math(&symbol(&self.scene.find[r.find], self.notation())),
+                math(&symbol(find, self.notation())),
                 Phrase::new(&shown(drawn.value)),
                 Phrase::new(&shown(r.computed)),
                 math(&if agreement.difference == 0.0 { "0".into() } else { number(agreement.difference, 1) }),
@@ -91,6 +92,15 @@ impl Maker<'_> {
         blocks.push(Block::Paragraph(Phrase::new(&text)));
     }
 
+    /// A vector by its magnitude, a number as it is: in the unit of the book, else in SI.
+    fn size(&self, find: &Find, value: Value, digits: usize) -> String {
+        let si = match value {
+            Value::Vector(v) => v.norm(),
+            Value::Scalar(s) => s,
+        };
+        number(self.scene.book.in_chosen(find.what.kind(), si), digits)
+    }
+
     /// How the magnitude of the first vector follows from the components that the equations give.
     fn components(&self, blocks: &mut Vec<Block>) {
         let first = self.worked.results.iter().find_map(|r| match r.computed {
@@ -98,9 +108,11 @@ impl Maker<'_> {
             _ => None,
         });
         let Some((r, v)) = first else { return };
-        let name = symbol(&self.scene.find[r.find], self.notation());
+        let find = &self.scene.find[r.find];
+        let name = symbol(find, self.notation());
+        let printed = |si: f64| self.scene.book.value(find.what.kind(), si);
         let digits = trusted(r).min(self.options.digits + 1);
-        let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(x, digits) };
+        let part = |x: f64| if x.abs() <= r.noise { "0".to_owned() } else { number(printed(x), digits) };
         // A sign or a power of ten is not squared by itself.
         let squared = |x: f64| match part(x) {
             text if text.starts_with('−') || text.contains('^') => format!("({text})^2"),
@@ -110,7 +122,7 @@ impl Maker<'_> {
         blocks.push(Block::Formula(vec![
             Math::Row(Label::math(format!("{name} ="))),
             Math::Root(Label::math(squares)),
-            Math::Row(Label::math(format!("= {}", number(v.norm(), digits)))),
+            Math::Row(Label::math(format!("= {}", number(printed(v.norm()), digits)))),
         ]));
     }
 }
@@ -119,14 +131,6 @@ impl Maker<'_> {
 fn trusted(r: &Outcome) -> usize {
     let difference = r.agreement.map_or(1.0, |a| a.difference).max(f64::EPSILON);
     ((-libm::log10(difference)).floor().max(1.0) as usize).min(COMPARED)
-}
-
-/// A vector by its magnitude, a number as it is.
-fn size(value: Value, digits: usize) -> String {
-    match value {
-        Value::Vector(v) => number(v.norm(), digits),
-        Value::Scalar(s) => number(s, digits),
-    }
 }
 
 /// What a figure writes in a cell: words, where it is one piece, else a formula.

@@ -4,7 +4,7 @@ use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
 use crate::figure::label::Label;
 use crate::figure::results::number;
-use crate::figure::sheet::{Single, scale, single};
+use crate::figure::sheet::{Single, of_level, single};
 use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
 use crate::plan::names::name_label;
@@ -76,7 +76,8 @@ impl Maker<'_> {
         let paper = &self.worked.construction;
         let mut members = Vec::new();
         let mm = |v: f64| format!("{} mm", number(v, RULER_DIGITS));
-        let mut mu_l = format!("$\\mu_l = {} m/mm$", scale(paper.diagram.mu_l));
+        let book = &self.scene.book;
+        let mut mu_l = format!("${}$", of_level(book, Level::Position, paper.diagram.mu_l));
         if let Some(l) = self.scene.lengths.first() {
             let (a, b) = (l.a.min(l.b), l.a.max(l.b));
             let ends = name_label(&format!("{}{}", self.scene.point_name(a), self.scene.point_name(b)));
@@ -87,10 +88,8 @@ impl Maker<'_> {
             };
         }
         members.push(mu_l);
-        for (level, unit, letter) in [(Level::Velocity, "m/s", "v"), (Level::Acceleration, "m/s^2", "a")] {
-            members.extend(
-                paper.polygon(level).filter(|_| !paper.is_empty(level)).map(|p| format!("$\\mu_{letter} = {} ({unit})/mm$", scale(p.mu))),
-            );
+        for level in Level::RATES {
+            members.extend(paper.polygon(level).filter(|_| !paper.is_empty(level)).map(|p| format!("${}$", of_level(book, level, p.mu))));
         }
         blocks.push(self.heading(2, "Scales", "比例尺"));
         blocks.push(self.paragraph(

@@ -9,6 +9,7 @@ mod figures;
 mod files;
 mod scene;
 mod text;
+mod units;
 
 use assert_cmd::Command;
 use std::path::Path;

@@ -40,7 +40,9 @@ const WORDS: [&str; 25] = [
 fn scene(words: &str) -> String {
     let mut scene: Value = serde_json::from_str(&fs::read_to_string("templates/crank-rocker.json").unwrap()).unwrap();
     scene["title"] = json!(words);
-    scene["statement"] = json!(format!("{words}\n{words}"));
+    // In a statement dollar signs and braces mean something, unless they are written so.
+    let stated = words.replace('{', "{{").replace('}', "}}").replace('$', "\\$");
+    scene["statement"] = json!(format!("{stated}\n{stated}"));
     scene.to_string()
 }
 

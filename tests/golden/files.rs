@@ -45,7 +45,7 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
 /// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
 pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
 
-pub const WORKSHEETS: [&str; 3] = ["crank-rocker", "shaper", "class-iii-six-bar"];
+pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("golden")

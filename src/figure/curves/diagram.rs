@@ -1,16 +1,14 @@
 //! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
 
-use crate::answer::level_of;
 use crate::figure::results::symbol;
 use crate::figure::sheet::driver_symbol;
-use crate::mechanism::Level;
 use crate::plan::notation::Notation;
-use crate::scene::{Asked, Scene};
+use crate::scene::{Asked, Kind, Scene};
 use crate::sweep::{Placed, Table, zoom};
+use std::f64::consts::TAU;
 
-/// Units of driver and panels, upright in the label language.
+/// The degree, upright in the label language: its axes have ticks of their own.
 pub(super) const DEGREE: &str = "\\degree";
-const MM: &str = "\\text{mm}";
 /// What is smaller than this part of a line's largest value is where it passes zero: a magnitude's kink is found to 1e-6 of a step.
 const ZERO: f64 = 1e-6;
 /// One line of a diagram.
@@ -53,14 +51,15 @@ impl Diagram {
         let scene = placed.scene;
         let column = |name: &str| table.column(name).map(|c| c.values.clone());
         let first = table.columns.first();
-        let (named, unit) = driver_symbol(scene, driver);
-        let turns = unit == DEGREE;
-        let factor = if turns { 1.0_f64.to_degrees() } else { 1e3 };
+        let (named, moves) = driver_symbol(scene, driver);
+        let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
         let mut panels: Vec<(usize, Panel)> = Vec::new();
         for find in &scene.find {
-            let (order, unit, times) = kind(&find.what);
+            let (order, kind) = (order(&find.what), find.what.kind());
+            let (unit, times) = scene.book.fine(kind);
+            let turning = kind == Kind::Angle;
             let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
             let name = match parts.each_ref().map(|p| column(p)) {
                 [Some(x), Some(y)] if vanishes(&y, &x) => &parts[0],
@@ -70,15 +69,14 @@ impl Diagram {
             let Some(values) = column(name) else { continue };
             let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             let shown: Vec<f64> = values.iter().map(|v| v * times).collect();
-            let shown = if unit == DEGREE { unwound(&shown) } else { shown };
+            let shown = if turning { unwound(&shown, TAU * times) } else { shown };
             let mut extremes = Vec::new();
             for highest in [true, false] {
                 let by = |a: &usize, b: &usize| if highest { shown[*a].total_cmp(&shown[*b]) } else { shown[*b].total_cmp(&shown[*a]) };
                 let Some(k) = (0..shown.len()).max_by(by) else { continue };
                 let around = [si[k.saturating_sub(1)], si[(k + 1).min(si.len() - 1)]];
                 // An angle is sought on the turn on which the line has it, so not across its jump.
-                let found =
-                    zoom::extreme(placed, driver, name, around, highest).filter(|(_, v)| unit != DEGREE || (v - values[k]).abs() < 1.0);
+                let found = zoom::extreme(placed, driver, name, around, highest).filter(|(_, v)| !turning || (v - values[k]).abs() < 1.0);
                 let (at, value) = found.unwrap_or((si[k], values[k]));
                 let value = if value.abs() < ZERO * most { 0.0 } else { value };
                 extremes.push((at * factor, shown[k] + (value - values[k]) * times));
@@ -89,23 +87,23 @@ impl Diagram {
             let curve = Curve { symbol: symbol(find, notation), values: shown, extremes, link: link(scene, &find.what) };
             match panels.iter_mut().find(|(o, _)| *o == order) {
                 Some((_, panel)) => panel.curves.push(curve),
-                None => panels.push((order, Panel { unit: unit.to_owned(), curves: vec![curve] })),
+                None => panels.push((order, Panel { unit, curves: vec![curve] })),
             }
         }
         panels.sort_by_key(|p| p.0);
-        Diagram { driver: [named, unit.to_owned()], places, panels: panels.into_iter().map(|p| p.1).collect() }
+        Diagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
     }
 }
 
-/// Which panel a quantity belongs to, the unit there, and how many of them an SI unit has.
-fn kind(what: &Asked) -> (usize, &'static str, f64) {
-    match what {
-        Asked::Coordinate(..) | Asked::Distance(..) => (0, MM, 1e3),
-        Asked::LinkAngle(_) => (1, DEGREE, 1.0_f64.to_degrees()),
-        Asked::Omega(_) | Asked::RelativeOmega(..) => (3, "\\text{rad/s}", 1.0),
-        Asked::Alpha(_) | Asked::RelativeAlpha(..) => (5, "\\text{rad/s}^2", 1.0),
-        _ if level_of(what) == Level::Acceleration => (4, "\\text{m/s}^2", 1.0),
-        _ => (2, "\\text{m/s}", 1.0),
+/// Which panel a quantity belongs to, from the top.
+fn order(what: &Asked) -> usize {
+    match what.kind() {
+        Kind::Length => 0,
+        Kind::Angle => 1,
+        Kind::Velocity => 2,
+        Kind::Omega => 3,
+        Kind::Acceleration => 4,
+        Kind::Alpha => 5,
     }
 }
 
@@ -126,12 +124,12 @@ fn vanishes(small: &[f64], large: &[f64]) -> bool {
     most(small) <= 1e-9 * most(large)
 }
 
-/// Angles (degrees) without their jumps by a whole turn.
-fn unwound(degrees: &[f64]) -> Vec<f64> {
-    let mut out: Vec<f64> = Vec::with_capacity(degrees.len());
-    for d in degrees {
+/// Angles without their jumps by a whole turn, in the unit of that turn.
+fn unwound(angles: &[f64], turn: f64) -> Vec<f64> {
+    let mut out: Vec<f64> = Vec::with_capacity(angles.len());
+    for d in angles {
         let before = out.last().copied().unwrap_or(*d);
-        out.push(d - 360.0 * libm::round((d - before) / 360.0));
+        out.push(d - turn * libm::round((d - before) / turn));
     }
     out
 }

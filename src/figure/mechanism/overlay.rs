@@ -12,8 +12,8 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
-use crate::quantity::shortest;
-use crate::scene::{PointId, Scene};
+use crate::quantity::{inked, shortest};
+use crate::scene::{Given, Kind, PointId, Scene, Told};
 use crate::sweep::follow::Follower;
 use crate::sweep::points::at_equal_steps;
 use crate::worked::Worked;
@@ -71,10 +71,10 @@ impl Overlay {
     }
 
     /// The scale of the vectors (SI per mm); `None` where none are drawn.
-    pub fn mu(&self, worked: &Worked) -> Option<f64> {
+    pub fn mu(&self, scene: &Scene, worked: &Worked) -> Option<f64> {
         let p = worked.construction.polygon(self.vectors?)?;
         let most = shown(worked, self.vectors?).map(|(_, at)| at).fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())]);
-        Some(scale::choose(most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
+        Some(scale::choose_in(scene.paper.unit(p.level as usize), most.map(|mm| mm * p.mu), [VECTOR_MM, VECTOR_MM]))
     }
 }
 
@@ -154,7 +154,17 @@ impl Draft<'_> {
         self.d.of_link(None);
     }
 
-    /// The given lengths in millimetres, on the side away from the mechanism's middle.
+    /// A given length at its dimension line: millimetres to the micrometre without their name, all else with its unit.
+    fn dimension(&self, given: &Given) -> String {
+        let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
+        match self.scene.told(Kind::Length, &given.text, given.value) {
+            Told::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
+            Told::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
+            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => shortest((given.value * 1e6).round() / 1e3),
+        }
+    }
+
+    /// The given lengths, on the side away from the mechanism's middle.
     fn dimensions(&mut self) {
         let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
         let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
@@ -164,8 +174,7 @@ impl Draft<'_> {
             let offset_mm = if left { DIMENSION_MM } else { -DIMENSION_MM };
             let name = format!("dimension-{}{}", self.scene.point_name(length.a), self.scene.point_name(length.b));
             let owner = self.d.draw(&name, "", sym::dimension(self.style, a, b, offset_mm));
-            // Millimetres to the micrometre, as they are written.
-            let text = shortest((length.value.value * 1e6).round() / 1e3);
+            let text = self.dimension(&length.value);
             let (from, to) = sym::dimension_line(a, b, offset_mm);
             let request = LabelRequest::along(Label::math(text), self.style.small_mm, from, to, self.style.thin.width_mm / 2.0);
             self.d.label(&name, "dimension", request.owned(owner));
@@ -173,7 +182,7 @@ impl Draft<'_> {
     }
 
     fn vectors(&mut self, w: &Writer, overlay: &Overlay) {
-        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.worked)) else { return };
+        let (Some(level), Some(mu)) = (overlay.vectors, overlay.mu(self.scene, self.worked)) else { return };
         let Some(p) = self.worked.construction.polygon(level) else { return };
         let (worked, style) = (self.worked, self.style);
         for (v, vector) in shown(worked, level) {

@@ -99,7 +99,8 @@ impl Draft<'_> {
         let ends: Vec<Point> = arrows.iter().flat_map(|k| [self.arrows[*k].from, self.arrows[*k].to]).collect();
         let (lo, hi) = around(ends.iter().copied());
         let size = hi - lo;
-        let mu = scale::choose([size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
+        let mu =
+            scale::choose_in(self.w.scene.book.size(self.p.level.kind()), [size.x * self.p.mu, size.y * self.p.mu], [ROOM_MM, ROOM_MM]);
         let times = self.p.mu / mu;
         if !(times.is_finite() && times >= LEAST) {
             return None;
@@ -164,7 +165,7 @@ impl Draft<'_> {
                 d.label_at(&name, &format!("inset {}", l.class(k)), &l.letters.join(", "), at, 0.3, (at - inner).unit());
             }
         }
-        let mu = of_level(self.p.level, inset.mu);
+        let mu = of_level(&self.w.scene.book, self.p.level, inset.mu);
         let at = inset.at - Vec2::new(0.0, inset.outer_mm() + style.small_mm + 0.8);
         let label = Shape::Label { at, label: Label::math(mu), size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
         d.shape("inset-scale", &class, label);

@@ -12,6 +12,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::quantity::{inked, shortest};
 use crate::report::phrase::{fill, formula, tr};
+use crate::scene::Kind;
 
 /// Air around a drawing in its cell.
 const AIR_MM: f64 = 3.5;
@@ -158,7 +159,9 @@ impl Page<'_> {
             let heavy = k < 2 || k == rows + 1;
             line(Point::new(x, y), Point::new(right, y), if heavy { style.outline } else { style.thin });
         }
-        let (driver, unit) = driver_symbol(&table.rows[0].scene, table.driver);
+        let scene = &table.rows[0].scene;
+        let (driver, kind) = driver_symbol(scene, table.driver);
+        let unit = scene.book.fine(kind).0;
         let first = Label::text(tr(lang, "Position", "位置"));
         let mut heads = vec![(first, format!("{driver},\\, {unit}"))];
         for column in self.columns {
@@ -169,7 +172,9 @@ impl Page<'_> {
             let (words, mu) = maker.caption(which);
             // The first pose may have no polygon.
             let mu = match column.shows {
-                Shows::Polygon(level) => of_level(level, table.scales.mu[usize::from(level == Level::Acceleration)].unwrap_or(1.0)),
+                Shows::Polygon(level) => {
+                    of_level(&scene.book, level, table.scales.mu[usize::from(level == Level::Acceleration)].unwrap_or(1.0))
+                }
                 Shows::Mechanism => mu,
             };
             heads.push((Label::text(words), mu));
@@ -189,10 +194,12 @@ impl Page<'_> {
     fn name(&self, row: usize, at: Point) -> Vec<Item> {
         let table = self.table;
         let style = &table.options.style;
-        let (_, unit) = driver_symbol(&table.rows[0].scene, table.driver);
+        let scene = &table.rows[0].scene;
+        let (_, kind) = driver_symbol(scene, table.driver);
+        let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
         let value = table.rows[row].driver;
-        let shown = if unit == "\\degree" { turned(value.to_degrees(), table.full) } else { value * 1e3 };
-        let shown = inked(&shortest((shown * 100.0).round() / 100.0));
+        let shown = if kind == Kind::Angle { turned(value, factor, table.full) } else { value * factor };
+        let shown = inked(&shortest((shown * parts).round() / parts));
         let value = if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") };
         vec![
             text("position", at + Vec2::new(0.0, 1.5), Label::math((row + 1).to_string()), style.caption_mm * 1.5, Anchor::Middle)

@@ -3,6 +3,7 @@
 //! Each file reads one section. All of them go on after a fault, so that one run shows them all; only what hangs on a
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
+mod answers;
 mod declare;
 mod drivers;
 mod find;
@@ -10,6 +11,7 @@ mod guides;
 mod lengths;
 mod paper;
 mod places;
+mod statement;
 
 use super::model::*;
 use super::names::Names;
@@ -109,14 +111,16 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let guides = ground.map(|_| guides::guides(&context, &places, faults));
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
         let find = ground.map(|_| find::find(&context, faults));
-        let paper = paper::paper(raw, &values, faults);
+        let book = answers::book(raw, faults);
+        let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
         let (language, notation) = (paper::language(raw, faults), paper::notation(raw, faults));
+        let statement = statement::statement(raw, &parameters, &values, source, faults);
         faults.list.extend(values.unused(&raw.parameters));
         let points = points.iter().zip(places).zip(sketch).map(|((p, place), sketch)| Point { place, sketch, ..p.clone() }).collect();
         Scene {
             title: localized(&raw.title).unwrap_or_default(),
-            statement: localized(&raw.statement),
+            statement,
             parameters,
             points,
             links: links.clone(),
@@ -130,6 +134,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             notation,
             paper,
             length_unit,
+            book,
         }
     };
     Some(scene)
@@ -144,7 +149,8 @@ pub(super) fn pencil(quantity: &RawQuantity, source: &str, faults: &mut Faults) 
 /// A text given in one language serves for both.
 fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
     let raw = raw.as_ref()?;
-    let en = raw.en.clone().or_else(|| raw.zh.clone())?;
-    let zh = raw.zh.clone().unwrap_or_else(|| en.clone());
+    let text = |word: &Option<Word>| word.as_ref().map(|w| w.text.clone());
+    let en = text(&raw.en).or_else(|| text(&raw.zh))?;
+    let zh = text(&raw.zh).unwrap_or_else(|| en.clone());
     Some(Localized { en, zh })
 }

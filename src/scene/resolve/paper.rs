@@ -1,6 +1,7 @@
 //! The sections `paper`, `language` and `notation`.
 
 use super::*;
+use crate::scene::book::{Book, Kind};
 
 /// ISO 216 sheets, upright, in mm.
 const SHEETS: [(&str, [f64; 2]); 5] =
@@ -13,7 +14,7 @@ const SIDES_MM: [f64; 2] = [20.0, 5000.0];
 /// No pencil is blunter than this (mm): a finger is.
 const BLUNTEST_MM: f64 = 5.0;
 
-pub(super) fn paper(raw: &RawScene, values: &Values, faults: &mut Faults) -> Paper {
+pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut Faults) -> Paper {
     let size_mm = match &raw.paper.size {
         Some(RawSize::Named(word)) => named(word, faults),
         Some(RawSize::Sides(sides)) => sides_mm(sides, values, faults),
@@ -34,6 +35,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, faults: &mut Faults) -> Pap
         mu_l: scale(&raw.paper.mu_l, Wanted::ScaleOfLengths, "mu_l"),
         mu_v: scale(&raw.paper.mu_v, Wanted::ScaleOfVelocities, "mu_v"),
         mu_a: scale(&raw.paper.mu_a, Wanted::ScaleOfAccelerations, "mu_a"),
+        round_in: Some([Kind::Length, Kind::Velocity, Kind::Acceleration].map(|k| book.size(k))).filter(|units| *units != [1.0; 3]),
         pencil_mm: raw.paper.pencil.as_ref().and_then(|q| pencil_mm(q, values, faults)),
     }
 }

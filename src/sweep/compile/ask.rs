@@ -3,7 +3,6 @@
 use super::{Compiler, NoKernel, Spot};
 use crate::diag::Diagnostic;
 use crate::mechanism::{Joined, Level, joined};
-use crate::report::answers;
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
@@ -194,18 +193,10 @@ fn no_kernel(find: &Find) -> NoKernel {
     Diagnostic::note("no-kernel", format!("{} has no kernel", find.text)).at(find.span)
 }
 
-/// The SI unit of a column.
-fn unit(what: &scene::Asked) -> &'static str {
-    match what {
-        scene::Asked::LinkAngle(_) => "rad",
-        _ => answers::unit(what),
-    }
-}
-
 /// The columns of a question: name and unit of each.
 pub(in crate::sweep) fn names(find: &Find) -> Vec<(String, &'static str)> {
     let components: &[&str] = if is_vector(&find.what) { &[".x", ".y", ""] } else { &[""] };
-    components.iter().map(|c| (format!("{}{c}", find.text), unit(&find.what))).collect()
+    components.iter().map(|c| (format!("{}{c}", find.text), find.what.kind().si())).collect()
 }
 
 /// Whether a question asks for a vector: three columns.
