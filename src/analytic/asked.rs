@@ -105,8 +105,8 @@ impl Solution {
         let mut seen = [Vec2::ZERO; 2];
         for k in [along, along.perp()] {
             let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Guide(g));
-            seen[0] = seen[0] + k * (sign * first(&row, &x));
-            seen[1] = seen[1] + k * (sign * second(&row, &x, &xx));
+            seen[0] += k * (sign * first(&row, &x));
+            seen[1] += k * (sign * second(&row, &x, &xx));
         }
         Some(seen)
     }

@@ -177,7 +177,7 @@ mod tests {
                 assert!(kinds(7.0)[1] != kinds(7.0)[2], "{changes:?}");
                 let (met, more) = changes.met(now + sense * 1e6 * TAU);
                 assert!(more && met.len() == 2, "{met:?}");
-                assert_eq!(changes.met(now + sense * 0.9 * TAU).1, false);
+                assert!(!changes.met(now + sense * 0.9 * TAU).1);
             }
         });
     }
