@@ -65,7 +65,7 @@
 //! position   diag quantity number scene geom mechanism
 //! answer     number scene geom mechanism position
 //! motion     number scene geom mechanism position answer
-//! plan       scene mechanism
+//! plan       diag scene mechanism
 //! construct  diag quantity number scene geom mechanism position answer plan
 //! analytic   diag quantity scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*

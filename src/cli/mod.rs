@@ -9,6 +9,7 @@ mod curves;
 mod draw;
 mod files;
 mod journal;
+mod lang;
 mod long;
 mod part;
 mod path;
@@ -22,7 +23,7 @@ mod values;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
-use crate::diag::{Diagnostic, Faults, Span, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::effort::Work;
 use crate::figure::font::own::Fonts;
 use crate::figure::sheet;
@@ -74,7 +75,7 @@ fn usage(e: &clap::Error) -> ExitCode {
     }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
-            Failure::Output(format!("standard output: {io}")).say()
+            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io))).say()
         }
         _ => ExitCode::from(code),
     }
@@ -85,9 +86,9 @@ enum Failure {
     /// Something is wrong with a scene, an argument, or a file that was named.
     Input(Vec<Told>),
     /// A file could not be written.
-    Output(String),
+    Output(Both),
     /// The user asked to stop; what is left of the work.
-    Interrupted(String),
+    Interrupted(Both),
 }
 
 /// Faults, and the text in which their places count.
@@ -128,11 +129,11 @@ impl Failure {
                 ExitCode::from(2)
             }
             Failure::Output(message) => {
-                files::say(&format!("error: {message}\n"));
+                files::say(lang::of(&both!("error: {}\n", "错误：{}\n", message)));
                 ExitCode::from(1)
             }
             Failure::Interrupted(message) => {
-                files::say(&format!("interrupted: {message}\n"));
+                files::say(lang::of(&both!("interrupted: {}\n", "已中断：{}\n", message)));
                 ExitCode::from(stop::INTERRUPTED)
             }
         }
@@ -172,6 +173,7 @@ impl Input {
             bytes = changed.into_bytes();
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
+        scene::language_of(&bytes).map(lang::take);
         match scene::read(&bytes) {
             Ok(Warned { value, notes }) => Ok(Input { name, source, scene: value, notes, fonts: Fonts::default(), asked: None }),
             Err(faults) => Err(Failure::input(faults, &name, &source)),
@@ -259,7 +261,8 @@ const LESSONS: [&str; 2] = ["html", "htm"];
 
 fn lesson(a: args::Lesson) -> Run {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
-        let d = Diagnostic::error("output", format!("{path} does not end in .html")).help("write -o lesson.html");
+        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
+            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
@@ -394,7 +397,8 @@ fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String,
     let mut wrong = Vec::new();
     for s in set {
         let Some((name, value)) = s.split_once('=') else {
-            let d = Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120");
+            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
+                .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
             wrong.push(Told::argument("--set", s, d));
             continue;
         };

@@ -3,7 +3,7 @@
 use super::Path;
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::mechanism::Leg;
 use crate::number::Real;
@@ -17,7 +17,11 @@ impl<N: Real> Assembly<'_, N> {
             [Leg::Driven { guide, driver, .. }] => {
                 let path = self.need_guide(*guide)?;
                 let DriverKind::Slide { position: Some(s), .. } = &self.scene.drivers[*driver].kind else {
-                    return Err(self.driver_without_value(*driver, "position", "how far the slider is along its guide"));
+                    return Err(self.driver_without_value(
+                        *driver,
+                        "position",
+                        both!("how far the slider is along its guide", "滑块在导路上的位置"),
+                    ));
                 };
                 Ok(vec![path.point_at(self.inputs.driven(&self.scene.drivers[*driver], s))])
             }
@@ -30,9 +34,12 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     pub(super) fn not_placed(&self, pin: PointId, link: LinkId) -> Diagnostic {
-        Diagnostic::error("not-placed", format!("{} is not placed on link {}", self.scene.point_name(pin), self.scene.link_name(link)))
-            .at(self.scene.points[pin.0].span)
-            .help("give a length, or its coordinates in \"points\"")
+        Diagnostic::error(
+            "not-placed",
+            both!("{} is not placed on link {}", "{} 在构件 {} 上的位置未定", self.scene.point_name(pin), self.scene.link_name(link)),
+        )
+        .at(self.scene.points[pin.0].span)
+        .help(both!("give a length, or its coordinates in \"points\"", "请给出长度，或在 \"points\" 中给出其坐标"))
     }
 
     pub(super) fn locus_of_pin(&self, pin: PointId, leg: &Leg) -> Result<Locus<N>, Diagnostic> {
@@ -60,7 +67,7 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
             DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], l)),
-            _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
+            _ => Err(self.driver_without_value(driver, "length", both!("how long the cylinder is", "液压缸的长度"))),
         }
     }
 
@@ -68,30 +75,39 @@ impl<N: Real> Assembly<'_, N> {
         let (wa, wb) = (self.leg_words(pin, a), self.leg_words(pin, b));
         let p = self.scene.point_name(pin);
         let how = match miss {
-            Miss::TooFar(x) => format!("they end {} apart", self.scene.length_words(x)),
-            Miss::TooNear(x) => format!("one is {} too long for the other", self.scene.length_words(x)),
-            Miss::Parallel(0.0) => "they coincide, so that the joint's place is undetermined".to_string(),
-            Miss::Parallel(x) => format!("they run parallel, {} apart", self.scene.length_words(x)),
+            Miss::TooFar(x) => both!("they end {} apart", "两端相距 {}", self.scene.length_words(x)),
+            Miss::TooNear(x) => both!("one is {} too long for the other", "其一比另一长出 {}", self.scene.length_words(x)),
+            Miss::Parallel(0.0) => both!("they coincide, so that the joint's place is undetermined", "两者重合，铰链位置不定"),
+            Miss::Parallel(x) => both!("they run parallel, {} apart", "两者平行，相距 {}", self.scene.length_words(x)),
         };
-        let d = Diagnostic::error("cannot-assemble", format!("{wa} and {wb} cannot meet at {p}: {how}")).at(self.scene.points[pin.0].span);
-        d.help("change a length, the driver's position, or a pivot")
+        let d = Diagnostic::error("cannot-assemble", both!("{} and {} cannot meet at {p}: {}", "{}与{}不能在 {p} 相交：{}", wa, wb, how))
+            .at(self.scene.points[pin.0].span);
+        d.help(both!("change a length, the driver's position, or a pivot", "请改变某一长度、原动件的位置或固定铰链"))
     }
 
-    pub(super) fn leg_words(&self, pin: PointId, leg: &Leg) -> String {
+    pub(super) fn leg_words(&self, pin: PointId, leg: &Leg) -> Both {
         let p = self.scene.point_name(pin);
         match *leg {
             Leg::Bar { link, far, .. } => {
                 let s = &self.shapes[link.0];
                 let l = s.local(far).zip(s.local(pin)).map_or(0.0, |(a, b)| a.distance(b).approx());
-                format!("link {} ({}{p} = {})", self.scene.link_name(link), self.scene.point_name(far), self.scene.length_words(l))
+                both!(
+                    "link {} ({}{p} = {})",
+                    "构件 {}（{}{p} = {}）",
+                    self.scene.link_name(link),
+                    self.scene.point_name(far),
+                    self.scene.length_words(l)
+                )
             }
-            Leg::OnGuide { guide, .. } => format!("the guide on link {}", self.scene.link_name(self.scene.guides[guide.0].on)),
+            Leg::OnGuide { guide, .. } => {
+                both!("the guide on link {}", "构件 {} 上的导路", self.scene.link_name(self.scene.guides[guide.0].on))
+            }
             Leg::Cylinder { driver, far, .. } => {
                 let l = self.cylinder_length(driver).map_or(0.0, Real::approx);
-                format!("the cylinder {}{p} ({})", self.scene.point_name(far), self.scene.length_words(l))
+                both!("the cylinder {}{p} ({})", "液压缸 {}{p}（{}）", self.scene.point_name(far), self.scene.length_words(l))
             }
-            Leg::Ram { link, .. } => format!("link {}", self.scene.link_name(link)),
-            _ => format!("the joint at {p}"),
+            Leg::Ram { link, .. } => both!("link {}", "构件 {} ", self.scene.link_name(link)),
+            _ => both!("the joint at {p}", "{p} 处的运动副"),
         }
     }
 }

@@ -86,6 +86,12 @@ pub fn place_in_asked(span: Span) -> Option<Span> {
     Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
 }
 
+/// The language that a scene names, as far as its JSON can be read: what is wrong with it is told in that.
+pub fn language_of(source: &[u8]) -> Option<Lang> {
+    let (_, root) = json::parse(source, &mut Faults::default()).ok()?;
+    decode::language_of(&root)
+}
+
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source, &mut faults)?;

@@ -5,7 +5,7 @@
 //! [`crate::position`].
 
 use super::units::Unit;
-use crate::diag::Span;
+use crate::diag::{Both, Span};
 
 /// Index into [`Scene::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -27,6 +27,25 @@ pub enum Lang {
     En,
     /// Chinese.
     Zh,
+}
+
+impl Lang {
+    /// The language of a name of the format: `en`, `zh`.
+    pub fn named(name: &str) -> Option<Lang> {
+        match name {
+            "en" => Some(Lang::En),
+            "zh" => Some(Lang::Zh),
+            _ => None,
+        }
+    }
+
+    /// A text in this language.
+    pub fn of(self, text: &Both) -> &str {
+        match self {
+            Lang::En => &text.en,
+            Lang::Zh => &text.zh,
+        }
+    }
 }
 
 /// A text in both languages; a scene that gives one gets it in both.

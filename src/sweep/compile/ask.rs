@@ -1,7 +1,7 @@
 //! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`].
 
 use super::{Compiler, NoKernel, Spot};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Joined, Level, joined};
 use crate::report::answers;
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
@@ -191,7 +191,7 @@ impl Compiler<'_> {
 }
 
 fn no_kernel(find: &Find) -> NoKernel {
-    Diagnostic::note("no-kernel", format!("{} has no kernel", find.text)).at(find.span)
+    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 没有编译形式", find.text)).at(find.span)
 }
 
 /// The SI unit of a column.
