@@ -21,9 +21,14 @@ pub fn take(lang: Lang) {
     let _ = OF_SCENE.set(lang);
 }
 
+/// The language that the command line asks for.
+pub fn asked() -> Option<Lang> {
+    ASKED.get().copied()
+}
+
 /// The language of what is said now.
 pub fn now() -> Lang {
-    ASKED.get().or(OF_SCENE.get()).copied().unwrap_or_default()
+    asked().or(OF_SCENE.get().copied()).unwrap_or_default()
 }
 
 /// A text in it.

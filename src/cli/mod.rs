@@ -8,6 +8,7 @@ mod batch;
 mod curves;
 mod draw;
 mod files;
+mod help;
 mod journal;
 mod lang;
 mod long;
@@ -34,17 +35,23 @@ use crate::report::{answers, construction, diagnostics, drafting as tolerances, 
 use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
-use clap::Parser;
+use clap::FromArgMatches;
 use draw::style_of;
+use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::Duration;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let args = match Args::try_parse() {
+    let given: Vec<OsString> = std::env::args_os().collect();
+    let asked = help::asked(&given);
+    asked.map(lang::ask);
+    let of_help = asked.unwrap_or_else(help::of_the_machine);
+    let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
         Ok(args) => args,
-        Err(e) => return usage(&e),
+        Err(e) => return usage(&e, of_help),
     };
+    args.lang.map(|l| lang::ask(l.into()));
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
@@ -65,13 +72,17 @@ pub fn main() -> ExitCode {
 }
 
 /// Help and version, or what is wrong with the arguments.
-fn usage(e: &clap::Error) -> ExitCode {
+fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     let code = u8::try_from(e.exit_code()).unwrap_or(2);
-    let plain = e.render().to_string();
+    let plain = help::said(e, of_help);
     // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
-    if diagnostics::visible(&plain) != plain {
+    // The colours go with the English of the library.
+    if diagnostics::visible(&plain) != plain || of_help != Lang::En && e.use_stderr() {
         files::say(&plain);
         return ExitCode::from(code);
+    }
+    if of_help != Lang::En {
+        return files::print(&plain).unwrap_or_else(Failure::say);
     }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
@@ -237,7 +248,7 @@ impl Input {
 
 /// Language and notation: the command line's, else the scene's, else English and its profile.
 fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
-    let lang = common.lang.map(Lang::from).or(scene.language).unwrap_or_default();
+    let lang = lang::asked().or(scene.language).unwrap_or_default();
     let notation = common.notation.as_deref().or(scene.notation.as_deref()).and_then(Notation::named);
     (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
 }

@@ -317,7 +317,7 @@ mod tests {
         ] {
             let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
             let dim = if v.dim.length != 0 { Dim { angle: 0, ..v.dim } } else { v.dim };
-            assert_eq!((v.si(), dim.describe().as_str()), (number, what), "{text}");
+            assert_eq!((v.si(), dim.describe().en.as_str()), (number, what), "{text}");
         }
     }
 
