@@ -199,6 +199,26 @@ impl Diagnostic {
     }
 }
 
+impl Diagnostic {
+    /// What is left of English in the Chinese of the message or of the help: two small words side by side outside of quotation marks,
+    /// or a message without a Chinese character. What a user reads in Chinese has none; tests ask for it.
+    pub fn english_in_chinese(&self) -> Option<String> {
+        let told = self.message.zh.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+        let all = [Some(&self.message), self.help.as_ref()];
+        let left = all.into_iter().flatten().find_map(|text| english(&text.zh));
+        left.or_else(|| (!told).then(|| self.message.zh.clone()))
+    }
+}
+
+/// Two small words of Latin letters side by side, outside of what is quoted.
+fn english(text: &str) -> Option<String> {
+    let unquoted = |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" \u{b7} ");
+    let text = unquoted('"', &unquoted('`', text));
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let small = |w: &str| w.len() > 1 && w.bytes().all(|b| b.is_ascii_lowercase());
+    words.windows(2).find(|w| w.iter().all(|w| small(w))).map(|w| w.join(" "))
+}
+
 /// A sentence shorter than this is told as it is.
 const LONG: usize = 300;
 /// A longer word between backticks is told by its beginning, its end and its length.

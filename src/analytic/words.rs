@@ -88,7 +88,8 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
         let of = if block.contains(&l) { on(l) } else { scene.links[l.0].points.clone() };
         match of[..] {
             [a, b] => both!(" ({}{})", "（{}{}）", scene.point_name(a), scene.point_name(b)),
-            _ => Both::default(),
+            // The letters end with a mark of their own; a name alone stands apart from the word behind it.
+            _ => both!("", " "),
         }
     };
     let bars: Vec<Both> = links.iter().map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l))).collect();
@@ -155,13 +156,13 @@ pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
 
 fn driver_words(scene: &Scene, d: usize) -> Both {
     match scene.drivers[d].kind {
-        DriverKind::Turn { link, .. } => both!("driver link {}", "原动件 {}", scene.link_name(link)),
+        DriverKind::Turn { link, .. } => both!("driver link {}", "原动件 {} ", scene.link_name(link)),
         DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
             (Some(p), _) => both!("the drive of {}", "{} 处的原动件", scene.point_name(p)),
             (None, Some(s)) => both!("the drive of link {}", "构件 {} 的原动件", scene.link_name(s)),
             (None, None) => both!("the driver", "原动件"),
         },
-        DriverKind::Cylinder { a, b, .. } => both!("cylinder {}{}", "液压缸 {}{}", scene.point_name(a), scene.point_name(b)),
+        DriverKind::Cylinder { a, b, .. } => both!("cylinder {}{}", "液压缸 {}{} ", scene.point_name(a), scene.point_name(b)),
     }
 }
 
@@ -252,6 +253,6 @@ fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> Both {
         part.block.unknowns.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, u)| layout.link_of(*u)).collect();
     links.sort_unstable();
     links.dedup();
-    let names: Vec<Both> = links.iter().map(|l| both!("link {}", "构件 {}", scene.link_name(*l))).collect();
+    let names: Vec<Both> = links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
     if names.is_empty() { both!("the joints there", "该处的运动副") } else { Both::listed(&names) }
 }

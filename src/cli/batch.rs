@@ -55,7 +55,7 @@ pub fn batch(a: Args) -> Run {
 
 /// The columns of a batch: the mechanism's number, its parameters and the driver's position come again and again.
 fn head(batch: &Batch, title: &str) -> Head {
-    let mut head = Head::new(title, batch.columns());
+    let mut head = Head::new(title, batch.columns()).told_in(lang::now());
     let leading = 2 + batch.values.len();
     head.columns.iter_mut().take(leading).for_each(|c| c.repeats = true);
     head.columns.iter_mut().take(1).for_each(|c| c.whole = true);

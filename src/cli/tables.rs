@@ -2,7 +2,7 @@
 
 use super::spool::{self, Spool};
 use super::together::Out;
-use super::{Failure, files, long, stop};
+use super::{Failure, files, lang, long, stop};
 use crate::diag::{Diagnostic, both};
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
 use crate::sweep::pieces::Pieces;
@@ -50,7 +50,7 @@ pub fn by_rows(ending: &str, head: Head) -> io::Result<Box<dyn Format>> {
 /// written.
 pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Failure> {
     let ending = ending(path, &ALL)?;
-    let head = Head::new(title, sweep.columns());
+    let head = Head::new(title, sweep.columns()).told_in(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match ending {
@@ -64,7 +64,7 @@ const KEPT: usize = 8 << 20;
 
 /// A sweep as CSV to a place where nothing can be written over: its notes, which come first, are known with the last row only.
 pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
-    let format = Csv::new(Head::new("", sweep.columns()));
+    let format = Csv::new(Head::new("", sweep.columns()).told_in(lang::now()));
     let mut rows = tempfile::spooled_tempfile(KEPT);
     let mut count = 0;
     in_pieces(sweep, &ProgressBar::hidden(), formed(&format), |piece| {

@@ -221,7 +221,7 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
         "too-many-constraints",
         both!(
             "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
-            "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；{}已没有自由度可约束",
+            "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
             count(scene).freedom,
