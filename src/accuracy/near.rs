@@ -96,13 +96,13 @@ impl Kept {
 /// What is said where nothing but an estimate is at hand; nothing where it leaves the digits that are printed.
 pub fn estimated(near: &Near, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
-    let left = if digits < 1.0 { both!("no digit", "0") } else { both!("about {digits} digits", "约 {digits}") };
+    let left = if digits < 1.0 { both!("no digit", "不到一位") } else { both!("about {digits} digits", "约 {digits} 位") };
     (digits < PRINTED).then(|| {
         Diagnostic::warning(
             "near-singular",
             both!(
                 "{} but for a hair: the condition number is {}, and double precision may keep {} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
-                "几乎是{}：条件数为 {}；作图和回路方程用双精度，速度可能只保留 {} 位数字，加速度更少",
+                "几乎是{}：条件数为 {}；作图和回路方程用双精度，速度可能只保留{}数字，加速度更少",
                 near.words,
                 significant(condition, 2),
                 left

@@ -54,7 +54,7 @@ impl Node {
             Kind::Text(_) => both!("a text", "文字"),
             Kind::Number(_) => both!("a number", "数"),
             Kind::Bool => both!("true or false", "true 或 false"),
-            Kind::Null => both!("null", "null"),
+            Kind::Null => both!("null", "空值 null"),
             Kind::Array(_) => both!("a list", "列表"),
             Kind::Object(_) => both!("an object", "对象"),
         }

@@ -9,6 +9,7 @@ pub mod eval;
 pub mod exact;
 pub mod expr;
 mod keys;
+mod lang;
 pub mod model;
 mod names;
 mod raw;

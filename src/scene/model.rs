@@ -5,7 +5,9 @@
 //! [`crate::position`].
 
 use super::units::Unit;
-use crate::diag::{Both, Span};
+use crate::diag::Span;
+
+pub use super::lang::Lang;
 
 /// Index into [`Scene::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,35 +20,6 @@ pub struct LinkId(pub usize);
 /// Index into [`Scene::guides`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct GuideId(pub usize);
-
-/// A language of the figures and texts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Lang {
-    /// English.
-    #[default]
-    En,
-    /// Chinese.
-    Zh,
-}
-
-impl Lang {
-    /// The language of a name of the format: `en`, `zh`.
-    pub fn named(name: &str) -> Option<Lang> {
-        match name {
-            "en" => Some(Lang::En),
-            "zh" => Some(Lang::Zh),
-            _ => None,
-        }
-    }
-
-    /// A text in this language.
-    pub fn of(self, text: &Both) -> &str {
-        match self {
-            Lang::En => &text.en,
-            Lang::Zh => &text.zh,
-        }
-    }
-}
 
 /// A text in both languages; a scene that gives one gets it in both.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -17,10 +17,12 @@ fn own_words(text: &str) -> String {
     text.lines().filter(|l| !l.contains('│') || l.trim_start().starts_with('│')).collect::<Vec<_>>().join("\n")
 }
 
-/// The line with two small English words side by side, if there is one.
+/// The line with two small English words side by side, if there is one; commands are no words.
 fn english(text: &str) -> Option<&str> {
     let small = |w: &str| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase());
-    text.lines().find(|l| l.split(' ').collect::<Vec<_>>().windows(2).any(|w| w.iter().all(|w| small(w))))
+    text.lines()
+        .filter(|l| !l.contains("hodograph "))
+        .find(|l| l.split(' ').collect::<Vec<_>>().windows(2).any(|w| w.iter().all(|w| small(w))))
 }
 
 #[test]
