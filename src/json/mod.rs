@@ -111,14 +111,45 @@ fn strict() -> ParseOptions {
     }
 }
 
-/// The parser's own sentence, fitted into ours.
-fn sentence(kind: &ParseErrorKind) -> String {
+/// The parser's own sentence, fitted into ours; it has English ones only.
+fn sentence(kind: &ParseErrorKind) -> Both {
+    use ParseErrorKind::*;
     let text = kind.to_string();
     let mut chars = text.chars();
-    match chars.next() {
+    let en: std::string::String = match chars.next() {
         Some(first) => first.to_lowercase().chain(chars).collect(),
         None => text,
-    }
+    };
+    let zh = match kind {
+        BareDecimalPointNumbersNotAllowed => "小数点前后都须有数字",
+        CommentsNotAllowed => "不允许注释",
+        ExpectedColonAfterObjectKey => "键后应有冒号",
+        ExpectedObjectValue => "冒号后应有值",
+        ExpectedDigit => "应有数字",
+        ExpectedDigitFollowingNegativeSign => "负号后应有数字",
+        ExpectedPlusMinusOrDigitInNumberLiteral => "数中应有正负号或数字",
+        ExpectedStringObjectProperty => "对象的键应为带引号的文字",
+        HexadecimalNumbersNotAllowed => "不允许十六进制数",
+        ExpectedComma => "缺少逗号",
+        MultipleRootJsonValues => "文件只能有一个 JSON 值",
+        NonFiniteNumbersNotAllowed => "不允许 Infinity 和 NaN",
+        SingleQuotedStringsNotAllowed => "不允许单引号",
+        String(_) => "文字的引号或转义有误",
+        TrailingCommasNotAllowed => "不允许末尾的逗号",
+        UnaryPlusNumbersNotAllowed => "数前不允许正号",
+        UnexpectedCloseBrace => "多余的 }",
+        UnexpectedCloseBracket => "多余的 ]",
+        UnexpectedColon => "多余的冒号",
+        UnexpectedComma => "多余的逗号",
+        UnexpectedToken => "不能识别的符号",
+        UnexpectedTokenInObject => "对象中有不能识别的符号",
+        UnexpectedWord => "不能识别的词",
+        UnterminatedArray => "列表没有结束，缺少 ]",
+        UnterminatedCommentBlock => "注释没有结束",
+        UnterminatedObject => "对象没有结束，缺少 }",
+        NestingDepthExceeded => "嵌套过深",
+    };
+    Both { en, zh: zh.to_owned() }
 }
 
 fn advice(kind: &ParseErrorKind) -> Option<Both> {
