@@ -45,7 +45,7 @@
 //!   line diagrams, paths with hodographs, the sheet of many poses.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
-//! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
+//! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].

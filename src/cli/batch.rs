@@ -204,7 +204,7 @@ fn mechanisms_at_once(batch: &Batch) -> u64 {
 /// Computes and writes block after block: one is computed while the one before it is given its form, and that before it is written.
 fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
     let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
-    let bar = long::bar(all, part.done, "mechanisms");
+    let bar = long::bar(all, part.done, &both!("mechanisms", "个机构"));
     let mut from = part.done;
     let make = |used: Option<(u64, Block)>| {
         if from >= all || stop::asked() {

@@ -111,7 +111,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
 
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
-    let bar = long::bar(count, 0, "positions");
+    let bar = long::bar(count, 0, &both!("positions", "个位置"));
     // What is known before: that all rows are there, unless it turns out otherwise.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
@@ -131,7 +131,7 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Resul
 }
 
 fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut Out) -> io::Result<()> {
-    let bar = long::bar(sweep.count() as u64, 0, "positions");
+    let bar = long::bar(sweep.count() as u64, 0, &both!("positions", "个位置"));
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(
         sweep,
