@@ -15,7 +15,7 @@ const LONG_FILES: &[(&str, usize)] = &[
     ("src/mechanism/groups.rs", 469),
     ("src/plan/build.rs", 540),
     ("src/render/svg.rs", 576),
-    ("src/sweep/compile/mod.rs", 526),
+    ("src/sweep/compile/mod.rs", 525),
     ("src/sweep/compile/place.rs", 528),
     ("src/worksheet/pages.rs", 519),
     ("tests/browser/main.rs", 472),
