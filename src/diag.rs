@@ -2,6 +2,9 @@
 //!
 //! A stage that finds faults pushes them into a [`Faults`] and goes on as long as it can; only the command line
 //! prints them. A [`Diagnostic`] says what is wrong, where, what would be right (`help`), and how grave it is.
+//!
+//! What it says is a [`Both`]: English and Chinese, made at once by `both!`; whoever shows it chooses. A plain text is none, so that
+//! the compiler finds a message without its Chinese.
 
 use std::fmt;
 
@@ -20,6 +23,126 @@ impl Span {
         Span { start, end }
     }
 }
+
+/// A text in both languages.
+///
+/// It has no `Display`: whoever shows it says in which language.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Both {
+    /// English.
+    pub en: String,
+    /// Chinese.
+    pub zh: String,
+}
+
+impl Both {
+    /// A text that is the same in both languages: a name, a number, a word of the input.
+    pub fn same(text: impl Into<String>) -> Both {
+        let en = text.into();
+        Both { zh: en.clone(), en }
+    }
+
+    /// Whether it says nothing.
+    pub fn is_empty(&self) -> bool {
+        self.en.is_empty() && self.zh.is_empty()
+    }
+
+    fn each(self, change: impl Fn(String) -> String) -> Both {
+        Both { en: change(self.en), zh: change(self.zh) }
+    }
+
+    /// Several, one after the other, with a mark between them in each language.
+    pub fn join<'a>(all: impl IntoIterator<Item = &'a Both>, en: &str, zh: &str) -> Both {
+        let mut out = Both::default();
+        for (i, one) in all.into_iter().enumerate() {
+            if i > 0 {
+                out.en.push_str(en);
+                out.zh.push_str(zh);
+            }
+            out.en.push_str(&one.en);
+            out.zh.push_str(&one.zh);
+        }
+        out
+    }
+
+    /// An enumeration: `a`, `a and b`, `a, b and c`.
+    pub fn listed(all: &[Both]) -> Both {
+        match all {
+            [] => Both::default(),
+            [one] => one.clone(),
+            [head @ .., last] => {
+                let head = Both::join(head, ", ", "、");
+                Both { en: format!("{} and {}", head.en, last.en), zh: format!("{}和{}", head.zh, last.zh) }
+            }
+        }
+    }
+}
+
+/// In tests of single stages the Chinese is not looked at; what the program itself says cannot be made of one language.
+#[cfg(test)]
+impl From<&str> for Both {
+    fn from(text: &str) -> Both {
+        Both::same(text)
+    }
+}
+
+#[cfg(test)]
+impl From<String> for Both {
+    fn from(text: String) -> Both {
+        Both::same(text)
+    }
+}
+
+/// What `both!` writes into its sentences: a [`Both`] in the sentence's language, all else as it prints.
+pub trait Piece {
+    /// What is written.
+    type Shown: ?Sized;
+    /// It in an English sentence.
+    fn en(&self) -> &Self::Shown;
+    /// It in a Chinese sentence.
+    fn zh(&self) -> &Self::Shown;
+}
+
+impl<T: fmt::Display + ?Sized> Piece for T {
+    type Shown = T;
+    fn en(&self) -> &T {
+        self
+    }
+    fn zh(&self) -> &T {
+        self
+    }
+}
+
+impl Piece for Both {
+    type Shown = str;
+    fn en(&self) -> &str {
+        &self.en
+    }
+    fn zh(&self) -> &str {
+        &self.zh
+    }
+}
+
+impl Piece for &Both {
+    type Shown = str;
+    fn en(&self) -> &str {
+        &self.en
+    }
+    fn zh(&self) -> &str {
+        &self.zh
+    }
+}
+
+/// A text in both languages, `both!("link {} is too long", "构件 {} 过长", name)`: two sentences of `format!` and the values of both.
+///
+/// The values may stand in another order in the second (`{1}`); a [`Both`] among them is written in the sentence's language. An ending
+/// that only English has (`link{}` with an `s`) is swallowed by `{1:.0}`. A value is taken once for each language: it must not be used up.
+macro_rules! both {
+    ($en:literal, $zh:literal $(, $value:expr)* $(,)?) => {
+        $crate::diag::Both { en: format!($en $(, $crate::diag::Piece::en(&$value))*), zh: format!($zh $(, $crate::diag::Piece::zh(&$value))*) }
+    };
+}
+pub(crate) use both;
 
 /// How grave a diagnostic is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,26 +163,26 @@ pub struct Diagnostic {
     /// A stable word for programs, such as `unknown-key`, `dead-centre`, `cannot-assemble`.
     pub code: &'static str,
     /// What is wrong, in one sentence, with the value.
-    pub message: String,
+    pub message: Both,
     /// Where in the file; `None` where the fault belongs to no single place.
     pub span: Option<Span>,
     /// What to do.
-    pub help: Option<String>,
+    pub help: Option<Both>,
 }
 
 impl Diagnostic {
     /// An error.
-    pub fn error(code: &'static str, message: impl Into<String>) -> Self {
-        Diagnostic { severity: Severity::Error, code, message: bounded(message.into()), span: None, help: None }
+    pub fn error(code: &'static str, message: impl Into<Both>) -> Self {
+        Diagnostic { severity: Severity::Error, code, message: message.into().each(bounded), span: None, help: None }
     }
 
     /// A warning.
-    pub fn warning(code: &'static str, message: impl Into<String>) -> Self {
+    pub fn warning(code: &'static str, message: impl Into<Both>) -> Self {
         Diagnostic { severity: Severity::Warning, ..Self::error(code, message) }
     }
 
     /// A note.
-    pub fn note(code: &'static str, message: impl Into<String>) -> Self {
+    pub fn note(code: &'static str, message: impl Into<Both>) -> Self {
         Diagnostic { severity: Severity::Note, ..Self::error(code, message) }
     }
 
@@ -70,10 +193,30 @@ impl Diagnostic {
     }
 
     /// The same, with advice.
-    pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help = Some(bounded(help.into()));
+    pub fn help(mut self, help: impl Into<Both>) -> Self {
+        self.help = Some(help.into().each(bounded));
         self
     }
+}
+
+impl Diagnostic {
+    /// What is left of English in the Chinese of the message or of the help: two small words side by side outside of quotation marks,
+    /// or a message without a Chinese character. What a user reads in Chinese has none; tests ask for it.
+    pub fn english_in_chinese(&self) -> Option<String> {
+        let told = self.message.zh.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+        let all = [Some(&self.message), self.help.as_ref()];
+        let left = all.into_iter().flatten().find_map(|text| english(&text.zh));
+        left.or_else(|| (!told).then(|| self.message.zh.clone()))
+    }
+}
+
+/// Two small words of Latin letters side by side, outside of what is quoted.
+fn english(text: &str) -> Option<String> {
+    let unquoted = |mark: char, text: &str| text.split(mark).step_by(2).collect::<Vec<_>>().join(" \u{b7} ");
+    let text = unquoted('"', &unquoted('`', text));
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let small = |w: &str| w.len() > 1 && w.bytes().all(|b| b.is_ascii_lowercase());
+    words.windows(2).find(|w| w.iter().all(|w| small(w))).map(|w| w.join(" "))
 }
 
 /// A sentence shorter than this is told as it is.
@@ -114,11 +257,12 @@ pub fn shortened(text: &str) -> String {
     format!("{head}…{tail} ({count} characters)")
 }
 
+/// In English.
 impl fmt::Display for Diagnostic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.message)?;
+        write!(f, "{}", self.message.en)?;
         if let Some(h) = &self.help {
-            write!(f, " ({h})")?;
+            write!(f, " ({})", h.en)?;
         }
         Ok(())
     }
@@ -180,13 +324,17 @@ mod tests {
     fn huge_names_are_told_by_their_ends() {
         let name = "x".repeat(200_000);
         let d = Diagnostic::error("name", format!("`{name}` cannot name a point, `B` can")).help(format!("not `{name}`"));
-        assert!(d.message.len() < 200 && d.message.contains("(200000 characters)") && d.message.contains("`B` can"), "{}", d.message);
-        assert!(d.help.is_some_and(|h| h.len() < 200));
+        assert!(
+            d.message.en.len() < 200 && d.message.en.contains("(200000 characters)") && d.message.en.contains("`B` can"),
+            "{}",
+            d.message.en
+        );
+        assert!(d.help.is_some_and(|h| h.en.len() < 200));
         // What has no backticks, or only one, is cut.
         for text in [name.clone(), format!("`{name}"), format!("é{name}`")] {
-            assert!(Diagnostic::note("name", text).message.len() < 2 * LONGEST);
+            assert!(Diagnostic::note("name", text).message.en.len() < 2 * LONGEST);
         }
         let usual = "`l_AB` is 100 mm".to_owned();
-        assert_eq!(Diagnostic::error("x", usual.clone()).message, usual);
+        assert_eq!(Diagnostic::error("x", usual.clone()).message.en, usual);
     }
 }

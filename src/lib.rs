@@ -45,7 +45,7 @@
 //!   line diagrams, paths with hodographs, the sheet of many poses.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
-//! - [`report`]: plan, construction, answers, diagnostics as text and JSON.
+//! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
@@ -65,7 +65,7 @@
 //! position   diag quantity number scene geom mechanism
 //! answer     number scene geom mechanism position
 //! motion     number scene geom mechanism position answer
-//! plan       scene mechanism
+//! plan       diag scene mechanism
 //! construct  diag quantity number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*

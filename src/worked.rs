@@ -12,7 +12,7 @@ use crate::analytic::{self, Refused, Solution};
 use crate::answer::{Value, level_of};
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::plan::{self, Plan};
 use crate::position::{self, Configuration};
@@ -227,8 +227,11 @@ fn stages(
             }
         }
         if let Some(near) = near.as_ref().filter(|_| !more.is_empty()) {
-            let words = solution.near.first().map_or("the links lie nearly as in a singular pose", |worst| &worst.words);
-            notes.extend(written.is_none().then(|| near_singular(words, &near.truth)));
+            let words = solution
+                .near
+                .first()
+                .map_or_else(|| both!("the links lie nearly as in a singular pose", "各构件接近奇异位置"), |worst| worst.words.clone());
+            notes.extend(written.is_none().then(|| near_singular(&words, &near.truth)));
             singular.extend(&more);
             written = Some(near.truth.clone());
             (plan, construction, drawn) = draw(&singular)?;
@@ -269,7 +272,9 @@ fn stages(
                 unanswered.push(Unanswered { find: i, refused: refused.clone() });
                 continue;
             }
-            return Err(Diagnostic::error("cannot-answer", format!("{} cannot be answered here", find.text)).at(find.span).into());
+            return Err(Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text))
+                .at(find.span)
+                .into());
         };
         let level = level_of(&find.what);
         let scale = match level {
@@ -341,15 +346,17 @@ fn lost_groups(scene: &Scene, m: &Mechanism, solution: &Solution, lost: &[usize]
 }
 
 /// What is said of a pose that only longer numbers tell from a singular one.
-fn near_singular(words: &str, regular: &Regular) -> Diagnostic {
+fn near_singular(words: &Both, regular: &Regular) -> Diagnostic {
     let numbers = regular.rung.name();
     Diagnostic::warning(
         "near-singular",
-        format!(
-            "{words} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations"
+        both!(
+            "{} but for a hair: as written the pose is not singular, but only numbers of more digits than double precision tell its answers ({numbers}); they are theirs, neither drawn nor checked by the loop equations",
+            "几乎是{}：按所给数值该位置并非奇异，但其结果须由高于双精度的数值（{numbers}）求得；结果取自该数值，未作图，也未用回路方程校核",
+            words
         ),
     )
-    .help("choose a pose further off, or one that is singular as written")
+    .help(both!("choose a pose further off, or one that is singular as written", "请取离奇异位置较远的位置，或按所给数值恰为奇异的位置"))
 }
 
 /// The groups that are singular in the pose: their lines coincide, so that no crossing on paper tells anything.

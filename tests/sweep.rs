@@ -221,7 +221,7 @@ fn a_parallelogram_stays_one() {
         assert!(at("omega_2", i).abs() < 1e-6 && (at("omega_3", i) - 6.0).abs() < 1e-6, "row {i}: {}", at("omega_2", i));
         assert!(at("phi_2", i).abs() < 1e-6, "row {i}: {}", at("phi_2", i));
     }
-    let told: Vec<&str> = table.notes.iter().map(|n| n.message.as_str()).collect();
+    let told: Vec<&str> = table.notes.iter().map(|n| n.message.en.as_str()).collect();
     assert!(told.len() >= 5, "{told:#?}");
     assert!(told[0].contains("links 2, 3 lie in line (a change point)"), "{told:#?}");
 }
@@ -673,14 +673,18 @@ fn the_limits_of_a_group_of_class_iv() {
     for (from, to, limits) in [(now, 4.0, vec![1]), (-4.0, now, vec![0]), (-4.0, 4.0, vec![0, 1])] {
         let stations = Stations::slid(from, to, 100, 1.0);
         let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
-        let messages: Vec<&str> = table.notes.iter().filter(|n| n.code == "limit").map(|n| n.message.as_str()).collect();
+        let messages: Vec<&str> = table.notes.iter().filter(|n| n.code == "limit").map(|n| n.message.en.as_str()).collect();
         let expected: Vec<String> = limits
             .iter()
             .map(|&i| format!("the driver goes no farther than {}: there links 2, 3, 4 and 5 leave one freedom open", words[i]))
             .collect();
         assert_eq!(messages, expected);
         let gap = table.notes.iter().find(|n| n.code == "no-position").unwrap();
-        assert!(words.iter().any(|w| gap.message.ends_with(&format!("the mechanism cannot be assembled beyond {w}"))), "{}", gap.message);
+        assert!(
+            words.iter().any(|w| gap.message.en.ends_with(&format!("the mechanism cannot be assembled beyond {w}"))),
+            "{}",
+            gap.message.en
+        );
     }
 }
 
@@ -706,7 +710,7 @@ fn a_dyad_beside_a_group_of_class_iv_stops_it() {
     let e = ["x_E", "y_E"].map(|n| at.column(n).unwrap().values[0]);
     assert!((length(e, [8.6, 4.4]) - reach).abs() < 1e-10, "{} against {reach}", length(e, [8.6, 4.4]));
     let words = "link 7 (EH) and link 8 (HK) lie in line";
-    assert!(table.notes.iter().any(|n| n.code == "limit" && n.message.ends_with(words)), "{:#?}", table.notes);
+    assert!(table.notes.iter().any(|n| n.code == "limit" && n.message.en.ends_with(words)), "{:#?}", table.notes);
     // Degrees that lie within the range, a turn away or not.
     let [low, high] = told.range.bounds();
     let within = |x: &f64| (-1..=1).any(|k| (low..=high).contains(&(x + f64::from(k) * std::f64::consts::TAU)));

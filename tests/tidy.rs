@@ -331,3 +331,45 @@ fn files_are_short_enough_to_be_overseen() {
     faults.extend(gone.map(|(name, _)| format!("{name} is no file any more: strike it off LONG_FILES in tests/tidy.rs")));
     finish(&faults, "A file holds one idea, in some 450 lines at most.");
 }
+
+/// The two texts of each `both!` of a file, with the line that it begins in.
+fn pairs(text: &str) -> Vec<(usize, String, String)> {
+    let string = |text: &str| {
+        let from = text.find('"')? + 1;
+        let mut escaped = false;
+        let end = text[from..].find(|c| {
+            let ends = c == '"' && !escaped;
+            escaped = c == '\\' && !escaped;
+            ends
+        })?;
+        Some((text[from..from + end].to_owned(), from + end + 1))
+    };
+    let of = |at: usize| {
+        let line = text[..at].lines().count();
+        let (en, end) = string(&text[at..])?;
+        let (zh, _) = string(&text[at + end..])?;
+        Some((line, en, zh))
+    };
+    text.match_indices("both!(").filter_map(|(at, _)| of(at)).collect()
+}
+
+#[test]
+fn what_is_said_in_english_is_said_in_chinese() {
+    // Words outside of what is quoted and of the places for values.
+    let english = |text: &str| {
+        let kept: String = text.split('`').step_by(2).flat_map(|t| t.split('{').map(|t| t.split_once('}').map_or(t, |t| t.1))).collect();
+        words(&kept).any(|(_, w, _)| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase()))
+    };
+    let chinese = |text: &str| text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+    let (mut seen, mut faults) = (0, Vec::new());
+    for (file, text) in files("src", &["rs"]).into_iter().filter(|(file, _)| file != "src/diag.rs") {
+        for (line, en, zh) in pairs(&text) {
+            seen += 1;
+            if english(&en) && !chinese(&zh) {
+                faults.push(format!("{file}:{line}: {en:?} has no Chinese but {zh:?}"));
+            }
+        }
+    }
+    assert!(seen > 300, "only {seen} texts were found");
+    finish(&faults, "Every text is in both languages: both!(\"English\", \"中文\").");
+}

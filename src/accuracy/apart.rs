@@ -83,7 +83,7 @@ mod tests {
                 for (k, seen) in seen.iter().enumerate() {
                     match seen {
                         Ok(_) => assert!(k < bad, "{n} groups, {bad} does not close: {k} is told"),
-                        Err(Why::Refused(d)) => assert!(k >= bad && d.message == format!("group {bad}"), "{d}"),
+                        Err(Why::Refused(d)) => assert!(k >= bad && d.message.en == format!("group {bad}"), "{d}"),
                         Err(why) => panic!("{why:?}"),
                     }
                 }

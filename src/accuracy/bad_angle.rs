@@ -3,7 +3,7 @@
 use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
 use crate::construct::pencil::Exact;
 use crate::construct::{Action, Construction, Layout, by_hand};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::mechanism::Level;
 use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Spot, Step, VertexId};
@@ -218,15 +218,15 @@ impl<'a> Search<'a> {
 }
 
 /// What is nearly at a dead centre, as the beginning of a clause; nothing for a special point on the diagram.
-fn near(drawn: &Drawn, c: &CrossingTolerance) -> String {
-    let Some(polygon) = drawn.construction.polygon(c.level) else { return String::new() };
+fn near(drawn: &Drawn, c: &CrossingTolerance) -> Both {
+    let Some(polygon) = drawn.construction.polygon(c.level) else { return Both::default() };
     let edges = polygon.actions.iter().find_map(|a| match a {
         Action::Cross { target, edges, .. } if *target == c.target => Some(edges),
         _ => None,
     });
     let terms = edges.into_iter().flatten().filter_map(|e| polygon.edges[*e].terms.first());
-    let words: Vec<String> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
-    format!("{} are near a dead centre, and ", words.join(" and "))
+    let words: Vec<Both> = terms.map(|t| held_by(drawn.scene, drawn.plan, t)).collect();
+    both!("{} are near a dead centre, and ", "{} 接近死点，", Both::join(&words, " and ", "与"))
 }
 
 impl BadAngle {
@@ -234,29 +234,48 @@ impl BadAngle {
     pub fn diagnostic(&self, drawn: &Drawn) -> Diagnostic {
         let name = vertex_name(drawn.scene, drawn.plan, self.crossing.target);
         let moves = match self.crossing.moves_on_paper_mm() {
-            Some(mm) => format!("by {} mm", significant(mm, 2)),
-            None => "off the paper".into(),
+            Some(mm) => both!("by {} mm", "偏移 {} mm", significant(mm, 2)),
+            None => both!("off the paper", "移出图纸"),
         };
-        let message = format!(
-            "{name} is found under {}°: {}a pencil error of {} mm moves it {moves}",
+        let message = both!(
+            "{name} is found under {}°: {}a pencil error of {} mm moves it {}",
+            "求 {name} 的两线交角仅 {}°：{}{} mm 的作图误差使该点{}",
             significant(self.crossing.angle_deg(), 2),
             near(drawn, &self.crossing),
             shortest(self.pencil_mm),
+            moves
         );
         let mut help = Vec::new();
         if let Some(factor) = self.larger {
-            help.push(format!("draw {} times as large, then every answer is within 1 %", shortest(factor)));
+            help.push(both!(
+                "draw {} times as large, then every answer is within 1 %",
+                "请把图形放大到 {} 倍，各结果的误差不超过 1 %",
+                shortest(factor)
+            ));
         }
         if let Some(p) = self.special {
-            let point = format!("take the special point on legs {} and {} of the group", p.legs.0 + 1, p.legs.1 + 1);
-            help.push(format!("{point}, where the lines cross under {}° or more", significant(p.worst_deg, 2)));
+            let point = both!(
+                "take the special point on legs {} and {} of the group",
+                "请改取该杆组第 {} 与第 {} 支链上的特殊点",
+                p.legs.0 + 1,
+                p.legs.1 + 1
+            );
+            help.push(both!("{}, where the lines cross under {}° or more", "{}，交角不小于 {}°", point, significant(p.worst_deg, 2)));
         }
         if let Some(p) = self.pose {
             let angle = significant(p.crossing_deg, 2);
             let name = drawn.scene.driver_name(p.driver).0;
             help.push(match p.to_deg {
-                Some(to) => format!("take the pose at {name} = {} deg, where the lines cross under {angle}°", shortest(to)),
-                None => format!("turn the driver {name} by {} deg, where the lines cross under {angle}°", shortest(p.turn_deg)),
+                Some(to) => both!(
+                    "take the pose at {name} = {} deg, where the lines cross under {angle}°",
+                    "请取 {name} = {} deg 的位置，其交角为 {angle}°",
+                    shortest(to)
+                ),
+                None => both!(
+                    "turn the driver {name} by {} deg, where the lines cross under {angle}°",
+                    "请把原动件 {name} 再转过 {} deg，其交角为 {angle}°",
+                    shortest(p.turn_deg)
+                ),
             });
         }
         let d = Diagnostic::warning("bad-angle", message);
@@ -264,6 +283,6 @@ impl BadAngle {
             Spot::Point(p) => d.at(drawn.scene.points[p.0].span),
             Spot::Special { .. } => d,
         };
-        if help.is_empty() { d } else { d.help(help.join("; or ")) }
+        if help.is_empty() { d } else { d.help(Both::join(&help, "; or ", "；或")) }
     }
 }

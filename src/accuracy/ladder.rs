@@ -7,7 +7,7 @@ use super::apart::apart;
 use super::printed::with_printed;
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
 use crate::number::decimal::{Certain, Enclosure};
@@ -214,8 +214,8 @@ impl Why {
             (Why::NextOrder(_), Lang::Zh) => "奇异位置，由高一阶回路方程求得".into(),
             (Why::NoValue, Lang::En) => "it has no value in this pose".into(),
             (Why::NoValue, Lang::Zh) => "该位置无确定值".into(),
-            (Why::Refused(d), Lang::En) => d.message.clone(),
-            (Why::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message),
+            (Why::Refused(d), Lang::En) => d.message.en.clone(),
+            (Why::Refused(d), Lang::Zh) => format!("按所给数值未能证明：{}", d.message.zh),
         }
     }
 }
@@ -313,7 +313,9 @@ impl Climb for Closes<'_> {
 
 /// Why a group does not close.
 fn not_closed(faults: Faults) -> Diagnostic {
-    faults.list.into_iter().next().unwrap_or_else(|| Diagnostic::error("not-closed", "a group does not close in longer numbers"))
+    faults.list.into_iter().next().unwrap_or_else(|| {
+        Diagnostic::error("not-closed", both!("a group does not close in longer numbers", "有杆组在高精度计算中不能装配"))
+    })
 }
 
 /// Some answers in one kind of number.

@@ -7,7 +7,7 @@ use super::agreement::{Agreement, compare};
 use super::written::{Regular, regular};
 use crate::analytic::{Near, Solution};
 use crate::answer::{Value, level_of};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
 use crate::quantity::significant;
@@ -76,13 +76,17 @@ impl Kept {
     pub fn note(&self, near: &Near, condition: f64) -> Diagnostic {
         let worst = self.errors.iter().flatten().copied().fold(f64::EPSILON, f64::max);
         let digits = (-libm::log10(worst)).floor();
-        let said = format!(
+        let said = both!(
             "{} but for a hair: the condition number is {}; double precision keeps about {digits} digits of the answers, in the drawing and in the loop equations",
+            "几乎是{}：条件数为 {}；作图和回路方程用双精度约保留结果的 {digits} 位数字",
             near.words,
             significant(condition, 2)
         );
         if digits < PRINTED {
-            Diagnostic::warning("near-singular", said).help("choose a pose further off; the certified digits are those of longer numbers")
+            Diagnostic::warning("near-singular", said).help(both!(
+                "choose a pose further off; the certified digits are those of longer numbers",
+                "请取离该位置较远的位置；已验证的数字由高精度计算得到"
+            ))
         } else {
             Diagnostic::note("near-singular", said)
         }
@@ -92,16 +96,18 @@ impl Kept {
 /// What is said where nothing but an estimate is at hand; nothing where it leaves the digits that are printed.
 pub fn estimated(near: &Near, condition: f64) -> Option<Diagnostic> {
     let digits = (-libm::log10(10.0 * near.loss)).floor();
-    let left = if digits < 1.0 { "no digit".to_string() } else { format!("about {digits} digits") };
+    let left = if digits < 1.0 { both!("no digit", "不到一位") } else { both!("about {digits} digits", "约 {digits} 位") };
     (digits < PRINTED).then(|| {
         Diagnostic::warning(
             "near-singular",
-            format!(
-                "{} but for a hair: the condition number is {}, and double precision may keep {left} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
+            both!(
+                "{} but for a hair: the condition number is {}, and double precision may keep {} of the velocities there in the drawing and in the loop equations, fewer of the accelerations",
+                "几乎是{}：条件数为 {}；作图和回路方程用双精度，速度可能只保留{}数字，加速度更少",
                 near.words,
-                significant(condition, 2)
+                significant(condition, 2),
+                left
             ),
         )
-        .help("choose a pose further off")
+        .help(both!("choose a pose further off", "请取离该位置较远的位置"))
     })
 }

@@ -12,7 +12,7 @@ use crate::answer::{Source, Value, evaluate, level_of};
 use crate::construct::pencil::Single;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Layout};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
@@ -144,9 +144,16 @@ pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Fau
     let start = toggle::driver_position(scene, 0);
     let nearest = start.and_then(|s| limits.into_iter().flatten().min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
     let (Some(start), Some(limit)) = (start, nearest) else {
-        let why = if start.is_none() { "the pose is given by coordinates" } else { "the driver turns fully, nothing stops it" };
-        return Err(Diagnostic::error("no-toggle", format!("there is no toggle to approach: {why}"))
-            .help("drive another link, for instance the rocker of a crank-rocker, and give its angle")
+        let why = if start.is_none() {
+            both!("the pose is given by coordinates", "位置由坐标给定")
+        } else {
+            both!("the driver turns fully, nothing stops it", "原动件可整周转动，没有极限位置")
+        };
+        return Err(Diagnostic::error("no-toggle", both!("there is no toggle to approach: {}", "没有可趋近的极限位置：{}", why))
+            .help(both!(
+                "drive another link, for instance the rocker of a crank-rocker, and give its angle",
+                "请换原动件，如曲柄摇杆机构的摇杆，并给出其角度"
+            ))
             .into());
     };
     let unit = if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { (start - limit).abs() };
@@ -167,7 +174,7 @@ pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Fau
 fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], patience: Duration) -> Result<Vec<Measured>, Faults> {
     let truth = truth(scene, worked)?;
     if truth.iter().all(Option::is_none) {
-        return Err(Diagnostic::error("no-truth", "no answer has a value in this pose").into());
+        return Err(Diagnostic::error("no-truth", both!("no answer has a value in this pose", "该位置各量都无确定值")).into());
     }
     Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, patience)).collect())
 }

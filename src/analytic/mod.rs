@@ -26,7 +26,7 @@ pub use pose::{Near, Refused, SingularKind, Singularity};
 pub use singular::Why;
 
 use crate::answer::Source;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::position::Configuration;
@@ -165,7 +165,9 @@ impl System {
         let n = layout.unknowns;
         let rows = layout.rows(scene, at);
         if rows.len() != n {
-            return Err(Diagnostic::error("not-square", format!("{} equations for {n} unknowns", rows.len())).into());
+            return Err(
+                Diagnostic::error("not-square", both!("{} equations for {n} unknowns", "{} 个方程，{n} 个未知数", rows.len())).into()
+            );
         }
         if n >= LARGE {
             let staged = Staged::new(&rows, n);
@@ -246,7 +248,10 @@ fn inverse_one_norm(solve: Solve, solve_transposed: Solve, n: usize) -> f64 {
 
 fn overflow(scene: &Scene, layout: &rows::Layout) -> Diagnostic {
     let names: Vec<_> = layout.links.iter().map(|l| scene.link_name(*l)).collect();
-    Diagnostic::error("overflow", format!("the numbers of links {} are too large or too small to be solved", names.join(", ")))
+    Diagnostic::error(
+        "overflow",
+        both!("the numbers of links {} are too large or too small to be solved", "构件 {} 的数值过大或过小，无法求解", names.join(", ")),
+    )
 }
 
 impl Solution {
@@ -272,7 +277,7 @@ impl Solution {
 
     /// Takes back that parts are singular, where longer numbers told that they are not, and says instead what `note` makes of
     /// the links in words.
-    pub fn taken_for_singular(&mut self, note: impl Fn(&str) -> Diagnostic) {
+    pub fn taken_for_singular(&mut self, note: impl Fn(&Both) -> Diagnostic) {
         let words = self.singular.drain(..).map(|s| s.words).chain(self.refused.drain(..).map(|r| r.words));
         self.notes = words.map(|w| note(&w)).collect();
     }

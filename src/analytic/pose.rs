@@ -5,7 +5,7 @@ use super::relation::Row;
 use super::rows::Layout;
 use super::singular::{Blocks, Carried, Fork, Part, Passed, Refusal, Why};
 use super::{Solution, blocks::Block, words};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::mechanism::{Demand, Level};
 use crate::position::Configuration;
 use crate::scene::{LinkId, Place, PointId, Scene};
@@ -23,7 +23,7 @@ pub struct Singularity {
     /// The links that lie in line, or leave the freedom open together with guides.
     pub named: Vec<LinkId>,
     /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
-    pub words: String,
+    pub words: Both,
     /// How far the pose is from one that is singular to the last digit (radians, or parts of the mechanism's size): the
     /// answers are as far from those there, relative to the largest of them.
     pub off: f64,
@@ -45,7 +45,7 @@ pub struct Refused {
     /// The links that lie in line, or leave the freedom open together with guides.
     pub named: Vec<LinkId>,
     /// The same in words, with the joints: `link 1 (AB) and link 2 (BC) lie in line at B`.
-    pub words: String,
+    pub words: Both,
     /// The whole of it for the reader, with its place in the scene and what to do.
     pub diagnostic: Diagnostic,
 }
@@ -76,7 +76,7 @@ pub struct Near {
     /// Pins of it that sit on no link.
     pub pins: Vec<PointId>,
     /// The links that nearly lie in line, in words: `link 1 (AB) and link 2 (BC) lie in line at B`.
-    pub words: String,
+    pub words: Both,
     /// What the rounding of the coordinates may come to in its velocities, relative to the largest.
     pub loss: f64,
 }
@@ -242,28 +242,60 @@ impl Pose<'_> {
 fn note(s: &Singularity) -> Diagnostic {
     let words = &s.words;
     let by = match s.decided {
-        Some(Decided::Side) => "\"side\" says which is meant, as it is just after the pose",
-        Some(Decided::Sketch) => "taken is the one that leads toward the sketch",
-        Some(Decided::Kind) => "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
-        Some(Decided::Sense) => "taken is the one on which the first link of them that turns goes counter-clockwise",
-        None => "",
+        Some(Decided::Side) => both!("\"side\" says which is meant, as it is just after the pose", "由 \"side\" 按该位置稍后的情形确定"),
+        Some(Decided::Sketch) => both!("taken is the one that leads toward the sketch", "取趋向草图的一种"),
+        Some(Decided::Kind) => both!(
+            "taken is the one on which the assembly keeps its kind (a parallelogram stays a parallelogram)",
+            "取保持装配型式的一种（平行四边形仍为平行四边形）"
+        ),
+        Some(Decided::Sense) => both!(
+            "taken is the one on which the first link of them that turns goes counter-clockwise",
+            "取其中首个转动构件逆时针转动的一种"
+        ),
+        None => Both::default(),
     };
-    let undrawn = "their velocities are not crossed on paper, they come from the loop equations";
+    let undrawn =
+        both!("their velocities are not crossed on paper, they come from the loop equations", "其速度不由作图求交，而由回路方程求得");
     match s.kind {
         SingularKind::ChangePoint if s.other.is_some() => Diagnostic::note(
             "change-point",
-            format!("change point: {words}, and two motions lead through this pose; {by}; {undrawn}"),
+            both!(
+                "change point: {}, and two motions lead through this pose; {}; {}",
+                "运动不确定位置：{}，有两种运动可通过该位置；{}；{}",
+                words,
+                by,
+                undrawn
+            ),
         )
-        .help("the other motion stands beside the answers; \"side\", told for the pose just after, chooses"),
+        .help(both!(
+            "the other motion stands beside the answers; \"side\", told for the pose just after, chooses",
+            "另一种运动附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+        )),
         SingularKind::ChangePoint => Diagnostic::note(
             "change-point",
-            format!("change point: {words}, and one motion only leads through this pose with the driver moving as given; {undrawn}"),
+            both!(
+                "change point: {}, and one motion only leads through this pose with the driver moving as given; {}",
+                "运动不确定位置：{}，按所给原动件运动只有一种运动可通过该位置；{}",
+                words,
+                undrawn
+            ),
         ),
         SingularKind::Limit => Diagnostic::note(
             "driver-at-limit",
-            format!("the driver stands at its limit and turns back: {words}, and the links pass through in one sense or the other; {by}; {undrawn}"),
+            both!(
+                "the driver stands at its limit and turns back: {}, and the links pass through in one sense or the other; {}; {}",
+                "原动件在极限位置折返：{}，各构件可沿两种转向之一通过；{}；{}",
+                words,
+                by,
+                undrawn
+            ),
         )
-        .help("the other sense stands beside the answers; \"side\", told for the pose just after, chooses"),
-        SingularKind::Rest => Diagnostic::note("at-rest", format!("{words} while the drivers stand still: everything rests")),
+        .help(both!(
+            "the other sense stands beside the answers; \"side\", told for the pose just after, chooses",
+            "另一种转向附在结果旁；可用 \"side\" 按该位置稍后的情形选取"
+        )),
+        SingularKind::Rest => {
+            Diagnostic::note("at-rest", both!("{} while the drivers stand still: everything rests", "{}，而原动件不动：各构件静止", words))
+        }
     }
 }

@@ -7,7 +7,7 @@
 use super::relation::{Pair, Row};
 use super::rows::Layout;
 use super::singular::{Part, Refusal, Why};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Vec2;
 use crate::position::Configuration;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
@@ -20,7 +20,7 @@ pub(super) struct Held {
     /// A joint between two of them.
     pub joint: Option<PointId>,
     /// `link 1 (AB) and link 2 (BC) lie in line at B`.
-    pub text: String,
+    pub text: Both,
 }
 
 /// Loads smaller than this part of the largest are rounding (they are true to the root of the rounding of the lengths).
@@ -86,30 +86,45 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
     // A bar is lettered by the joints that it is loaded in.
     let letters = |l: LinkId| {
         let of = if block.contains(&l) { on(l) } else { scene.links[l.0].points.clone() };
-        if of.len() == 2 { format!(" ({}{})", scene.point_name(of[0]), scene.point_name(of[1])) } else { String::new() }
+        match of[..] {
+            [a, b] => both!(" ({}{})", "（{}{}）", scene.point_name(a), scene.point_name(b)),
+            // The letters end with a mark of their own; a name alone stands apart from the word behind it.
+            _ => both!("", " "),
+        }
     };
-    let bars: Vec<String> = links.iter().map(|l| format!("link {}{}", scene.link_name(*l), letters(*l))).collect();
+    let bars: Vec<Both> = links.iter().map(|l| both!("link {}{}", "构件 {}{}", scene.link_name(*l), letters(*l))).collect();
     let guide = |g: &GuideId| match (scene.guides[g.0].pin, scene.guides[g.0].slider) {
-        (Some(p), _) => format!("the guide of {}", scene.point_name(p)),
-        (None, Some(s)) => format!("the guide of link {}", scene.link_name(s)),
-        (None, None) => "the guide".to_string(),
+        (Some(p), _) => both!("the guide of {}", "{} 的导路", scene.point_name(p)),
+        (None, Some(s)) => both!("the guide of link {}", "构件 {} 的导路", scene.link_name(s)),
+        (None, None) => both!("the guide", "导路"),
     };
-    let at_joint = joint.map_or_else(String::new, |p| format!(" at {}", scene.point_name(p)));
+    let at_joint = joint.map_or_else(Both::default, |p| both!(" at {}", "{}", scene.point_name(p)));
     let carries_guide = |l: LinkId| guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l));
     let text = match (&guides[..], in_line) {
         (_, true) => {
             let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
-            let all: Vec<String> = bars.into_iter().chain(cylinders).collect();
-            format!("{} lie in line{at_joint}{}", listed(&all), coincident(scene, at, &pins))
+            let all: Vec<Both> = bars.into_iter().chain(cylinders).collect();
+            match joint {
+                Some(_) => both!("{} lie in line{}{}", "{}在 {} 处共线{}", Both::listed(&all), at_joint, coincident(scene, at, &pins)),
+                None => both!("{} lie in line{}", "{}共线{}", Both::listed(&all), coincident(scene, at, &pins)),
+            }
         }
         ([g], _) if bars.len() == 1 && on(links[0]).len() == 2 && !carries_guide(links[0]) => {
-            format!("{} lies square to {}", bars[0], guide(g))
+            both!("{} lies square to {}", "{}垂直于{}", bars[0], guide(g))
         }
         _ => {
             let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
-            let all: Vec<String> = bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
+            let all: Vec<Both> = bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
             let verb = if all.len() == 1 { "leaves" } else { "leave" };
-            format!("{} {verb} one freedom open{at_joint}{}", listed(&all), coincident(scene, at, &pins))
+            let at_joint = Both { zh: joint.map_or_else(String::new, |p| format!("在 {} 处", scene.point_name(p))), ..at_joint };
+            both!(
+                "{} {} one freedom open{}{}",
+                "{0}{2}余下一个自由度{1:.0}{3}",
+                Both::listed(&all),
+                verb,
+                at_joint,
+                coincident(scene, at, &pins)
+            )
         }
     };
     Held { links, joint, text }
@@ -121,23 +136,14 @@ fn collinear(places: &[crate::geom::Point], extent: f64) -> bool {
     far.norm() > 0.0 && places.iter().all(|p| far.cross(*p - *first).abs() <= LOADED * far.norm() * extent)
 }
 
-fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> String {
+fn coincident(scene: &Scene, at: &Configuration, pins: &[PointId]) -> Both {
     let close = |a: &PointId, b: &PointId| at.points[a.0].zip(at.points[b.0]).is_some_and(|(a, b)| a.distance(b) <= LOADED * at.extent());
     for (i, a) in pins.iter().enumerate() {
         if let Some(b) = pins[i + 1..].iter().find(|b| close(a, b)) {
-            return format!(" ({} and {} coincide)", scene.point_name(*a), scene.point_name(*b));
+            return both!(" ({} and {} coincide)", "（{} 与 {} 重合）", scene.point_name(*a), scene.point_name(*b));
         }
     }
-    String::new()
-}
-
-/// `a`, `a and b`, `a, b and c`.
-pub(super) fn listed(all: &[String]) -> String {
-    match all {
-        [] => String::new(),
-        [one] => one.clone(),
-        [head @ .., last] => format!("{} and {last}", head.join(", ")),
-    }
+    Both::default()
 }
 
 /// The links whose unknowns a block holds, in the order of the scene.
@@ -148,23 +154,23 @@ pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
     links
 }
 
-fn driver_words(scene: &Scene, d: usize) -> String {
+fn driver_words(scene: &Scene, d: usize) -> Both {
     match scene.drivers[d].kind {
-        DriverKind::Turn { link, .. } => format!("driver link {}", scene.link_name(link)),
+        DriverKind::Turn { link, .. } => both!("driver link {}", "原动件 {} ", scene.link_name(link)),
         DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
-            (Some(p), _) => format!("the drive of {}", scene.point_name(p)),
-            (None, Some(s)) => format!("the drive of link {}", scene.link_name(s)),
-            (None, None) => "the driver".to_string(),
+            (Some(p), _) => both!("the drive of {}", "{} 处的原动件", scene.point_name(p)),
+            (None, Some(s)) => both!("the drive of link {}", "构件 {} 的原动件", scene.link_name(s)),
+            (None, None) => both!("the driver", "原动件"),
         },
-        DriverKind::Cylinder { a, b, .. } => format!("cylinder {}{}", scene.point_name(a), scene.point_name(b)),
+        DriverKind::Cylinder { a, b, .. } => both!("cylinder {}{}", "液压缸 {}{} ", scene.point_name(a), scene.point_name(b)),
     }
 }
 
 /// The drivers that move, or are to move.
-fn moving_drivers(scene: &Scene) -> String {
+fn moving_drivers(scene: &Scene) -> Both {
     let moves = |d: &crate::scene::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
-    let all: Vec<String> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| driver_words(scene, d)).collect();
-    if all.is_empty() { "the driver".into() } else { listed(&all) }
+    let all: Vec<Both> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| driver_words(scene, d)).collect();
+    if all.is_empty() { both!("the driver", "原动件") } else { Both::listed(&all) }
 }
 
 /// What is said of a part that has no motion.
@@ -175,29 +181,63 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
     let d = match refused.why {
         Why::DeadPoint => Diagnostic::warning(
             "dead-centre",
-            format!("dead centre: {text}, and {drivers} cannot move them through this pose: the velocities of {free} are unbounded"),
+            both!(
+                "dead centre: {}, and {} cannot move them through this pose: the velocities of {} are unbounded",
+                "死点：{}，{}不能带动其通过该位置：{}的速度趋于无穷大",
+                text,
+                drivers,
+                free
+            ),
         )
-        .help("drive another link, or choose a pose nearby; a machine is carried through by its flywheel"),
+        .help(both!(
+            "drive another link, or choose a pose nearby; a machine is carried through by its flywheel",
+            "请换原动件，或取附近的位置；实际机器靠飞轮的惯性通过死点"
+        )),
         Why::Locked => Diagnostic::warning(
             "locked",
-            format!("{text}: the links can be assembled in this pose, but {drivers} cannot move on from it as asked"),
+            both!(
+                "{}: the links can be assembled in this pose, but {} cannot move on from it as asked",
+                "{}：构件可在该位置装配，但{}不能按所给运动由此继续",
+                text,
+                drivers
+            ),
         )
-        .help("choose another pose or other lengths; at the limit of its range a driver can only turn back"),
+        .help(both!(
+            "choose another pose or other lengths; at the limit of its range a driver can only turn back",
+            "请改变位置或长度；原动件在极限位置只能折返"
+        )),
         Why::Loose => Diagnostic::warning(
             "undetermined",
-            format!("{text}: {free} can move while the drivers stand, and nothing determines that motion"),
+            both!(
+                "{}: {} can move while the drivers stand, and nothing determines that motion",
+                "{}：原动件不动时{}仍可运动，其运动不确定",
+                text,
+                free
+            ),
         )
-        .help("choose another pose or other lengths: coincident joints leave a link free to turn"),
+        .help(both!(
+            "choose another pose or other lengths: coincident joints leave a link free to turn",
+            "请改变位置或长度：铰链重合时构件可自由转动"
+        )),
         Why::Several => Diagnostic::warning(
             "singular",
-            format!("{text}: more than one freedom is open in this pose, and which motion follows is not decided"),
+            both!(
+                "{}: more than one freedom is open in this pose, and which motion follows is not decided",
+                "{}：该位置余下不止一个自由度，运动不确定",
+                text
+            ),
         )
-        .help("choose another pose, or drive another link"),
+        .help(both!("choose another pose, or drive another link", "请改变位置或换原动件")),
         Why::NoAcceleration => Diagnostic::warning(
             "acceleration-undetermined",
-            format!("{text}: the velocities are finite in this pose, but no finite accelerations of {free} follow from them"),
+            both!(
+                "{}: the velocities are finite in this pose, but no finite accelerations of {} follow from them",
+                "{}：该位置速度有限，但{}的加速度不是有限值",
+                text,
+                free
+            ),
         )
-        .help("ask for velocities only, or choose another pose"),
+        .help(both!("ask for velocities only, or choose another pose", "请只求速度，或改变位置")),
     };
     match held.joint {
         Some(p) => d.at(scene.points[p.0].span),
@@ -206,13 +246,13 @@ pub(super) fn refusal(scene: &Scene, layout: &Layout, part: &Part, refused: &Ref
 }
 
 /// The links that the open freedom moves: `link 1 and link 2`.
-fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> String {
+fn free_links(scene: &Scene, layout: &Layout, part: &Part) -> Both {
     let z = part.factor.right();
     let moved = |u: usize| z.as_ref().is_none_or(|z| z[u].abs() > LOADED * z.amax());
     let mut links: Vec<LinkId> =
         part.block.unknowns.iter().enumerate().filter(|(i, _)| moved(*i)).filter_map(|(_, u)| layout.link_of(*u)).collect();
     links.sort_unstable();
     links.dedup();
-    let names: Vec<String> = links.iter().map(|l| format!("link {}", scene.link_name(*l))).collect();
-    if names.is_empty() { "the joints there".into() } else { listed(&names) }
+    let names: Vec<Both> = links.iter().map(|l| both!("link {}", "构件 {} ", scene.link_name(*l))).collect();
+    if names.is_empty() { both!("the joints there", "该处的运动副") } else { Both::listed(&names) }
 }

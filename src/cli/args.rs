@@ -13,6 +13,9 @@ use clap::{Args as ClapArgs, Parser, Subcommand};
     after_help = "Start: hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\nExit codes: 0 done; 1 a file could not be written; 2 something is wrong with the scene; 3 drawing and analysis disagree (an error of ours); 4 done, but for answers that do not exist in the pose (dead centres)"
 )]
 pub struct Args {
+    /// Language of the output (default: the scene's, else en)
+    #[arg(long, value_enum, global = true)]
+    pub lang: Option<Language>,
     #[command(subcommand)]
     pub command: Command,
 }
@@ -64,9 +67,6 @@ pub struct Common {
     /// The scene file; `-` reads standard input
     #[arg(value_name = "SCENE")]
     pub scene: String,
-    /// Language of the output (default: the scene's, else en)
-    #[arg(long, value_enum)]
-    pub lang: Option<Language>,
     /// Give a parameter of the scene another value: NAME=VALUE; a bare number keeps the unit
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,

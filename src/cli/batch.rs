@@ -8,8 +8,8 @@ use super::args::Batch as Args;
 use super::part::Part;
 use super::sweep::{ask, driver_of, stations, within};
 use super::target::unwritable;
-use super::{Failure, Input, Run, Told, choices, files, long, stop, tables};
-use crate::diag::{Diagnostic, Faults, Span};
+use super::{Failure, Input, Run, Told, choices, files, lang, long, stop, tables};
+use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::mechanism::Mechanism;
 use crate::report::table::{Format, GENERATOR, Head, Piece};
 use crate::sweep::Placed;
@@ -43,12 +43,19 @@ pub fn batch(a: Args) -> Run {
         input.source
     );
     let part = write(&batch, ending, head(&batch, input.scene.title.get(lang)), Path::new(&a.output), &job)?;
-    files::print(&format!("{}: {} mechanisms, {} rows, {} positions without one\n", a.output, part.done, part.rows, part.missing))
+    files::print(lang::of(&both!(
+        "{}: {} mechanisms, {} rows, {} positions without one\n",
+        "{}：{} 个机构，{} 行，{} 个位置没有数据行\n",
+        a.output,
+        part.done,
+        part.rows,
+        part.missing
+    )))
 }
 
 /// The columns of a batch: the mechanism's number, its parameters and the driver's position come again and again.
 fn head(batch: &Batch, title: &str) -> Head {
-    let mut head = Head::new(title, batch.columns());
+    let mut head = Head::new(title, batch.columns()).told_in(lang::now());
     let leading = 2 + batch.values.len();
     head.columns.iter_mut().take(leading).for_each(|c| c.repeats = true);
     head.columns.iter_mut().take(1).for_each(|c| c.whole = true);
@@ -89,7 +96,7 @@ fn plan<'a>(input: &'a Input, mechanism: &'a Mechanism, a: &Args) -> Result<Batc
     let stations = match a.range.steps {
         None => None,
         Some(steps) => {
-            let steps = within(steps, MOST_POSITIONS, "a batch")?;
+            let steps = within(steps, MOST_POSITIONS, both!("a batch", "批量计算"))?;
             let placed = Placed::new(scene, mechanism).map_err(|f| input.failed(f))?;
             Some(stations(input, &placed, driver, &a.range, steps)?)
         }
@@ -117,8 +124,11 @@ struct Values<'a> {
 /// `NAME=FROM..TO:N`, or `NAME=FROM..TO` for two values (the bounds of a random one).
 fn range(text: &str) -> Result<Values<'_>, Faults> {
     let unread = || {
-        let d = Diagnostic::error("vary", format!("`--vary {text}` cannot be read"));
-        Faults::from(d.help("write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000"))
+        let d = Diagnostic::error("vary", both!("`--vary {text}` cannot be read", "无法识别 `--vary {text}`"));
+        Faults::from(d.help(both!(
+            "write NAME=FROM..TO:N, such as --vary l_BC=80..120:100; N is 1 to 10000000",
+            "请写 NAME=FROM..TO:N，如 --vary l_BC=80..120:100；N 为 1 到 10000000"
+        )))
     };
     let (name, rest) = text.split_once('=').ok_or_else(unread)?;
     let (bounds, count) = match rest.rsplit_once(':') {
@@ -127,9 +137,14 @@ fn range(text: &str) -> Result<Values<'_>, Faults> {
     };
     // `60...120` could be read as `60..0.120`.
     if let Some(dots) = text.find("...") {
-        let d = Diagnostic::error("vary", "two dots stand between the bounds of a range, here are three or more");
+        let d = Diagnostic::error(
+            "vary",
+            both!("two dots stand between the bounds of a range, here are three or more", "范围的两端之间是两个点，此处有三个或更多"),
+        );
         let d = d.at(Span::new(dots, text.len() - text[dots..].trim_start_matches('.').len()));
-        return Err(d.help("write FROM..TO; before the point of a number write a digit, 0.5").into());
+        return Err(d
+            .help(both!("write FROM..TO; before the point of a number write a digit, 0.5", "请写 FROM..TO；小数点前要有数字，如 0.5"))
+            .into());
     }
     let (from, to) = bounds.split_once("..").ok_or_else(unread)?;
     Ok(Values { name: name.trim(), from: from.trim(), to: to.trim(), count })
@@ -140,7 +155,11 @@ fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Resu
     let format = tables::by_rows(ending, head).map_err(failed)?;
     let mut part = Part::open(out, job, &*format)?;
     if part.changed > 0 {
-        let words = format!("the bytes of {} mechanisms are not those that were written: they are computed again", part.changed);
+        let words = both!(
+            "the bytes of {} mechanisms are not those that were written: they are computed again",
+            "有 {} 个机构的数据与写入时不同：重新计算",
+            part.changed
+        );
         files::say_faults(&Diagnostic::warning("changed-bytes", words).into(), "", "");
     }
     stop::watch();
@@ -157,14 +176,23 @@ fn write(batch: &Batch, ending: &str, head: Head, out: &Path, job: &str) -> Resu
     }
     if part.done < batch.mechanisms() {
         let (done, all) = (part.done, batch.mechanisms());
-        let after = if part.stays() { "the same command goes on from there" } else { "what is written to a pipe begins anew" };
-        return Err(Failure::Interrupted(format!("{done} of {all} mechanisms are done; {after}")));
+        let after = if part.stays() {
+            both!("the same command goes on from there", "用同一命令可由此继续")
+        } else {
+            both!("what is written to a pipe begins anew", "写入管道的须从头开始")
+        };
+        return Err(Failure::Interrupted(both!("{done} of {all} mechanisms are done; {}", "{all} 个机构已完成 {done} 个；{}", after)));
     }
     Ok(part)
 }
 
 fn notes(missing: u64) -> Vec<Diagnostic> {
-    let note = |n| Diagnostic::note("no-position", format!("{n} positions have no row: the mechanism cannot be assembled there"));
+    let note = |n| {
+        Diagnostic::note(
+            "no-position",
+            both!("{n} positions have no row: the mechanism cannot be assembled there", "有 {n} 个位置没有数据行：机构在该处不能装配"),
+        )
+    };
     (missing > 0).then(|| note(missing)).into_iter().collect()
 }
 
@@ -176,7 +204,7 @@ fn mechanisms_at_once(batch: &Batch) -> u64 {
 /// Computes and writes block after block: one is computed while the one before it is given its form, and that before it is written.
 fn stream(batch: &Batch, format: &dyn Format, part: &mut Part) -> io::Result<()> {
     let (all, step) = (batch.mechanisms(), mechanisms_at_once(batch));
-    let bar = long::bar(all, part.done, "mechanisms");
+    let bar = long::bar(all, part.done, &both!("mechanisms", "个机构"));
     let mut from = part.done;
     let make = |used: Option<(u64, Block)>| {
         if from >= all || stop::asked() {

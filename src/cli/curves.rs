@@ -4,7 +4,7 @@ use super::args::Curves;
 use super::draw::style_of;
 use super::sweep::{STEPS, ask, driver_of, stations, within};
 use super::{Failure, Input, Run, choices, files};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::curves::{Diagram, figure};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
@@ -29,12 +29,15 @@ pub fn run(a: Curves) -> Run {
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.range.over.as_deref())?;
     let placed = Placed::new(&input.scene, &mechanism).map_err(|f| input.failed(f))?;
-    let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, "a diagram")?;
+    let steps = within(a.range.steps.unwrap_or(STEPS), MOST_STEPS, both!("a diagram", "线图"))?;
     let stations = stations(&input, &placed, driver, &a.range, steps)?;
     let table = sweep::run(&placed, driver, &stations, Width::Widest).map_err(|f| input.failed(f))?;
     if table.rows() < 2 {
-        let d = Diagnostic::error("no-motion", "fewer than two positions of the driver can be assembled: there is no curve");
-        let mut faults: Faults = d.help("choose another range with --from and --to").into();
+        let d = Diagnostic::error(
+            "no-motion",
+            both!("fewer than two positions of the driver can be assembled: there is no curve", "原动件可装配的位置不足两个：没有曲线"),
+        );
+        let mut faults: Faults = d.help(both!("choose another range with --from and --to", "请用 --from 和 --to 另选范围")).into();
         faults.list.extend(table.notes);
         return Err(input.failed(faults));
     }

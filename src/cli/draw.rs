@@ -4,7 +4,7 @@ use super::args;
 use super::together::Together;
 use super::values::{Format, Picture, Vectors};
 use super::{Failure, Input, Run, Told, choices, files, verdict};
-use crate::diag::{Diagnostic, Faults, Span, Warned};
+use crate::diag::{Diagnostic, Faults, Span, Warned, both};
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::mechanism::Overlay;
@@ -74,8 +74,16 @@ fn output(path: &str) -> Result<(), Faults> {
     let folder = path.ends_with(std::path::is_separator) || Path::new(path).is_dir();
     match files::ending(path) {
         Some(ending) if !folder && Format::of(&ending).is_none() => {
-            let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
-            Err(d.help(format!("write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/")).into())
+            let d = Diagnostic::error(
+                "output",
+                both!("{path} is neither a .svg, nor a .png, nor a .pdf file", "{path} 不是 .svg、.png 或 .pdf 文件"),
+            );
+            Err(d
+                .help(both!(
+                    "write -o figure.svg, -o figure.png or -o figure.pdf; a folder of that name is -o {path}/",
+                    "请写 -o figure.svg、-o figure.png 或 -o figure.pdf；若是文件夹请写 -o {path}/"
+                ))
+                .into())
         }
         _ => Ok(()),
     }
@@ -99,12 +107,15 @@ fn read_style(name: &str) -> Result<Style, Failure> {
         return Ok(style);
     }
     if files::ending(name).as_deref() != Some("json") {
-        let d = Diagnostic::error("unknown-style", format!("there is no style `{name}`"));
+        let d = Diagnostic::error("unknown-style", both!("there is no style `{name}`", "没有样式 `{name}`"));
         let known = Style::names().join(", ");
         return Err(Failure::argument(
             "--style",
             name,
-            d.help(format!("the styles are {known}; a style of your own is a file ending in .json")),
+            d.help(both!(
+                "the styles are {known}; a style of your own is a file ending in .json",
+                "样式有 {known}；自定义样式是以 .json 结尾的文件"
+            )),
         ));
     }
     let bytes = files::style(name).map_err(|d| Failure::argument("--style", name, d))?;
@@ -151,8 +162,12 @@ fn pictures(
         match figure {
             Some(f) => out.push((word.to_owned(), f)),
             None => {
-                let d = Diagnostic::error("no-figure", format!("the scene's questions call for no figure `{word}`"));
-                missing.push(d.help(format!("ask for one in \"find\", or leave `{word}` out of --figure")));
+                let d =
+                    Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
+                missing.push(d.help(both!(
+                    "ask for one in \"find\", or leave `{word}` out of --figure",
+                    "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
+                )));
             }
         }
     }
@@ -175,8 +190,9 @@ fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<With
     };
     let mut wrong = Vec::new();
     if let Some(level) = vectors.filter(|l| worked.construction.polygon(*l).is_none()) {
-        let kind = if level == Level::Acceleration { "accelerations" } else { "velocities" };
-        let d = Diagnostic::error("no-figure", format!("the scene's questions call for no {kind}")).help("ask for one in \"find\"");
+        let kind = if level == Level::Acceleration { both!("accelerations", "加速度") } else { both!("velocities", "速度") };
+        let d = Diagnostic::error("no-figure", both!("the scene's questions call for no {}", "所求的量用不到{}", kind))
+            .help(both!("ask for one in \"find\"", "请在 \"find\" 中求相应的量"));
         wrong.push(Told::argument("--vectors", word, d));
     }
     match points_named(scene, &a.path, "--path") {
@@ -225,9 +241,9 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
             Some(p) => points.push(p),
             None => {
                 let known = (0..scene.points.len()).map(|p| scene.point_name(PointId(p)));
-                let d = Diagnostic::error("unknown-point", format!("the scene has no point `{name}`"))
+                let d = Diagnostic::error("unknown-point", both!("the scene has no point `{name}`", "机构文件没有点 `{name}`"))
                     .at(Span::new(start, start + whole.len()));
-                faults.push(d.help(suggest(name, known, "the points are")));
+                faults.push(d.help(suggest(name, known, both!("the points are", "点有"))));
             }
         }
         start += whole.len() + 1;
@@ -243,8 +259,11 @@ fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Ve
         return Ok(vec![vec![(format, out.to_path_buf())]]);
     }
     if one.is_some() {
-        let d = Diagnostic::error("output", format!("{} is one file; {} figures are asked for", a.output, figures.len()));
-        return Err(d.help("name a folder, such as -o out/, or ask for one figure").into());
+        let d = Diagnostic::error(
+            "output",
+            both!("{} is one file; {} figures are asked for", "{} 是一个文件，而要画 {} 个图", a.output, figures.len()),
+        );
+        return Err(d.help(both!("name a folder, such as -o out/, or ask for one figure", "请写文件夹，如 -o out/，或只画一个图")).into());
     }
     let stem = files::stem(scene, "sheet");
     let file = |word: &str, f: Format| {

@@ -1,10 +1,10 @@
 //! Files: read with a bound, printed where that is possible, figures in their formats.
 
-use super::Failure;
 use super::target::has_read;
 use super::together::{Out, Together};
 use super::values::{Format, Text};
-use crate::diag::{Diagnostic, Faults, Warned};
+use super::{Failure, lang};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::figure::font::own;
 use crate::figure::item::Figure;
 use crate::render::{pdf, png, svg};
@@ -23,7 +23,10 @@ pub const STDIN: &str = "standard input";
 /// Reads a scene, from standard input for `-`. Returns the name to show.
 pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
     if path != "-" {
-        let help = "name a scene file; `hodograph new crank-rocker -o scene.json` writes one";
+        let help = both!(
+            "name a scene file; `hodograph new crank-rocker -o scene.json` writes one",
+            "请写机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
+        );
         return Ok((path.to_owned(), bounded(Path::new(path), LARGEST, help)?));
     }
     let mut bytes = Vec::new();
@@ -31,28 +34,63 @@ pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
     has_read(Path::new("/dev/stdin"));
     match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
         Ok(_) => Ok((STDIN.to_owned(), bytes)),
-        Err(e) => Err(Diagnostic::error("cannot-read", format!("{STDIN} cannot be read: {e}"))),
+        Err(e) => Err(Diagnostic::error("cannot-read", both!("{STDIN} cannot be read: {}", "不能读取标准输入：{}", reason(&e)))),
     }
 }
 
 /// Reads a style file.
 pub fn style(path: &str) -> Result<Vec<u8>, Diagnostic> {
-    bounded(Path::new(path), LARGEST, "name a style file, or one of the styles print, slides, dark")
+    bounded(
+        Path::new(path),
+        LARGEST,
+        both!("name a style file, or one of the styles print, slides, dark", "请写样式文件，或样式 print、slides、dark 之一"),
+    )
 }
 
 /// Reads a font's file.
 pub fn font(path: &Path) -> Result<Vec<u8>, Diagnostic> {
-    bounded(path, own::LARGEST as u64 + 1, "name a font file: .otf or .ttf")
+    bounded(path, own::LARGEST as u64 + 1, both!("name a font file: .otf or .ttf", "请写字体文件：.otf 或 .ttf"))
 }
 
-fn bounded(path: &Path, most: u64, help: &str) -> Result<Vec<u8>, Diagnostic> {
+fn bounded(path: &Path, most: u64, help: Both) -> Result<Vec<u8>, Diagnostic> {
     let mut bytes = Vec::new();
     match std::fs::File::open(path).and_then(|f| f.take(most).read_to_end(&mut bytes)) {
         Ok(_) => {
             has_read(path);
             Ok(bytes)
         }
-        Err(e) => Err(Diagnostic::error("cannot-read", format!("{} cannot be read: {e}", path.display())).help(help)),
+        Err(e) => {
+            Err(Diagnostic::error("cannot-read", both!("{} cannot be read: {}", "不能读取 {}：{}", path.display(), reason(&e))).help(help))
+        }
+    }
+}
+
+/// A refusal of ours where the system's functions have theirs.
+#[derive(Debug)]
+pub struct Refused(pub Both);
+
+impl std::fmt::Display for Refused {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0.en)
+    }
+}
+
+impl std::error::Error for Refused {}
+
+/// Why the system refuses: in its own words, and in Chinese for what happens to people.
+pub fn reason(e: &io::Error) -> Both {
+    if let Some(Refused(words)) = e.get_ref().and_then(|e| e.downcast_ref()) {
+        return words.clone();
+    }
+    match e.kind() {
+        io::ErrorKind::NotFound => both!("{e}", "没有这个文件或文件夹"),
+        io::ErrorKind::PermissionDenied => both!("{e}", "没有访问权限"),
+        io::ErrorKind::IsADirectory => both!("{e}", "这是文件夹"),
+        io::ErrorKind::NotADirectory => both!("{e}", "路径中有不是文件夹的部分"),
+        io::ErrorKind::AlreadyExists => both!("{e}", "文件已存在"),
+        io::ErrorKind::StorageFull => both!("{e}", "存储空间已满"),
+        io::ErrorKind::ReadOnlyFilesystem => both!("{e}", "文件系统只读"),
+        _ => both!("{e}", "系统报告：{e}"),
     }
 }
 
@@ -65,7 +103,7 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
 pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     match fill(&mut out).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(format!("standard output: {e}"))),
+        Err(e) if e.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(both!("standard output: {}", "标准输出：{}", reason(&e)))),
         _ => Ok(()),
     }
 }
@@ -78,7 +116,7 @@ pub fn say(text: &str) {
 /// Says diagnostics, in the text that their places count in.
 pub fn say_faults(faults: &Faults, name: &str, source: &str) {
     if !faults.list.is_empty() {
-        say(&diagnostics::render(faults, name, source));
+        say(&diagnostics::render_in(faults, name, source, lang::now()));
     }
 }
 
@@ -125,8 +163,15 @@ const DPI: f64 = 200.0;
 /// Writes one figure to a file ending in .svg, .png or .pdf. Returns the notes.
 pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
     let Some(format) = ending(path).and_then(|e| Format::of(&e)) else {
-        let d = Diagnostic::error("output", format!("{path} is neither a .svg, nor a .png, nor a .pdf file"));
-        return Err(Failure::argument("-o", path, d.help("write -o figure.svg, -o figure.png or -o figure.pdf")));
+        let d = Diagnostic::error(
+            "output",
+            both!("{path} is neither a .svg, nor a .png, nor a .pdf file", "{path} 不是 .svg、.png 或 .pdf 文件"),
+        );
+        return Err(Failure::argument(
+            "-o",
+            path,
+            d.help(both!("write -o figure.svg, -o figure.png or -o figure.pdf", "请写 -o figure.svg、-o figure.png 或 -o figure.pdf")),
+        ));
     };
     let Warned { value, notes } = bytes(figure, format, Text::Outlines, DPI).map_err(|f| Failure::input(f, "", ""))?;
     write(Path::new(path), &value)?;

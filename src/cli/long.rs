@@ -1,13 +1,17 @@
 //! Long work: a bar with rate and time left, and one piece computed while the one before it is written.
 
+use super::lang;
+use crate::diag::{Both, both};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{self, IsTerminal};
 use std::sync::mpsc;
 
 /// A bar on standard error, where that is a terminal.
-pub fn bar(all: u64, done: u64, what: &str) -> ProgressBar {
+pub fn bar(all: u64, done: u64, what: &Both) -> ProgressBar {
     let bar = if io::stderr().is_terminal() { ProgressBar::new(all) } else { ProgressBar::hidden() };
-    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {what}  {{per_sec}}  {{eta}} left"));
+    let words =
+        both!("{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  {{eta}} left", "{{bar:40}} {{pos}}/{{len}} {}  {{per_sec}}  剩余 {{eta}}", what);
+    let style = ProgressStyle::with_template(lang::of(&words));
     bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
     bar.set_position(done);
     bar.reset_eta();

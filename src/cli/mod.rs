@@ -8,7 +8,9 @@ mod batch;
 mod curves;
 mod draw;
 mod files;
+mod help;
 mod journal;
+mod lang;
 mod long;
 mod part;
 mod path;
@@ -22,7 +24,7 @@ mod values;
 mod worksheet;
 
 use crate::accuracy::{certify, steps, ways};
-use crate::diag::{Diagnostic, Faults, Span, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::effort::Work;
 use crate::figure::font::own::Fonts;
 use crate::figure::sheet;
@@ -33,17 +35,23 @@ use crate::report::{answers, construction, diagnostics, drafting as tolerances, 
 use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
-use clap::Parser;
+use clap::FromArgMatches;
 use draw::style_of;
+use std::ffi::OsString;
 use std::process::ExitCode;
 use std::time::Duration;
 
 /// Runs the program.
 pub fn main() -> ExitCode {
-    let args = match Args::try_parse() {
+    let given: Vec<OsString> = std::env::args_os().collect();
+    let asked = help::asked(&given);
+    asked.map(lang::ask);
+    let of_help = asked.unwrap_or_else(help::of_the_machine);
+    let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
         Ok(args) => args,
-        Err(e) => return usage(&e),
+        Err(e) => return usage(&e, of_help),
     };
+    args.lang.map(|l| lang::ask(l.into()));
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
@@ -64,17 +72,21 @@ pub fn main() -> ExitCode {
 }
 
 /// Help and version, or what is wrong with the arguments.
-fn usage(e: &clap::Error) -> ExitCode {
+fn usage(e: &clap::Error, of_help: Lang) -> ExitCode {
     let code = u8::try_from(e.exit_code()).unwrap_or(2);
-    let plain = e.render().to_string();
+    let plain = help::said(e, of_help);
     // An argument is quoted as it was given; what a terminal would obey is not, and then the colours are gone too.
-    if diagnostics::visible(&plain) != plain {
+    // The colours go with the English of the library.
+    if diagnostics::visible(&plain) != plain || of_help != Lang::En && e.use_stderr() {
         files::say(&plain);
         return ExitCode::from(code);
     }
+    if of_help != Lang::En {
+        return files::print(&plain).unwrap_or_else(Failure::say);
+    }
     match e.print() {
         Err(io) if !e.use_stderr() && io.kind() != std::io::ErrorKind::BrokenPipe => {
-            Failure::Output(format!("standard output: {io}")).say()
+            Failure::Output(both!("standard output: {}", "标准输出：{}", files::reason(&io))).say()
         }
         _ => ExitCode::from(code),
     }
@@ -85,9 +97,9 @@ enum Failure {
     /// Something is wrong with a scene, an argument, or a file that was named.
     Input(Vec<Told>),
     /// A file could not be written.
-    Output(String),
+    Output(Both),
     /// The user asked to stop; what is left of the work.
-    Interrupted(String),
+    Interrupted(Both),
 }
 
 /// Faults, and the text in which their places count.
@@ -128,11 +140,11 @@ impl Failure {
                 ExitCode::from(2)
             }
             Failure::Output(message) => {
-                files::say(&format!("error: {message}\n"));
+                files::say(lang::of(&both!("error: {}\n", "错误：{}\n", message)));
                 ExitCode::from(1)
             }
             Failure::Interrupted(message) => {
-                files::say(&format!("interrupted: {message}\n"));
+                files::say(lang::of(&both!("interrupted: {}\n", "已中断：{}\n", message)));
                 ExitCode::from(stop::INTERRUPTED)
             }
         }
@@ -172,6 +184,7 @@ impl Input {
             bytes = changed.into_bytes();
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
+        scene::language_of(&bytes).map(lang::take);
         match scene::read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))
@@ -238,7 +251,7 @@ impl Input {
 
 /// Language and notation: the command line's, else the scene's, else English and its profile.
 fn choices(scene: &Scene, common: &Common) -> (Lang, Notation) {
-    let lang = common.lang.map(Lang::from).or(scene.language).unwrap_or_default();
+    let lang = lang::asked().or(scene.language).unwrap_or_default();
     let notation = common.notation.as_deref().or(scene.notation.as_deref()).and_then(Notation::named);
     (lang, notation.unwrap_or_else(|| Notation::of_language(lang)))
 }
@@ -262,7 +275,8 @@ const LESSONS: [&str; 2] = ["html", "htm"];
 
 fn lesson(a: args::Lesson) -> Run {
     if let Some(path) = a.output.as_deref().filter(|p| files::ending(p).is_some_and(|e| !LESSONS.contains(&e.as_str()))) {
-        let d = Diagnostic::error("output", format!("{path} does not end in .html")).help("write -o lesson.html");
+        let d = Diagnostic::error("output", both!("{path} does not end in .html", "{path} 不以 .html 结尾"))
+            .help(both!("write -o lesson.html", "请写 -o lesson.html"));
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
@@ -397,7 +411,8 @@ fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String,
     let mut wrong = Vec::new();
     for s in set {
         let Some((name, value)) = s.split_once('=') else {
-            let d = Diagnostic::error("set", format!("`--set {s}` has no `=`")).help("write --set NAME=VALUE, such as --set l_AB=120");
+            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
+                .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
             wrong.push(Told::argument("--set", s, d));
             continue;
         };

@@ -5,9 +5,10 @@
 //! link, and only where a journal of ours says that they are ours.
 
 use super::Failure;
+use super::files::Refused;
 use super::journal::{self, Entry, Job};
 use super::target::{Target, as_before, stands_at, unwritable};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::report::table::{Format, Piece, Standing};
 use std::ffi::OsString;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -59,7 +60,7 @@ impl Part {
         let job = Job { job: job.to_owned(), begin: begin.len() as u64 };
         let begun = text.len() >= journal::MARK.len();
         let found = own(&path).and_then(|file| match file {
-            Some(_) if !begun => Err(stranger(&path, "no journal tells of it")),
+            Some(_) if !begun => Err(stranger(&path, both!("no journal tells of it", "没有记录文件提到它"))),
             found => Ok(found),
         });
         let file = match found {
@@ -228,7 +229,9 @@ fn claimed(path: &Path) -> io::Result<File> {
         };
         match file.try_lock() {
             Ok(()) => {}
-            Err(TryLockError::WouldBlock) => return Err(io::Error::other("another run is writing it")),
+            Err(TryLockError::WouldBlock) => {
+                return Err(io::Error::other(Refused(both!("another run is writing it", "另一个程序正在写入"))));
+            }
             // A file system without locks: there one run at a time is the user's business.
             Err(TryLockError::Error(e)) if e.kind() == io::ErrorKind::Unsupported => {}
             Err(TryLockError::Error(e)) => return Err(e),
@@ -240,7 +243,11 @@ fn claimed(path: &Path) -> io::Result<File> {
         let mut first = Vec::new();
         (&file).take(journal::MARK.len() as u64).read_to_end(&mut first)?;
         (&file).seek(SeekFrom::Start(0))?;
-        return if journal::is_journal(&first) { Ok(file) } else { Err(stranger(path, "it is no journal of a batch")) };
+        return if journal::is_journal(&first) {
+            Ok(file)
+        } else {
+            Err(stranger(path, both!("it is no journal of a batch", "它不是批量计算的记录文件")))
+        };
     }
 }
 
@@ -252,7 +259,9 @@ fn own(path: &Path) -> io::Result<Option<File>> {
     match std::fs::symlink_metadata(path) {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
         Err(e) => return Err(e),
-        Ok(m) if !m.is_file() || names(&m) > 1 => return Err(stranger(path, "it is a link or no plain file")),
+        Ok(m) if !m.is_file() || names(&m) > 1 => {
+            return Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件")));
+        }
         Ok(_) => {}
     }
     match OpenOptions::new().read(true).write(true).open(path) {
@@ -260,7 +269,7 @@ fn own(path: &Path) -> io::Result<Option<File>> {
         // A link may have been put there meanwhile; or the run that owned it has taken it away.
         Ok(file) if stands_at(&file, path) => Ok(Some(file)),
         Ok(_) if std::fs::symlink_metadata(path).is_err() => Ok(None),
-        Ok(_) => Err(stranger(path, "it is a link or no plain file")),
+        Ok(_) => Err(stranger(path, both!("it is a link or no plain file", "它是链接或不是普通文件"))),
         Err(e) => Err(e),
     }
 }
@@ -281,8 +290,13 @@ fn created(path: &Path) -> io::Result<File> {
     OpenOptions::new().create_new(true).read(true).write(true).open(path)
 }
 
-fn stranger(path: &Path, why: &str) -> io::Error {
-    io::Error::other(format!("{} is in the way ({why}): move it away, or name another output", path.display()))
+fn stranger(path: &Path, why: Both) -> io::Error {
+    io::Error::other(Refused(both!(
+        "{} is in the way ({}): move it away, or name another output",
+        "{} 已存在（{}）：请移走，或另写输出文件",
+        path.display(),
+        why
+    )))
 }
 
 /// A name with more behind it.

@@ -5,6 +5,7 @@
 //! all the same, unless the writer has heard and is coming to its end. What is under way then stands under a name of its own, as after
 //! any end without warning.
 
+use crate::diag::both;
 use std::process;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -41,7 +42,8 @@ pub fn watch() {
             thread::sleep(TO_THE_END);
         }
         let _decided = undisturbed();
-        eprintln!("interrupted: what was being computed is not written");
+        let words = both!("interrupted: what was being computed is not written\n", "已中断：正在计算的内容没有写入\n");
+        super::files::say(super::lang::of(&words));
         process::exit(i32::from(INTERRUPTED));
     });
 }

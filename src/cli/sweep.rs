@@ -2,7 +2,7 @@
 
 use super::args::{Limits, Range, Sweep};
 use super::{Failure, Input, Run, Told, choices, files, tables};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
 use crate::scene::{self, Angle, DriverKind, Scene, edit};
@@ -76,8 +76,8 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
     driver_named(scene, name).ok_or_else(|| {
         let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
-        let d = Diagnostic::error("no-driver", format!("the scene has no driver `{name}`"));
-        Failure::argument("--over", name, d.help(format!("its drivers are {}", names.join(", "))))
+        let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"));
+        Failure::argument("--over", name, d.help(both!("its drivers are {}", "其原动件有 {}", names.join(", "))))
     })
 }
 
@@ -94,8 +94,10 @@ pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
 /// The values of a parameter between the bounds of the command line.
 fn values(scene: &Scene, variation: &Variation, name: &str, a: &Sweep) -> Result<Span, Failure> {
     let bound = |text: Option<&str>, option: &'static str| {
-        let missing =
-            || Diagnostic::error("range", format!("{option} is missing")).help("a parameter has no natural range: give --from and --to");
+        let missing = || {
+            Diagnostic::error("range", both!("{option} is missing", "缺少 {option}"))
+                .help(both!("a parameter has no natural range: give --from and --to", "参数没有自然的范围：请给出 --from 和 --to"))
+        };
         let text = text.ok_or_else(|| Failure::argument("--over", name, missing()))?;
         variation.value(scene, name, text).map_err(|f| Failure::argument(option, text, f))?;
         Ok(text.to_owned())
@@ -116,12 +118,15 @@ pub fn stations(input: &Input, placed: &Placed, driver: usize, range: &Range, co
 }
 
 /// So many steps, if they are not more than `what` may have.
-pub fn within(steps: usize, most: usize, what: &str) -> Result<usize, Failure> {
+pub fn within(steps: usize, most: usize, what: Both) -> Result<usize, Failure> {
     if steps <= most {
         return Ok(steps);
     }
-    let d = Diagnostic::error("too-many", format!("--steps {steps}: {what} has at most {most} steps"));
-    let d = d.help(format!("write --steps {most} or fewer; `sweep` writes tables of up to ten million rows"));
+    let d = Diagnostic::error("too-many", both!("--steps {steps}: {} has at most {most} steps", "--steps {steps}：{}至多 {most} 步", what));
+    let d = d.help(both!(
+        "write --steps {most} or fewer; `sweep` writes tables of up to ten million rows",
+        "请写 --steps {most} 或更少；`sweep` 可写至多一千万行的表"
+    ));
     Err(Failure::argument("--steps", &steps.to_string(), d))
 }
 
@@ -134,13 +139,17 @@ fn not_too_far(option: &str, text: &str, angle: Angle) -> Result<Angle, Failure>
     if turns <= MOST_TURNS {
         return Ok(angle);
     }
-    let d = Diagnostic::error("range", format!("it lies {turns} turns off; at most {MOST_TURNS} are allowed"));
-    Err(Failure::argument(option, text, d.help("the motion comes again with every turn, or with every few")))
+    let d = Diagnostic::error(
+        "range",
+        both!("it lies {turns} turns off; at most {MOST_TURNS} are allowed", "相距 {turns} 转；最多允许 {MOST_TURNS} 转"),
+    );
+    let d = d.help(both!("the motion comes again with every turn, or with every few", "运动每转一周或几周即重复"));
+    Err(Failure::argument(option, text, d))
 }
 
 fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: usize) -> Result<Steps, Failure> {
     let Some(d) = placed.scene.drivers.get(driver) else {
-        return Err(input.failed(Diagnostic::error("no-driver", "the scene has no driver").into()));
+        return Err(input.failed(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into()));
     };
     if let DriverKind::Turn { .. } = d.kind {
         bounds(range, edit::angle)?;

@@ -2,8 +2,8 @@
 
 use super::spool::{self, Spool};
 use super::together::Out;
-use super::{Failure, files, long, stop};
-use crate::diag::Diagnostic;
+use super::{Failure, files, lang, long, stop};
+use crate::diag::{Diagnostic, both};
 use crate::report::table::{self, Csv, Format, Head, Npy, Parquet, Piece, Standing};
 use crate::sweep::pieces::Pieces;
 use indicatif::ProgressBar;
@@ -27,8 +27,12 @@ pub fn ending(path: &str, allowed: &[&'static str]) -> Result<&'static str, Fail
     let named = files::ending(path);
     allowed.iter().copied().find(|e| named.as_deref() == Some(e)).ok_or_else(|| {
         let all: Vec<String> = allowed.iter().map(|e| format!(".{e}")).collect();
-        let d = Diagnostic::error("output", format!("{path} does not end in {}", all.join(", ")));
-        let help = format!("name the output table.{}, with the ending of the format that you want", allowed[0]);
+        let d = Diagnostic::error("output", both!("{path} does not end in {}", "{path} 不以 {} 结尾", all.join(", ")));
+        let help = both!(
+            "name the output table.{}, with the ending of the format that you want",
+            "请写 table.{} 这样的输出文件名，以所需格式结尾",
+            allowed[0]
+        );
         Failure::argument("-o", path, d.help(help))
     })
 }
@@ -46,7 +50,7 @@ pub fn by_rows(ending: &str, head: Head) -> io::Result<Box<dyn Format>> {
 /// written.
 pub fn write(sweep: &mut dyn Pieces, title: &str, path: &str) -> Result<(), Failure> {
     let ending = ending(path, &ALL)?;
-    let head = Head::new(title, sweep.columns());
+    let head = Head::new(title, sweep.columns()).told_in(lang::now());
     stop::watch();
     let _looking = stop::Looking::begin();
     files::write_with(Path::new(path), |out| match ending {
@@ -60,7 +64,7 @@ const KEPT: usize = 8 << 20;
 
 /// A sweep as CSV to a place where nothing can be written over: its notes, which come first, are known with the last row only.
 pub fn print(sweep: &mut dyn Pieces, out: &mut dyn Write) -> io::Result<()> {
-    let format = Csv::new(Head::new("", sweep.columns()));
+    let format = Csv::new(Head::new("", sweep.columns()).told_in(lang::now()));
     let mut rows = tempfile::spooled_tempfile(KEPT);
     let mut count = 0;
     in_pieces(sweep, &ProgressBar::hidden(), formed(&format), |piece| {
@@ -107,7 +111,7 @@ fn formed(format: &dyn Format) -> impl FnMut(&[&[f64]], Option<Piece>) -> io::Re
 
 fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Result<()> {
     let count = sweep.count() as u64;
-    let bar = long::bar(count, 0, "positions");
+    let bar = long::bar(count, 0, &both!("positions", "个位置"));
     // What is known before: that all rows are there, unless it turns out otherwise.
     let begin = format.begin(count, &sweep.notes());
     out.write_all(&begin)?;
@@ -127,7 +131,7 @@ fn rows(sweep: &mut dyn Pieces, format: &dyn Format, out: &mut Out) -> io::Resul
 }
 
 fn by_columns(sweep: &mut dyn Pieces, head: &Head, out: &mut Out) -> io::Result<()> {
-    let bar = long::bar(sweep.count() as u64, 0, "positions");
+    let bar = long::bar(sweep.count() as u64, 0, &both!("positions", "个位置"));
     let mut spool = Spool::new(out.scratch()?);
     in_pieces(
         sweep,

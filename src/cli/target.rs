@@ -2,7 +2,7 @@
 //! has read.
 
 use super::Failure;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use std::fs::{File, Metadata, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -51,8 +51,11 @@ impl Target {
         let Some(file) = followed(path).map_err(fail)? else { return Ok(Target::Stream) };
         std::fs::create_dir_all(folder_of(&file)).map_err(fail)?;
         if was_read(&file) {
-            let d = Diagnostic::error("output", format!("{} is what is read here: writing to it would destroy it", path.display()));
-            return Err(Failure::input(d.help("name another file, such as -o out/"), "", ""));
+            let d = Diagnostic::error(
+                "output",
+                both!("{} is what is read here: writing to it would destroy it", "{} 正被读取：写入会毁掉它", path.display()),
+            );
+            return Err(Failure::input(d.help(both!("name another file, such as -o out/", "请另写文件，如 -o out/")), "", ""));
         }
         if let Ok(known) = std::fs::metadata(&file) {
             // Renaming asks the folder alone: who protected the file is asked here.
@@ -67,7 +70,7 @@ impl Target {
 
 /// What is said of an output that cannot be written.
 pub fn unwritable(path: &Path, e: &io::Error) -> Failure {
-    Failure::Output(format!("{} cannot be written: {e}", path.display()))
+    Failure::Output(both!("{} cannot be written: {}", "不能写入 {}：{}", path.display(), super::files::reason(e)))
 }
 
 /// The file at the end of a chain of links; `None` where that is an open file of a process (`/dev/stdout`), which has no other name.
@@ -83,7 +86,7 @@ fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
         let to = std::fs::read_link(&at)?;
         at = at.parent().unwrap_or(Path::new("")).join(to);
     }
-    Err(io::Error::other("too many symbolic links"))
+    Err(io::Error::other(super::files::Refused(both!("too many symbolic links", "符号链接过多"))))
 }
 
 /// The folder of a file.

@@ -6,6 +6,7 @@
 
 use super::target::{Target, as_before, folder_of, stands_at, unwritable};
 use super::{Failure, stop};
+use crate::diag::both;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -187,7 +188,7 @@ fn clear_one(path: &Path) {
 /// What came of writing, unless the user has asked to stop.
 fn unless_stopped(path: &Path, filled: io::Result<()>) -> Result<(), Failure> {
     if stop::asked() {
-        return Err(Failure::Interrupted(format!("{} is not written", path.display())));
+        return Err(Failure::Interrupted(both!("{} is not written", "{} 没有写入", path.display())));
     }
     filled.map_err(|e| unwritable(path, &e))
 }

@@ -1,6 +1,8 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
+use super::help;
 use crate::accuracy::ladder::MOST_DIGITS;
+use crate::diag::both;
 use crate::scene::Lang;
 use clap::ValueEnum;
 
@@ -81,7 +83,7 @@ impl From<Language> for Lang {
 pub fn digits(s: &str) -> Result<usize, String> {
     match s.parse::<usize>() {
         Ok(n) if (1..=MOST_DIGITS).contains(&n) => Ok(n),
-        _ => Err(format!("not a whole number from 1 to {MOST_DIGITS}")),
+        _ => Err(help::no_value(&both!("not a whole number from 1 to {MOST_DIGITS}", "不是 1 到 {MOST_DIGITS} 的整数"))),
     }
 }
 
@@ -90,7 +92,10 @@ pub fn length(s: &str) -> Result<String, String> {
     match s.trim_start().chars().next() {
         None => Ok(String::new()),
         Some(c) if c.is_ascii_digit() || "+-.(".contains(c) => Ok(s.to_string()),
-        Some(_) => Err("not a length; write --drafting=0.1mm, or put --drafting after the scene".into()),
+        Some(_) => Err(help::no_value(&both!(
+            "not a length; write --drafting=0.1mm, or put --drafting after the scene",
+            "不是长度；请写 --drafting=0.1mm，或把 --drafting 放在机构文件之后"
+        ))),
     }
 }
 
@@ -98,7 +103,7 @@ pub fn length(s: &str) -> Result<String, String> {
 pub fn steps(s: &str) -> Result<usize, String> {
     match s.parse::<usize>() {
         Ok(n) if n <= 10_000_000 => Ok(n),
-        _ => Err("not a whole number from 0 to 10000000".into()),
+        _ => Err(help::no_value(&both!("not a whole number from 0 to 10000000", "不是 0 到 10000000 的整数"))),
     }
 }
 
@@ -106,7 +111,7 @@ pub fn steps(s: &str) -> Result<usize, String> {
 pub fn dpi(s: &str) -> Result<f64, String> {
     match s.parse::<f64>() {
         Ok(v) if (20.0..=1200.0).contains(&v) => Ok(v),
-        Ok(v) => Err(format!("{v} is not between 20 and 1200")),
-        Err(_) => Err("not a number".into()),
+        Ok(v) => Err(help::no_value(&both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
+        Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
     }
 }

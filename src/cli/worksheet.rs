@@ -3,7 +3,7 @@
 use super::draw::style_of;
 use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, verdict};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::figure::words::words;
 use crate::render::pdf;
@@ -70,8 +70,11 @@ fn writer(output: &str) -> Result<Writer, Faults> {
         Some("html") => Ok(|d, _| Ok(Written::of((html::html(d)?, Vec::new())))),
         Some("md") => Ok(|d, stem| markdown::markdown(d, stem).map(Written::of)),
         Some("typ") => Ok(|d, stem| typst::typst(d, stem).map(Written::of)),
-        _ => Err(Diagnostic::error("output", format!("{output} ends in none of .pdf, .html, .md, .typ"))
-            .help("name the file after its format, such as -o sheet.pdf")
-            .into()),
+        _ => Err(Diagnostic::error(
+            "output",
+            both!("{output} ends in none of .pdf, .html, .md, .typ", "{output} 不以 .pdf、.html、.md 或 .typ 结尾"),
+        )
+        .help(both!("name the file after its format, such as -o sheet.pdf", "请按格式命名文件，如 -o sheet.pdf"))
+        .into()),
     }
 }

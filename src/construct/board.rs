@@ -4,7 +4,7 @@ use super::choices::SPECIAL_LEGS;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
 use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::number::Real;
@@ -142,7 +142,11 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let done = self.done;
         let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
         if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_decided()) {
-            return Err(Diagnostic::error("overflow", "the numbers are too large or too small to be drawn").into());
+            return Err(Diagnostic::error(
+                "overflow",
+                both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"),
+            )
+            .into());
         }
         Ok(done)
     }
@@ -368,8 +372,11 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     pub(super) fn coincide(&self, a: VertexId, b: VertexId) -> Diagnostic {
         let (a, b) = (self.name(a), self.name(b));
-        Diagnostic::error("coincident-points", format!("{a} and {b} coincide in this pose: their line has no direction"))
-            .help("choose another pose, or other lengths")
+        Diagnostic::error(
+            "coincident-points",
+            both!("{a} and {b} coincide in this pose: their line has no direction", "{a} 与 {b} 在该位置重合，连线没有方向"),
+        )
+        .help(both!("choose another pose, or other lengths", "请改变位置或长度"))
     }
 
     fn name(&self, v: VertexId) -> String {
@@ -389,23 +396,29 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     fn dead_centre(&self, level: Level, target: VertexId, chains: &[Chain]) -> Diagnostic {
-        let words: Vec<String> =
+        let words: Vec<Both> =
             chains.iter().filter_map(|c| c.unknown.first()).map(|t| crate::plan::text::held_by(self.scene, self.plan, t)).collect();
         let at = self.name(target);
         let what = match level {
-            Level::Acceleration => "acceleration",
-            _ => "velocity",
+            Level::Acceleration => both!("acceleration", "加速度"),
+            _ => both!("velocity", "速度"),
         };
         let lie = if chains.iter().flat_map(|c| &c.unknown).all(|t| matches!(t.by, By::Turning(_) | By::Cylinder(_))) {
-            "lie in line"
+            both!("lie in line", "共线")
         } else {
-            "leave the same direction open"
+            both!("leave the same direction open", "所余方向相同")
         };
         let mut d = Diagnostic::error(
             "dead-centre",
-            format!("dead centre: {} {lie} at {at}, so that its {what} is not determined", words.join(" and ")),
+            both!(
+                "dead centre: {} {} at {at}, so that its {} is not determined",
+                "死点：{}在 {at} 处{}，{}不能确定",
+                Both::join(&words, " and ", "与"),
+                lie,
+                what
+            ),
         )
-        .help("choose another pose, or drive another link");
+        .help(both!("choose another pose, or drive another link", "请改变位置或换原动件"));
         if let Spot::Point(p) = self.plan.vertex(target).spot {
             d = d.at(self.scene.points[p.0].span);
         }

@@ -3,7 +3,7 @@
 
 use super::board::Board;
 use super::pencil::Pencil;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Level};
 use crate::scene::DriverKind;
@@ -31,7 +31,11 @@ impl<P: Pencil> Board<'_, f64, P> {
         }
         Err(Diagnostic::error(
             "dead-centre",
-            format!("the three legs of link {} are parallel: it is at a dead centre", self.scene.link_name(*link)),
+            both!(
+                "the three legs of link {} are parallel: it is at a dead centre",
+                "构件 {} 的三条支链平行：处于死点",
+                self.scene.link_name(*link)
+            ),
         )
         .at(self.scene.links[link.0].span)
         .into())

@@ -1,6 +1,6 @@
 //! Where the parts of a sheet stand: a few arrangements that textbooks use, measured, and the one taken that fills a page best.
 
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::Point;
 
 use super::drawing::Part;
@@ -143,9 +143,14 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     if free_x < 0.0 || free_y < 0.0 {
         return Err(Diagnostic::error(
             "paper-too-small",
-            format!("the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}", size[0], size[1]),
+            both!(
+                "the sheet needs {w:.0} mm by {h:.0} mm, the paper has {} by {}",
+                "图面需要 {w:.0} mm × {h:.0} mm，而图纸为 {} × {}",
+                size[0],
+                size[1]
+            ),
         )
-        .help("give a larger paper, leave its size to the sheet, or ask for less")
+        .help(both!("give a larger paper, leave its size to the sheet, or ask for less", "请用更大的图纸，或不规定图幅，或少求一些量"))
         .into());
     }
     best.put(&mut parts, Point::new(free_x / 2.0, size[1] - free_y / 2.0));

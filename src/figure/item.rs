@@ -3,7 +3,7 @@
 //! Decided here: nothing about looks. An item is finished: its writer needs no style, no scene and no solution.
 //! Items are drawn in the order of the list. Only the SVG writer turns y over.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::geom::Point;
 
 use super::arrow::Head;
@@ -40,8 +40,14 @@ impl Figure {
     pub fn remarks(&self) -> Vec<Diagnostic> {
         let coarse = |i: &&Item| i.class.rsplit(' ').nth(1) == Some(COARSE);
         let count = self.items.iter().filter(coarse).count();
-        let message = format!("{count} labels are more than can be weighed against one another: each took the best place that was left");
-        let help = "draw fewer points, or ask for less in \"find\"; --figure draws one part alone";
+        let message = both!(
+            "{count} labels are more than can be weighed against one another: each took the best place that was left",
+            "{count} 个标注过多，不能统一优化：各取所余的最佳位置"
+        );
+        let help = both!(
+            "draw fewer points, or ask for less in \"find\"; --figure draws one part alone",
+            "请少画一些点，或在 \"find\" 中少求一些；--figure 可只画一部分"
+        );
         (count > 0).then(|| Diagnostic::note("coarse-labels", message).help(help)).into_iter().collect()
     }
 }

@@ -250,7 +250,7 @@ mod tests {
             let label = Label::math(source);
             assert_eq!(label.faults().len(), 1, "{source}: {:?}", label.faults());
             assert_eq!(label.faults()[0].code, "label-syntax");
-            assert!(label.faults()[0].message.contains(word), "{source}: {}", label.faults()[0]);
+            assert!(label.faults()[0].message.en.contains(word), "{source}: {}", label.faults()[0]);
         }
     }
 

@@ -5,7 +5,7 @@
 //! mechanism with what lies over it, [`crate::sweep::points`] follows the points.
 
 use crate::construct::scale::{self, Boxes};
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::plan::names::point_label;
@@ -82,8 +82,11 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         wanted.marks.clamp(1, MOST_MARKS),
     );
     if moved.moments.len() < 2 {
-        let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose: there is no path");
-        return Err(d.help("give another pose, or move another driver with --over").into());
+        let d = Diagnostic::error(
+            "no-motion",
+            both!("the mechanism cannot be followed from its pose: there is no path", "从该位置无法跟踪机构的运动：没有轨迹"),
+        );
+        return Err(d.help(both!("give another pose, or move another driver with --over", "请改变位置，或用 --over 另选原动件")).into());
     }
     let poses = poses(scene, worked, wanted);
     // All that is drawn of the mechanism fits its box.
@@ -102,7 +105,13 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let text = page.text();
     let mut notes = Vec::new();
     if scene.drivers.len() > 1 {
-        notes.push(Diagnostic::note("path-driver", "the scene has several drivers: one of them moves, the others stand still here"));
+        notes.push(Diagnostic::note(
+            "path-driver",
+            both!(
+                "the scene has several drivers: one of them moves, the others stand still here",
+                "有几个原动件：此处只有一个运动，其余静止"
+            ),
+        ));
     }
     let (items, size) = stand(page.maker.title(), drawings, text);
     let mut figure = page.maker.figure(items, size);
@@ -113,15 +122,18 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
 fn check(scene: &Scene, wanted: &Wanted) -> Result<(), Faults> {
     let mut faults = Faults::default();
     if wanted.driver >= scene.drivers.len() {
-        faults.push(Diagnostic::error("no-driver", format!("the scene has no driver {}", wanted.driver + 1)));
+        faults.push(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", wanted.driver + 1)));
     }
     if wanted.points.is_empty() {
-        faults.push(Diagnostic::error("no-path", "no point is named").help("name one with --point"));
+        faults.push(
+            Diagnostic::error("no-path", both!("no point is named", "没有写点"))
+                .help(both!("name one with --point", "请用 --point 写一个点")),
+        );
     }
     let stands = |p: &&PointId| scene.mover(**p).is_none() || scene.links[scene.ground.0].points.contains(p);
     for p in wanted.points.iter().filter(stands) {
-        let d = Diagnostic::error("no-path", format!("point {} stands still: it has no path", scene.point_name(*p)));
-        faults.push(d.at(scene.points[p.0].span).help("name a point that moves"));
+        let d = Diagnostic::error("no-path", both!("point {} stands still: it has no path", "点 {} 静止，没有轨迹", scene.point_name(*p)));
+        faults.push(d.at(scene.points[p.0].span).help(both!("name a point that moves", "请写一个运动的点")));
     }
     if faults.has_errors() { Err(faults) } else { Ok(()) }
 }

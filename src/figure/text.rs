@@ -5,7 +5,7 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use crate::diag::{Diagnostic, shortened};
+use crate::diag::{Diagnostic, both, shortened};
 
 use super::font::{Face, Glyph, Ink, Slant, own::Fonts};
 use super::label::{Label, Node, Role};
@@ -92,8 +92,12 @@ fn set_anew(label: &Label) -> Typeset {
     let mut told = BTreeSet::new();
     for c in setter.missing.into_iter().filter(|c| told.insert(*c)).take(MISSING_MAX) {
         let label = shortened(label.source());
-        let message = format!("label `{label}`: no embedded font has the character {c} (U+{:04X})", u32::from(c));
-        faults.push(Diagnostic::warning("missing-glyph", message).help("write it with other characters"));
+        let message = both!(
+            "label `{label}`: no embedded font has the character {c} (U+{:04X})",
+            "标注 `{label}`：内置字体没有字符 {c}（U+{:04X}）",
+            u32::from(c)
+        );
+        faults.push(Diagnostic::warning("missing-glyph", message).help(both!("write it with other characters", "请改用其他字符")));
     }
     let (bottom, top) = line.vertical_ink();
     Typeset { runs: line.runs, width_em: line.advance, ascent_em: top, descent_em: -bottom, inked: line.ink.any(), faults }
@@ -297,7 +301,7 @@ mod tests {
         let label = set(&Label::text("a\u{1F600}b"));
         assert_eq!(label.faults.len(), 1);
         assert_eq!(label.faults[0].code, "missing-glyph");
-        assert!(label.faults[0].message.contains("U+1F600"));
+        assert!(label.faults[0].message.en.contains("U+1F600"));
         assert!(close(label.width_em, set(&Label::text("a")).width_em + MISSING_ADVANCE + set(&Label::text("b")).width_em));
         let gap = set(&Label::text("\u{1F600}"));
         assert!(!gap.inked && close(gap.width_em, MISSING_ADVANCE));

@@ -10,7 +10,7 @@ use std::collections::HashSet;
 
 use jsonc_parser::{CollectOptions, ParseOptions, ast, errors::ParseErrorKind, parse_to_ast};
 
-use crate::diag::{Diagnostic, Faults, Span};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 
 /// Larger input is refused. The largest scene within the limits of [`super::resolve`] is well under 1 MB when written
 /// by hand; a larger file is not a scene, and reading it would only cost memory.
@@ -49,14 +49,14 @@ pub(crate) enum Kind {
 
 impl Node {
     /// What the value is, for a message: "a number".
-    pub fn what(&self) -> &'static str {
+    pub fn what(&self) -> Both {
         match self.kind {
-            Kind::Text(_) => "a text",
-            Kind::Number(_) => "a number",
-            Kind::Bool => "true or false",
-            Kind::Null => "null",
-            Kind::Array(_) => "a list",
-            Kind::Object(_) => "an object",
+            Kind::Text(_) => both!("a text", "文字"),
+            Kind::Number(_) => both!("a number", "数"),
+            Kind::Bool => both!("true or false", "true 或 false"),
+            Kind::Null => both!("null", "空值 null"),
+            Kind::Array(_) => both!("a list", "列表"),
+            Kind::Object(_) => both!("an object", "对象"),
         }
     }
 }
@@ -64,21 +64,24 @@ impl Node {
 /// Reads one JSON value. Duplicate keys go to `faults` (the first one counts); whatever leaves no tree at all is the error.
 pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {
-        let message = format!("the file has more than {MAX_BYTES} bytes; none that is written by hand is so long");
+        let message = both!(
+            "the file has more than {MAX_BYTES} bytes; none that is written by hand is so long",
+            "文件超过 {MAX_BYTES} 字节；手写的文件不会这样长"
+        );
         return Err(Diagnostic::error("too-large", message));
     }
     let source = std::str::from_utf8(bytes).map_err(|e| {
         let at = e.valid_up_to();
-        Diagnostic::error("not-utf8", format!("byte {at} is not UTF-8 text"))
+        Diagnostic::error("not-utf8", both!("byte {at} is not UTF-8 text", "第 {at} 字节不是 UTF-8 文字"))
             .at(Span::new(at, at + e.error_len().unwrap_or(1)))
-            .help("save the file as UTF-8")
+            .help(both!("save the file as UTF-8", "请把文件存为 UTF-8 编码"))
     })?;
     check_depth(bytes)?;
     // Some editors begin UTF-8 files with a byte order mark; the parser does not know it, and the places must count it.
     let base = if source.starts_with('\u{feff}') { '\u{feff}'.len_utf8() } else { 0 };
     let parsed = parse_to_ast(&source[base..], &CollectOptions::default(), &strict()).map_err(|e| {
         let range = e.range();
-        let d = Diagnostic::error("json", format!("not valid JSON: {}", sentence(e.kind())));
+        let d = Diagnostic::error("json", both!("not valid JSON: {}", "JSON 格式有误：{}", sentence(e.kind())));
         let d = d.at(Span::new(base + range.start, base + range.end));
         match advice(e.kind()) {
             Some(help) => d.help(help),
@@ -86,7 +89,8 @@ pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str
         }
     })?;
     let Some(value) = parsed.value else {
-        return Err(Diagnostic::error("json", "the file is empty").help("what is read here is one JSON object: { ... }"));
+        return Err(Diagnostic::error("json", both!("the file is empty", "文件是空的"))
+            .help(both!("what is read here is one JSON object: {{ ... }}", "此处应为一个 JSON 对象：{{ ... }}")));
     };
     let node = convert(value, base, source, faults);
     Ok((source, node))
@@ -107,24 +111,61 @@ fn strict() -> ParseOptions {
     }
 }
 
-/// The parser's own sentence, fitted into ours.
-fn sentence(kind: &ParseErrorKind) -> String {
+/// The parser's own sentence, fitted into ours; it has English ones only.
+fn sentence(kind: &ParseErrorKind) -> Both {
+    use ParseErrorKind::*;
     let text = kind.to_string();
     let mut chars = text.chars();
-    match chars.next() {
+    let en: std::string::String = match chars.next() {
         Some(first) => first.to_lowercase().chain(chars).collect(),
         None => text,
-    }
+    };
+    let zh = match kind {
+        BareDecimalPointNumbersNotAllowed => "小数点前后都须有数字",
+        CommentsNotAllowed => "不允许注释",
+        ExpectedColonAfterObjectKey => "键后应有冒号",
+        ExpectedObjectValue => "冒号后应有值",
+        ExpectedDigit => "应有数字",
+        ExpectedDigitFollowingNegativeSign => "负号后应有数字",
+        ExpectedPlusMinusOrDigitInNumberLiteral => "数中应有正负号或数字",
+        ExpectedStringObjectProperty => "对象的键应为带引号的文字",
+        HexadecimalNumbersNotAllowed => "不允许十六进制数",
+        ExpectedComma => "缺少逗号",
+        MultipleRootJsonValues => "文件只能有一个 JSON 值",
+        NonFiniteNumbersNotAllowed => "不允许 Infinity 和 NaN",
+        SingleQuotedStringsNotAllowed => "不允许单引号",
+        String(_) => "文字的引号或转义有误",
+        TrailingCommasNotAllowed => "不允许末尾的逗号",
+        UnaryPlusNumbersNotAllowed => "数前不允许正号",
+        UnexpectedCloseBrace => "多余的 }",
+        UnexpectedCloseBracket => "多余的 ]",
+        UnexpectedColon => "多余的冒号",
+        UnexpectedComma => "多余的逗号",
+        UnexpectedToken => "不能识别的符号",
+        UnexpectedTokenInObject => "对象中有不能识别的符号",
+        UnexpectedWord => "不能识别的词",
+        UnterminatedArray => "列表没有结束，缺少 ]",
+        UnterminatedCommentBlock => "注释没有结束",
+        UnterminatedObject => "对象没有结束，缺少 }",
+        NestingDepthExceeded => "嵌套过深",
+    };
+    Both { en, zh: zh.to_owned() }
 }
 
-fn advice(kind: &ParseErrorKind) -> Option<&'static str> {
+fn advice(kind: &ParseErrorKind) -> Option<Both> {
     Some(match kind {
-        ParseErrorKind::TrailingCommasNotAllowed => "take the last comma away",
-        ParseErrorKind::CommentsNotAllowed => "JSON has no comments; a remark can stand in \"statement\"",
-        ParseErrorKind::SingleQuotedStringsNotAllowed => "write \"...\"",
-        ParseErrorKind::ExpectedComma => "put a comma before this",
-        ParseErrorKind::UnexpectedWord | ParseErrorKind::ExpectedStringObjectProperty => "put it in quotation marks: \"...\"",
-        ParseErrorKind::BareDecimalPointNumbersNotAllowed => "write a digit on both sides of the point: 0.5",
+        ParseErrorKind::TrailingCommasNotAllowed => both!("take the last comma away", "请删去最后的逗号"),
+        ParseErrorKind::CommentsNotAllowed => {
+            both!("JSON has no comments; a remark can stand in \"statement\"", "JSON 没有注释；说明可写在 \"statement\" 中")
+        }
+        ParseErrorKind::SingleQuotedStringsNotAllowed => both!("write \"...\"", "请写作 \"...\""),
+        ParseErrorKind::ExpectedComma => both!("put a comma before this", "请在前面加逗号"),
+        ParseErrorKind::UnexpectedWord | ParseErrorKind::ExpectedStringObjectProperty => {
+            both!("put it in quotation marks: \"...\"", "请加引号：\"...\"")
+        }
+        ParseErrorKind::BareDecimalPointNumbersNotAllowed => {
+            both!("write a digit on both sides of the point: 0.5", "小数点两边都要有数字：0.5")
+        }
         _ => return None,
     })
 }
@@ -149,7 +190,10 @@ fn check_depth(bytes: &[u8]) -> Result<(), Diagnostic> {
             _ => {}
         }
         if depth > MAX_DEPTH {
-            let message = format!("brackets are nested more than {MAX_DEPTH} deep; four levels are all that is needed");
+            let message = both!(
+                "brackets are nested more than {MAX_DEPTH} deep; four levels are all that is needed",
+                "括号嵌套超过 {MAX_DEPTH} 层；四层已足够"
+            );
             return Err(Diagnostic::error("too-deep", message).at(Span::new(i, i + 1)));
         }
     }
@@ -167,7 +211,13 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
         ast::Value::NumberLit(n) => {
             let span = place(n.range);
             if !is_json_number(n.value) {
-                faults.push(Diagnostic::error("json", format!("not valid JSON: `{}` is not a JSON number", n.value)).at(span));
+                faults.push(
+                    Diagnostic::error(
+                        "json",
+                        both!("not valid JSON: `{}` is not a JSON number", "JSON 格式有误：`{}` 不是 JSON 的数", n.value),
+                    )
+                    .at(span),
+                );
             }
             Node { kind: Kind::Number(n.value.to_owned()), span }
         }
@@ -193,8 +243,10 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
                 if known.insert(key.text.clone()) {
                     members.push((key, value));
                 } else {
-                    let message = format!("`{}` stands here twice", key.text);
-                    faults.push(Diagnostic::error("duplicate-key", message).at(key.span).help("keep one of the two"));
+                    let message = both!("`{}` stands here twice", "`{}` 在此出现两次", key.text);
+                    faults.push(
+                        Diagnostic::error("duplicate-key", message).at(key.span).help(both!("keep one of the two", "请保留其中一个")),
+                    );
                 }
             }
             Node { kind: Kind::Object(members), span }
@@ -208,8 +260,8 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
     let raw = source.get(word.span.start..word.span.end).unwrap_or_default();
     if let Some(i) = raw.bytes().position(|b| b < 0x20) {
         let at = Span::new(word.span.start + i, word.span.start + i + 1);
-        let message = "not valid JSON: a line break or control character inside a text";
-        faults.push(Diagnostic::error("json", message).at(at).help("write \\n for a line break"));
+        let message = both!("not valid JSON: a line break or control character inside a text", "JSON 格式有误：文字中有换行或控制字符");
+        faults.push(Diagnostic::error("json", message).at(at).help(both!("write \\n for a line break", "换行请写 \\n")));
     } else if let Some(d) = unprintable(word) {
         let place = unprintable_char(&word.text).and_then(|c| written(c, raw));
         let start = word.span.start;
@@ -223,9 +275,12 @@ fn check_string(word: &Word, source: &str, faults: &mut Faults) {
 /// points that Unicode keeps free of characters, such as U+FFFE (ill-formed in XML).
 pub(crate) fn unprintable(word: &Word) -> Option<Diagnostic> {
     let c = unprintable_char(&word.text)?;
-    let kind = if c.is_control() { "a control character" } else { "which is no character" };
-    let d = Diagnostic::error("text", format!("this text holds U+{:04X}, {kind}: no figure can show it", u32::from(c)));
-    Some(d.at(word.span).help("take it out; a line break is written \\n"))
+    let kind = if c.is_control() { both!("a control character", "控制字符") } else { both!("which is no character", "不是字符") };
+    let d = Diagnostic::error(
+        "text",
+        both!("this text holds U+{1:04X}, {0}: no figure can show it", "文字中有 U+{1:04X}（{0}），图上无法表示", kind, u32::from(c)),
+    );
+    Some(d.at(word.span).help(both!("take it out; a line break is written \\n", "请删去；换行写作 \\n")))
 }
 
 fn unprintable_char(text: &str) -> Option<char> {

@@ -6,7 +6,7 @@
 use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::series::Scales;
 use crate::geom::Point;
 use crate::mechanism::{Demand, Level, Mechanism};
@@ -264,8 +264,16 @@ impl Maker<'_> {
         let from_own = |k: &usize| frames.list[*k].travel.abs();
         frames.base = (0..frames.list.len()).min_by(|a, b| from_own(a).total_cmp(&from_own(b))).unwrap_or(0);
         if frames.list.is_empty() {
-            let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose: no pose beside it can be drawn");
-            return Err(d.help("give another pose, or move another driver with --driver").into());
+            let d = Diagnostic::error(
+                "no-motion",
+                both!(
+                    "the mechanism cannot be followed from its pose: no pose beside it can be drawn",
+                    "从该位置无法跟踪机构的运动：其附近的位置都画不出"
+                ),
+            );
+            return Err(d
+                .help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件"))
+                .into());
         }
         Ok(frames)
     }

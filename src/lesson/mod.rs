@@ -21,7 +21,7 @@ mod words;
 
 pub use reveal::reveal;
 
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::scene::{Lang, Scene};
@@ -84,7 +84,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     if options.driver >= scene.drivers.len() {
         return Err(Diagnostic::error(
             "driver",
-            format!("there is no driver {}: the scene has {}", options.driver + 1, scene.drivers.len()),
+            both!("there is no driver {}: the scene has {}", "没有第 {} 个原动件：共有 {} 个", options.driver + 1, scene.drivers.len()),
         )
         .into());
     }
@@ -93,14 +93,22 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
     let frames = maker.frames(&sweep)?;
     if frames.list.len() == 1 {
-        let d =
-            Diagnostic::warning("lesson-still", "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves");
-        notes.push(d.help("give another pose, or move another driver with --driver"));
+        let d = Diagnostic::warning(
+            "lesson-still",
+            both!(
+                "no pose beside this one can be drawn: the lesson shows it alone, and nothing in it moves",
+                "该位置附近的位置都画不出：只演示这一位置，没有运动"
+            ),
+        );
+        notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
     }
     if scene.drivers.len() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",
-            "the scene has several drivers: the lesson moves one of them, the others hold their positions",
+            both!(
+                "the scene has several drivers: the lesson moves one of them, the others hold their positions",
+                "有几个原动件：演示中一个运动，其余保持位置"
+            ),
         ));
     }
     Ok(Warned { value: page::page(scene, options, &sweep, &frames)?, notes })

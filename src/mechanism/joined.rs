@@ -4,7 +4,7 @@
 //! Decided from topology alone. aⁿ and aᵗ belong to a body that turns with the line of the two points; v_r, aʳ and aᵏ belong to a guide
 //! or a cylinder. A question without its joint is a fault ([`check`]), for the quantity is not defined then.
 
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::scene::{Asked, DriverKind, Find, Guide, GuideId, LinkId, OnLink, Scene};
 
 /// What joins two points.
@@ -53,7 +53,7 @@ pub(super) fn check(scene: &Scene) -> Faults {
 }
 
 fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
-    let error = |message: String, help: String| Some(Diagnostic::error("find", message).at(find.span).help(help));
+    let error = |message: Both, help: Both| Some(Diagnostic::error("find", message).at(find.span).help(help));
     let name = |p: &OnLink| match p.link {
         Some(l) => format!("{}{}", scene.point_name(p.point), scene.link_name(l)),
         None => scene.point_name(p.point).to_string(),
@@ -64,11 +64,15 @@ fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
             Some(Joined::Guide(_)) | None => {
                 let (a, b) = (name(a), name(b));
                 error(
-                    format!(
+                    both!(
                         "`{}`: {a} and {b} are on no common link, so their relative acceleration has no normal and tangential part",
+                        "`{}`：{a} 与 {b} 不在同一构件上，其相对加速度没有法向和切向分量",
                         find.text
                     ),
-                    format!("ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder"),
+                    both!(
+                        "ask a_{a}{b} for the whole, or name two points of one link or the ends of a cylinder",
+                        "请求总的 a_{a}{b}，或写同一构件上的两点或液压缸的两端"
+                    ),
                 )
             }
         },
@@ -77,9 +81,14 @@ fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
             Some(Joined::Link(_)) | None => {
                 let (a, b) = (name(a), name(b));
                 error(
-                    format!("`{}`: no guide joins {a} and {b}, so neither slides along the other", find.text),
-                    format!(
+                    both!(
+                        "`{}`: no guide joins {a} and {b}, so neither slides along the other",
+                        "`{}`：{a} 与 {b} 之间没有导路，不存在相对滑动",
+                        find.text
+                    ),
+                    both!(
                         "ask v_{a}{b} or a_{a}{b}, or name the coincident points of a slider and the link that carries its guide{}",
+                        "请求 v_{a}{b} 或 a_{a}{b}，或写滑块与导路所在构件的重合点{}",
                         example(scene)
                     ),
                 )
@@ -100,11 +109,11 @@ fn fault(scene: &Scene, find: &Find) -> Option<Diagnostic> {
 }
 
 /// A pair that slides in this scene, as a question names it: `, such as B3B2`.
-fn example(scene: &Scene) -> String {
+fn example(scene: &Scene) -> Both {
     let pair = |g: &Guide| {
         let p = scene.point_name(g.pin?);
         let runner = g.slider.map_or("", |s| scene.link_name(s));
-        Some(format!(", such as {p}{runner}{p}{}", scene.link_name(g.on)))
+        Some(both!(", such as {p}{runner}{p}{}", "，如 {p}{runner}{p}{}", scene.link_name(g.on)))
     };
     scene.guides.iter().find_map(pair).unwrap_or_default()
 }

@@ -2,7 +2,7 @@
 //! and a pin two (a bipartite b-matching by augmenting paths). What stays free or finds no place is the diagnosis.
 
 use super::{Constraint, Node, Passive, ends, weight};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::scene::{DriverKind, PointId, Scene};
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -151,10 +151,10 @@ fn augment(
     false
 }
 
-fn describe(scene: &Scene, n: Node) -> String {
+fn describe(scene: &Scene, n: Node) -> Both {
     match n {
-        Node::Link(l) => format!("link {}", scene.link_name(l)),
-        Node::Pin(p) => format!("pin {}", scene.point_name(p)),
+        Node::Link(l) => both!("link {}", "构件 {}", scene.link_name(l)),
+        Node::Pin(p) => both!("pin {}", "销 {}", scene.point_name(p)),
     }
 }
 
@@ -168,20 +168,26 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
     };
     Diagnostic::error(
         "too-few-constraints",
-        format!(
+        both!(
             "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
+            "自由度 F = {}：{drivers} 个原动件{1:.0}和各运动副还余下 {missing} 个自由度{2:.0}，在{3}",
             count(scene).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
-            names.join(", ")
+            Both::join(&names, ", ", "、")
         ),
     )
     .at(span)
     .help(match unlisted_pivots(scene) {
-        Some(names) => format!(
-            "if {names} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing"
+        Some(names) => both!(
+            "if {names} are fixed pivots, list them under the ground link; otherwise give the joint, guide or driver that is missing",
+            "若 {names} 是固定铰链，请列入机架；否则请补上所缺的运动副、导路或原动件"
         ),
-        None => format!("give {missing} more driver{}, or the joint or guide that is missing there", if missing == 1 { "" } else { "s" }),
+        None => both!(
+            "give {missing} more driver{}, or the joint or guide that is missing there",
+            "请再给 {missing} 个原动件{:.0}，或补上所缺的运动副或导路",
+            if missing == 1 { "" } else { "s" }
+        ),
     })
 }
 
@@ -202,7 +208,7 @@ fn unlisted_pivots(scene: &Scene) -> Option<String> {
 }
 
 fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, Node)], homeless: &[usize]) -> Diagnostic {
-    let mut names: Vec<String> = Vec::new();
+    let mut names: Vec<Both> = Vec::new();
     let mut span = None;
     for &u in homeless {
         let (text, at) = constraint_words(scene, constraints[units[u].0]);
@@ -213,42 +219,51 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
     }
     let d = Diagnostic::error(
         "too-many-constraints",
-        format!(
+        both!(
             "{} condition{} too many: mobility F = {}, {} driver{}; no freedom is left for {}",
+            "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
             count(scene).freedom,
             scene.drivers.len(),
             if scene.drivers.len() == 1 { "" } else { "s" },
-            names.join(", ")
+            Both::join(&names, ", ", "、")
         ),
     )
-    .help("leave out a driver, or a link or joint that only repeats what others fix");
+    .help(both!(
+        "leave out a driver, or a link or joint that only repeats what others fix",
+        "请去掉一个原动件，或起重复约束作用的构件或运动副"
+    ));
     match span {
         Some(s) => d.at(s),
         None => d,
     }
 }
 
-fn constraint_words(scene: &Scene, c: Constraint) -> (String, crate::diag::Span) {
+fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
     match c {
-        Constraint::Pinned(p, l) => (format!("pin {} on link {}", scene.point_name(p), scene.link_name(l)), scene.links[l.0].span),
-        Constraint::Slot(p, g) => {
-            (format!("pin {} in the guide on link {}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)), scene.guides[g.0].span)
+        Constraint::Pinned(p, l) => {
+            (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(p), scene.link_name(l)), scene.links[l.0].span)
         }
+        Constraint::Slot(p, g) => (
+            both!("pin {} in the guide on link {}", "构件 {1} 导路中的销 {0}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)),
+            scene.guides[g.0].span,
+        ),
         Constraint::Lock(g) | Constraint::Glide(g) => {
             let guide = &scene.guides[g.0];
             let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();
-            (format!("slider {slider} on link {}", scene.link_name(guide.on)), guide.span)
+            (both!("slider {slider} on link {}", "构件 {} 上的滑块 {slider}", scene.link_name(guide.on)), guide.span)
         }
         Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => {
             let text = match &scene.drivers[d].kind {
-                DriverKind::Turn { link, .. } => format!("the driver of link {}", scene.link_name(*link)),
+                DriverKind::Turn { link, .. } => both!("the driver of link {}", "构件 {} 的原动件", scene.link_name(*link)),
                 DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
-                    (Some(p), _) => format!("the sliding driver at {}", scene.point_name(p)),
-                    (None, s) => format!("the sliding driver of link {}", s.map(|s| scene.link_name(s)).unwrap_or_default()),
+                    (Some(p), _) => both!("the sliding driver at {}", "{} 处的移动原动件", scene.point_name(p)),
+                    (None, s) => {
+                        both!("the sliding driver of link {}", "构件 {} 的移动原动件", s.map(|s| scene.link_name(s)).unwrap_or_default())
+                    }
                 },
-                DriverKind::Cylinder { a, b, .. } => format!("the cylinder {}{}", scene.point_name(*a), scene.point_name(*b)),
+                DriverKind::Cylinder { a, b, .. } => both!("the cylinder {}{}", "液压缸 {}{}", scene.point_name(*a), scene.point_name(*b)),
             };
             (text, scene.drivers[d].span)
         }

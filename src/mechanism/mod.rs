@@ -17,7 +17,7 @@ pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
@@ -114,8 +114,9 @@ impl Mechanism {
                 let names: Vec<_> = g.links.iter().map(|l| scene.link_name(*l)).collect();
                 notes.push(Diagnostic::note(
                     "higher-group",
-                    format!(
+                    both!(
                         "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
+                        "构件 {} 组成高于Ⅲ级的杆组：由回路方程求解，不作图",
                         names.join(", ")
                     ),
                 ));
@@ -242,10 +243,16 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
         faults.push(
             Diagnostic::error(
                 "curved-slider",
-                format!("link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}"),
+                both!(
+                    "link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}",
+                    "构件 {slider} 在圆弧导路上滑动，且不止一个销：它绕构件 {on} 上的 {centre} 转动"
+                ),
             )
             .at(guide.span)
-            .help(format!("make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide")),
+            .help(both!(
+                "make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide",
+                "请把 {centre} 写为构件 {slider} 上的点并去掉导路，或给导路另设滑块"
+            )),
         );
     }
     faults
@@ -261,9 +268,16 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
     });
     for (links, span) in guides.chain(turns) {
         for l in links.into_iter().flatten().filter(|l| part(*l)) {
-            let message = format!("link {} is a part of a cylinder: no guide and no other driver can rest on it", scene.link_name(l));
+            let message = both!(
+                "link {} is a part of a cylinder: no guide and no other driver can rest on it",
+                "构件 {} 是液压缸的一部分：其上不能再有导路或原动件",
+                scene.link_name(l)
+            );
             let d = Diagnostic::error("cylinder-part", message).at(span);
-            faults.push(d.help("describe barrel and rod as links with a guide between them, and drive the slide"));
+            faults.push(d.help(both!(
+                "describe barrel and rod as links with a guide between them, and drive the slide",
+                "请把缸体和活塞杆写成构件，其间设导路，并以移动副为原动件"
+            )));
         }
     }
 }

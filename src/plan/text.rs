@@ -6,6 +6,7 @@ pub use super::names::point_label;
 use super::names::{image_label, image_of, name_label, numbered, pole_letter, small, special_name};
 use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
+use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::scene::{DriverKind, GuideId, GuidePath, Lang, Scene};
 
@@ -58,13 +59,13 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
 }
 
 /// What leaves a term's direction open, in words of diagnostics: `link 3 (CD)`, `the guide on link 4`.
-pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> String {
+pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
     let line = || line_name(scene, plan, t.to, t.of);
     match t.by {
-        By::Turning(Body::Link(l)) => format!("link {} ({})", scene.link_name(l), line()),
-        By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => format!("cylinder {}", line()),
-        By::Guide { guide, .. } => format!("the guide on link {}", scene.link_name(scene.guides[guide.0].on)),
-        By::Apart => line(),
+        By::Turning(Body::Link(l)) => both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line()),
+        By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => both!("cylinder {}", "液压缸 {}", line()),
+        By::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", scene.link_name(scene.guides[guide.0].on)),
+        By::Apart => Both::same(line()),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::branch::{self, Trial};
 use super::shape::{self, Frame, LinkShape, given_place};
 use super::{Configuration, Path, Pose};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
 use crate::number::Real;
@@ -52,7 +52,11 @@ pub fn later<'a, N: Real>(
     // A link that only glides, without a point of its own, is laid anywhere along its guide.
     let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
     if posed.is_some() || silent || pointless {
-        return Err(Diagnostic::error("pose-given", "nothing in the scene tells the pose at another time").into());
+        return Err(Diagnostic::error(
+            "pose-given",
+            both!("nothing in the scene tells the pose at another time", "机构文件中没有数据说明其他时刻的位置"),
+        )
+        .into());
     }
     let mut a = Assembly::new(scene, mechanism, demand, Some(meant));
     a.inputs = a.inputs.later(t);
@@ -214,9 +218,18 @@ impl<'a, N: Real> Assembly<'a, N> {
     pub(super) fn need_guide(&self, g: GuideId) -> Result<Path<N>, Diagnostic> {
         self.guide_in_plane(g).ok_or_else(|| {
             let on = self.scene.link_name(self.scene.guides[g.0].on);
-            Diagnostic::error("guide-not-placed", format!("the guide on link {on} is not placed: nothing says through which point it runs"))
-                .at(self.scene.guides[g.0].span)
-                .help("give \"through\" (a point of that link, or coordinates on ground), or the pin's coordinates in \"points\"")
+            Diagnostic::error(
+                "guide-not-placed",
+                both!(
+                    "the guide on link {on} is not placed: nothing says through which point it runs",
+                    "构件 {on} 上的导路位置未定：没有说明它通过哪一点"
+                ),
+            )
+            .at(self.scene.guides[g.0].span)
+            .help(both!(
+                "give \"through\" (a point of that link, or coordinates on ground), or the pin's coordinates in \"points\"",
+                "请给出 \"through\"（该构件上的点，或机架上的坐标），或在 \"points\" 中给出销的坐标"
+            ))
         })
     }
 
@@ -329,7 +342,11 @@ impl<'a, N: Real> Assembly<'a, N> {
             let (pa, pb) = (self.scene.point_name(a.0), self.scene.point_name(b.0));
             Diagnostic::error(
                 "coincident-points",
-                format!("{pa} and {pb} of link {} coincide: it has no direction", self.scene.link_name(l)),
+                both!(
+                    "{pa} and {pb} of link {} coincide: it has no direction",
+                    "构件 {} 的 {pa} 与 {pb} 重合，没有方向",
+                    self.scene.link_name(l)
+                ),
             )
             .at(self.scene.links[l.0].span)
         })
@@ -355,7 +372,7 @@ impl<'a, N: Real> Assembly<'a, N> {
                         let d = self.shapes[link.0].local(far).expect("a link's points have local places");
                         let far_at = self.known(far);
                         Pose::from_point_and_direction(d, runner - d, far_at, at - far_at)
-                            .ok_or_else(|| self.degenerate(guide, "the pin lies on the pivot"))?
+                            .ok_or_else(|| self.degenerate(guide, both!("the pin lies on the pivot", "销在铰链中心上")))?
                     };
                     poses.push((link, pose));
                 }
@@ -387,34 +404,46 @@ impl<'a, N: Real> Assembly<'a, N> {
         self.points[p.0].expect("groups come after those they need")
     }
 
-    pub(super) fn degenerate(&self, g: GuideId, why: &str) -> Diagnostic {
+    pub(super) fn degenerate(&self, g: GuideId, why: Both) -> Diagnostic {
         let on = self.scene.link_name(self.scene.guides[g.0].on);
-        Diagnostic::error("degenerate-guide", format!("the guide on link {on} gives it no direction: {why}"))
-            .at(self.scene.guides[g.0].span)
+        Diagnostic::error(
+            "degenerate-guide",
+            both!("the guide on link {on} gives it no direction: {}", "构件 {on} 上的导路不能确定其方向：{}", why),
+        )
+        .at(self.scene.guides[g.0].span)
     }
 
     /// Where a driven runner is in the frame of the link that carries its guide.
     pub(super) fn runner_in_link(&self, link: LinkId, guide: GuideId, driver: usize) -> Result<Point<N>, Diagnostic> {
         let path = self.guides[guide.0].ok_or_else(|| {
-            Diagnostic::error("guide-not-placed", format!("the guide on link {} is not placed in that link", self.scene.link_name(link)))
-                .at(self.scene.guides[guide.0].span)
-                .help("give \"line\" or \"through\" by points of the link")
+            Diagnostic::error(
+                "guide-not-placed",
+                both!("the guide on link {} is not placed in that link", "构件 {} 上的导路在该构件中位置未定", self.scene.link_name(link)),
+            )
+            .at(self.scene.guides[guide.0].span)
+            .help(both!("give \"line\" or \"through\" by points of the link", "请用该构件上的点给出 \"line\" 或 \"through\""))
         })?;
         Ok(path.point_at(self.way_along(driver)?))
     }
 
-    pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: &str) -> Diagnostic {
-        Diagnostic::error("driver-without-position", format!("the driver does not say {what}, and no coordinates give it"))
-            .at(self.scene.drivers[driver].span)
-            .help(format!("add \"{key}\" to the driver, or the coordinates of the moving joints to \"points\""))
+    pub(super) fn driver_without_value(&self, driver: usize, key: &str, what: Both) -> Diagnostic {
+        Diagnostic::error(
+            "driver-without-position",
+            both!("the driver does not say {}, and no coordinates give it", "原动件没有说明{}，坐标也没有给定", what),
+        )
+        .at(self.scene.drivers[driver].span)
+        .help(both!(
+            "add \"{key}\" to the driver, or the coordinates of the moving joints to \"points\"",
+            "请在原动件中加上 \"{key}\"，或在 \"points\" 中给出活动铰链的坐标"
+        ))
     }
 }
 
 /// The links of a group for a sentence that begins with "link".
-pub(super) fn names_of(scene: &Scene, group: &Group) -> String {
+pub(super) fn names_of(scene: &Scene, group: &Group) -> Both {
     let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
-        [one] => format!(" {one}"),
-        _ => format!("s {}", names.join(", ")),
+        [one] => Both::same(format!(" {one}")),
+        _ => both!("s {}", " {}", names.join(", ")),
     }
 }

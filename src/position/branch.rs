@@ -2,7 +2,7 @@
 
 use super::Pose;
 use super::shape::given_at;
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::number::Real;
 use crate::scene::{LinkId, PointId, Scene, Side};
@@ -48,7 +48,7 @@ pub(super) fn choose<N: Real>(
     placed: &[Option<Point<N>>],
     trials: &[Trial<N>],
     instead: usize,
-    link_names: &dyn Fn() -> String,
+    link_names: &dyn Fn() -> Both,
 ) -> Result<Choice, Diagnostic> {
     if trials.len() < 2 || trials.iter().all(|t| t.points == trials[0].points && t.poses == trials[0].poses) {
         return Ok(Choice::default());
@@ -75,12 +75,13 @@ pub(super) fn choose<N: Real>(
         if kept.is_empty() {
             return Err(Diagnostic::error(
                 "side-impossible",
-                format!(
+                both!(
                     "in none of the {} assemblies of link{} does {} lie to the {} of {}{}",
+                    "构件{1}的 {0} 种装配中，{2} 都不在 {4}{5} 的{3}",
                     trials.len(),
                     link_names(),
                     scene.point_name(side.point),
-                    if side.left { "left" } else { "right" },
+                    turned(side),
                     scene.point_name(side.from),
                     scene.point_name(side.to)
                 ),
@@ -104,7 +105,7 @@ pub(super) fn choose<N: Real>(
         if trials[0].points.iter().any(|(p, _)| sketch(*p).is_some()) {
             let pick = left.iter().copied().min_by(|a, b| (cost(*a) - cost(*b)).approx().total_cmp(&0.0)).expect("at least two are left");
             let note = idle.map(|side| {
-                let message = format!("{}; \"sketch\" decides", fits_all(scene, side, left.len(), &link_names()));
+                let message = both!("{}; \"sketch\" decides", "{}；由 \"sketch\" 确定", fits_all(scene, side, left.len(), &link_names()));
                 Diagnostic::note("side-undecided", message).at(side.span)
             });
             return Ok(Choice { pick, open: 0, note });
@@ -123,20 +124,32 @@ pub(super) fn choose<N: Real>(
         });
         let (which, hint) = match moved {
             Some((p, at, other)) => (
-                format!("the one with {p} at {} was taken, not the one with {p} at {}", place(scene, at), place(scene, other)),
-                format!("a rough place of {p} in \"sketch\""),
+                both!(
+                    "the one with {p} at {} was taken, not the one with {p} at {}",
+                    "取 {p} 在 {} 的一种，而不是在 {} 的一种",
+                    place(scene, at),
+                    place(scene, other)
+                ),
+                both!("a rough place of {p} in \"sketch\"", "\"sketch\" 中 {p} 的大致位置"),
             ),
-            None => ("the first was taken".to_string(), "rough places in \"sketch\"".to_string()),
+            None => (both!("the first was taken", "取第一种"), both!("rough places in \"sketch\"", "\"sketch\" 中的大致位置")),
         };
         match idle {
             Some(side) => {
-                let message = format!("{}: {which}", fits_all(scene, side, left.len(), &link_names()));
-                Diagnostic::note("side-undecided", message).at(side.span).help(format!("name another line in \"side\", or {hint}"))
+                let message = both!("{}: {}", "{}：{}", fits_all(scene, side, left.len(), &link_names()), which);
+                Diagnostic::note("side-undecided", message).at(side.span).help(both!(
+                    "name another line in \"side\", or {}",
+                    "请在 \"side\" 中另写一条直线，或给出{}",
+                    hint
+                ))
             }
             None => {
-                let all = format!("link{} can be assembled in {} ways", link_names(), left.len());
-                Diagnostic::note("assembly-by-default", format!("{all} and the scene does not say which: {which}"))
-                    .help(format!("say it with \"side\" or {hint}"))
+                let all = both!("link{} can be assembled in {} ways", "构件{}有 {} 种装配", link_names(), left.len());
+                Diagnostic::note(
+                    "assembly-by-default",
+                    both!("{} and the scene does not say which: {}", "{}，机构文件没有说明取哪一种：{}", all, which),
+                )
+                .help(both!("say it with \"side\" or {}", "请用 \"side\" 说明，或给出{}", hint))
             }
         }
     };
@@ -155,10 +168,18 @@ fn falls_together<N: Real>(placed: &[Option<Point<N>>], trial: &Trial<N>) -> boo
 }
 
 /// That a side is true of all the assemblies that are left.
-fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &str) -> String {
+fn turned(side: &Side) -> Both {
+    if side.left { both!("left", "左侧") } else { both!("right", "右侧") }
+}
+
+fn fits_all(scene: &Scene, side: &Side, ways: usize, links: &Both) -> Both {
     let [point, from, to] = [side.point, side.from, side.to].map(|p| scene.point_name(p));
-    let turned = if side.left { "left" } else { "right" };
-    format!("{point} lies to the {turned} of {from}{to} in all {ways} assemblies of link{links}: this side does not decide")
+    both!(
+        "{point} lies to the {0} of {from}{to} in all {ways} assemblies of link{1}: this side does not decide",
+        "构件{1}的 {ways} 种装配中 {point} 都在 {from}{to} 的{0}：这个 side 不起作用",
+        turned(side),
+        links
+    )
 }
 
 fn place(scene: &Scene, p: Point) -> String {

@@ -3,7 +3,7 @@
 
 use super::Configuration;
 use super::assemble::{Assembly, names_of};
-use crate::diag::{Diagnostic, Faults, Severity, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Severity, Warned, both};
 use crate::mechanism::{Demand, Mechanism};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::scene::Scene;
@@ -34,11 +34,16 @@ pub fn configure(scene: &Scene, mechanism: &Mechanism, demand: &Demand) -> Resul
         a.go(demand).closed().and_then(Assembly::finish).ok()
     });
     found.ok_or_else(|| {
-        let names: Vec<String> = first.open.iter().map(|(g, _)| format!("link{}", names_of(scene, &mechanism.groups[*g]))).collect();
-        let hint = format!("or say with \"side\" or \"sketch\" which assembly of {} is meant", names.join(", of "));
+        let names: Vec<Both> = first.open.iter().map(|(g, _)| both!("link{}", "构件{}", names_of(scene, &mechanism.groups[*g]))).collect();
+        let names = Both::join(&names, ", of ", "、");
+        let hint = both!(
+            "or say with \"side\" or \"sketch\" which assembly of {} is meant",
+            "或用 \"side\" 或 \"sketch\" 说明{}取哪一种装配",
+            names
+        );
         let mut faults = first.faults;
         for d in faults.list.iter_mut().filter(|d| does_not_close(d)) {
-            d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| format!("{h}; {hint}")));
+            d.help = Some(d.help.take().map_or_else(|| hint.clone(), |h| both!("{}; {}", "{}；{}", h, hint)));
         }
         faults
     })

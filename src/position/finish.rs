@@ -2,7 +2,7 @@
 
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Shapes};
-use crate::diag::{Diagnostic, Faults, Span, Warned};
+use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
 use crate::number::Real;
@@ -84,7 +84,7 @@ impl Assembly<'_, f64> {
         let d = match &guide.path {
             GuidePath::Line { direction: Direction::Along(a, b, _), .. } => {
                 let (a, b) = (self.scene.point_name(*a), self.scene.point_name(*b));
-                self.degenerate(g, &format!("{a} and {b} coincide"))
+                self.degenerate(g, both!("{a} and {b} coincide", "{a} 与 {b} 重合"))
             }
             _ => match self.need_guide(g) {
                 Err(d) => d,
@@ -111,24 +111,29 @@ impl Assembly<'_, f64> {
                 self.faults.push(
                     Diagnostic::error(
                         "pin-off-guide",
-                        format!(
+                        both!(
                             "pin {} lies {} beside its guide on link {}",
+                            "销 {} 偏离构件 {2} 上的导路 {1}",
                             self.scene.point_name(p),
                             self.scene.length_words(off),
                             self.scene.link_name(guide.on)
                         ),
                     )
                     .at(guide.span)
-                    .help("correct its coordinates or the guide, or leave out what can be derived"),
+                    .help(both!(
+                        "correct its coordinates or the guide, or leave out what can be derived",
+                        "请改正其坐标或导路，或去掉可推出的数据"
+                    )),
                 );
             } else if off > told_apart(extent, at) {
                 let what = match guide.path {
-                    GuidePath::Arc { .. } => "the radius is what they make it",
-                    GuidePath::Line { .. } => "the guide runs through them",
+                    GuidePath::Arc { .. } => both!("the radius is what they make it", "半径由坐标确定"),
+                    GuidePath::Line { .. } => both!("the guide runs through them", "导路通过该处"),
                 };
                 self.notes.push(given_twice(
-                    format!(
+                    both!(
                         "pin {} lies {} beside its guide on link {}",
+                        "销 {} 偏离构件 {2} 上的导路 {1}",
                         self.scene.point_name(p),
                         self.scene.length_words(off),
                         self.scene.link_name(guide.on)
@@ -147,25 +152,30 @@ impl Assembly<'_, f64> {
                     self.faults.push(
                         Diagnostic::error(
                             "pin-off-link",
-                            format!(
+                            both!(
                                 "{} lies {} from where the data of link {} put it",
+                                "{} 与按构件 {2} 的数据所得位置相差 {1}",
                                 self.scene.point_name(*p),
                                 self.scene.length_words(off),
                                 self.scene.links[l].name
                             ),
                         )
                         .at(self.scene.points[p.0].span)
-                        .help("coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\""),
+                        .help(both!(
+                            "coordinates and lengths contradict each other: leave one out, or move rough coordinates to \"sketch\"",
+                            "坐标与长度相矛盾：请去掉其一，或把粗略坐标移到 \"sketch\""
+                        )),
                     );
                 } else if off > told_apart(extent, at) {
                     self.notes.push(given_twice(
-                        format!(
+                        both!(
                             "{} lies {} from where the data of link {} put it",
+                            "{} 与按构件 {2} 的数据所得位置相差 {1}",
                             self.scene.point_name(*p),
                             self.scene.length_words(off),
                             self.scene.links[l].name
                         ),
-                        "the lengths are what they make them",
+                        both!("the lengths are what they make them", "长度由坐标确定"),
                         self.scene.points[p.0].span,
                     ));
                 }
@@ -178,8 +188,13 @@ impl Assembly<'_, f64> {
             if off > told_apart(extent, a) {
                 let (na, nb) = (self.scene.point_name(length.a), self.scene.point_name(length.b));
                 self.notes.push(given_twice(
-                    format!("{na}{nb} = {} is {} off what the coordinates make it", length.value.text, self.scene.length_words(off)),
-                    "the length is what they make it",
+                    both!(
+                        "{na}{nb} = {} is {} off what the coordinates make it",
+                        "{na}{nb} = {} 与坐标所定的值相差 {}",
+                        length.value.text,
+                        self.scene.length_words(off)
+                    ),
+                    both!("the length is what they make it", "长度由坐标确定"),
                     length.value.span,
                 ));
             }
@@ -191,8 +206,13 @@ impl Assembly<'_, f64> {
             if off > TOLD_APART && off <= SAME_PLACE {
                 let link = self.scene.link_name(*link);
                 self.notes.push(given_twice(
-                    format!("the driver's angle {} is {} rad off the coordinates of link {link}", angle.text, significant(off, 2)),
-                    "the angle is what they make it",
+                    both!(
+                        "the driver's angle {} is {} rad off the coordinates of link {link}",
+                        "原动件角度 {} 与构件 {link} 的坐标相差 {} rad",
+                        angle.text,
+                        significant(off, 2)
+                    ),
+                    both!("the angle is what they make it", "角度由坐标确定"),
                     angle.span,
                 ));
             }
@@ -200,10 +220,15 @@ impl Assembly<'_, f64> {
                 self.faults.push(
                     Diagnostic::error(
                         "contradictory-angle",
-                        format!("the driver's angle {} contradicts the coordinates of link {}", angle.text, self.scene.link_name(*link)),
+                        both!(
+                            "the driver's angle {} contradicts the coordinates of link {}",
+                            "原动件角度 {} 与构件 {} 的坐标相矛盾",
+                            angle.text,
+                            self.scene.link_name(*link)
+                        ),
                     )
                     .at(angle.span)
-                    .help("leave one of the two out"),
+                    .help(both!("leave one of the two out", "请去掉其中一个")),
                 );
             }
         }
@@ -230,8 +255,17 @@ fn told_apart(extent: f64, at: Point) -> f64 {
 }
 
 /// What is said where two descriptions agree to what a person types, but not to the digits that are certified.
-fn given_twice(how: String, so: &str, span: Span) -> Diagnostic {
-    Diagnostic::note("given-twice", format!("{how}: the coordinates are taken, and {so}; all digits are those of the coordinates")).at(span)
+fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
+    Diagnostic::note(
+        "given-twice",
+        both!(
+            "{}: the coordinates are taken, and {}; all digits are those of the coordinates",
+            "{}：取坐标值，{}；全部数字均按坐标计算",
+            how,
+            so
+        ),
+    )
+    .at(span)
 }
 
 /// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.

@@ -6,7 +6,7 @@ use super::assemble::Assembly;
 use super::branch::Trial;
 use super::shape::given_at;
 use super::{Configuration, Pose, Shapes, newton};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::mechanism::{Constraint, Group, Node};
 use crate::number::Real;
@@ -19,10 +19,13 @@ impl<N: Real> Assembly<'_, N> {
             return self.coupled_trial(group, meant);
         }
         let names: Vec<_> = group.links.iter().map(|l| self.scene.link_name(*l)).collect();
-        let lacking = |what: &str| {
-            Diagnostic::error("sketch-needed", format!("links {} can only be placed from a rough pose: {what}", names.join(", ")))
-                .at(self.scene.links[group.links[0].0].span)
-                .help("give rough coordinates of their joints in \"sketch\"")
+        let lacking = |what: Both| {
+            Diagnostic::error(
+                "sketch-needed",
+                both!("links {} can only be placed from a rough pose: {}", "构件 {} 只能由大致位置求解：{}", names.join(", "), what),
+            )
+            .at(self.scene.links[group.links[0].0].span)
+            .help(both!("give rough coordinates of their joints in \"sketch\"", "请在 \"sketch\" 中给出各铰链的大致坐标"))
         };
         let rough = |p: PointId| {
             self.points[p.0]
@@ -32,7 +35,8 @@ impl<N: Real> Assembly<'_, N> {
         };
         let mut start = self.snapshot();
         for &p in &group.pins {
-            start.points[p.0] = Some(rough(p).ok_or_else(|| lacking(&format!("{} is not sketched", self.scene.point_name(p))))?);
+            start.points[p.0] =
+                Some(rough(p).ok_or_else(|| lacking(both!("{} is not sketched", "{} 没有大致位置", self.scene.point_name(p))))?);
         }
         let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.locked(self.m.constraints[c])).collect();
         for &l in &group.links {
@@ -48,26 +52,34 @@ impl<N: Real> Assembly<'_, N> {
             let known: Vec<(Point, Point)> =
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
             let [a, .., b] = known[..] else {
-                return Err(lacking(&format!("link {} has fewer than two placed points", self.scene.link_name(l))));
+                return Err(lacking(both!(
+                    "link {} has fewer than two placed points",
+                    "构件 {} 已有位置的点不足两个",
+                    self.scene.link_name(l)
+                )));
             };
             start.poses[l.0] = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1);
             if start.poses[l.0].is_none() {
-                return Err(lacking(&format!("the sketched points of link {} coincide", self.scene.link_name(l))));
+                return Err(lacking(both!("the sketched points of link {} coincide", "构件 {} 的草图点重合", self.scene.link_name(l))));
             }
         }
         let drivers = self.driver_values(&start);
         if let Some(c) = group.constraints.iter().find(|c| self.lays(self.m.constraints[**c]).is_some_and(|g| self.guides[g.0].is_none())) {
             let on = self.m.ends(self.scene, self.m.constraints[*c]).1;
-            return Err(lacking(&format!(
+            return Err(lacking(both!(
                 "a guide on {} is given at the instant only, which does not fix it in that link",
+                "{}上的导路只给定了该时刻的方向，并未在其中固定",
                 self.node_name(on)
             )));
         }
         let system = newton::System::new(self.scene, self.m, &start.shapes, &start, &[index]).at_instant();
         let (poses, points) = system.solve(&start, &drivers).ok_or_else(|| {
-            Diagnostic::error("no-convergence", format!("links {} were not brought together from the sketch", names.join(", ")))
-                .at(self.scene.links[group.links[0].0].span)
-                .help("improve the sketch, or check whether the lengths can be assembled")
+            Diagnostic::error(
+                "no-convergence",
+                both!("links {} were not brought together from the sketch", "由草图未能求得构件 {} 的装配位置", names.join(", ")),
+            )
+            .at(self.scene.links[group.links[0].0].span)
+            .help(both!("improve the sketch, or check whether the lengths can be assembled", "请改进草图，或检查各长度能否装配"))
         })?;
         let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at.lift()))).collect();
         let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose.lift()))).collect();
@@ -90,10 +102,10 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    fn node_name(&self, n: Node) -> String {
+    fn node_name(&self, n: Node) -> Both {
         match n {
-            Node::Link(l) => format!("link {}", self.scene.link_name(l)),
-            Node::Pin(p) => self.scene.point_name(p).into(),
+            Node::Link(l) => both!("link {}", "构件 {} ", self.scene.link_name(l)),
+            Node::Pin(p) => Both::same(self.scene.point_name(p)),
         }
     }
 

@@ -6,7 +6,7 @@ use super::proof::Unproven;
 use super::shape::{Frame, given_at, given_place};
 use super::triad::{self, TriadLeg};
 use super::{Path, Pose};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
@@ -49,10 +49,14 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn no_closure(&self, link: LinkId) -> Diagnostic {
         Diagnostic::error(
             "no-closed-form",
-            format!("link {} is held in a way for which a rough pose is needed", self.scene.link_name(link)),
+            both!(
+                "link {} is held in a way for which a rough pose is needed",
+                "构件 {} 的约束方式需要给出大致位置",
+                self.scene.link_name(link)
+            ),
         )
         .at(self.scene.links[link.0].span)
-        .help("give the coordinates of its joints at the instant in \"points\"")
+        .help(both!("give the coordinates of its joints at the instant in \"points\"", "请在 \"points\" 中给出该时刻各铰链的坐标"))
     }
 
     /// Direction of a link's frame, from the link whose turning it shares or against which a driver turns it.
@@ -68,10 +72,16 @@ impl<N: Real> Assembly<'_, N> {
             return if shape.frame == Frame::Body {
                 Err(Diagnostic::error(
                     "angle-not-given",
-                    format!("link {name} keeps its direction, but its angle against the guide is not given"),
+                    both!(
+                        "link {name} keeps its direction, but its angle against the guide is not given",
+                        "构件 {name} 的方向不变，但与导路的夹角未给定"
+                    ),
                 )
                 .at(self.scene.links[link.0].span)
-                .help("give the coordinates of two of its points at the instant in \"points\""))
+                .help(both!(
+                    "give the coordinates of two of its points at the instant in \"points\"",
+                    "请在 \"points\" 中给出其上两点在该时刻的坐标"
+                )))
             } else {
                 Ok(Vec2::unit_x())
             };
@@ -80,7 +90,7 @@ impl<N: Real> Assembly<'_, N> {
             unreachable!("an angle comes from a turning driver or a slider")
         };
         let Some(angle) = angle else {
-            return Err(self.driver_without_value(d, "angle", &format!("at which angle link {name} stands")));
+            return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
         };
         let own = match line {
             Some((a, b)) => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
@@ -101,9 +111,15 @@ impl<N: Real> Assembly<'_, N> {
         };
         let (s, c) = self.inputs.driven_sin_cos(&self.scene.drivers[d], angle);
         own.zip(base).and_then(|(own, base)| Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()).ok_or_else(|| {
-            Diagnostic::error("angle-of-nothing", format!("the angle of link {name} has no line to count from"))
-                .at(angle.span)
-                .help("name two different points of the link with \"line\" (and \"against_line\")")
+            Diagnostic::error(
+                "angle-of-nothing",
+                both!("the angle of link {name} has no line to count from", "构件 {name} 的角度没有可量取的直线"),
+            )
+            .at(angle.span)
+            .help(both!(
+                "name two different points of the link with \"line\" (and \"against_line\")",
+                "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
+            ))
         })
     }
 
@@ -119,13 +135,17 @@ impl<N: Real> Assembly<'_, N> {
             } else {
                 Err(Diagnostic::error(
                     "guide-not-placed",
-                    format!(
+                    both!(
                         "the guide on link {} is given at the instant only, which does not fix it in that link",
+                        "构件 {} 上的导路只给定了该时刻的方向，在该构件中并未固定",
                         self.scene.link_name(link)
                     ),
                 )
                 .at(self.scene.guides[guide.0].span)
-                .help("give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates"))
+                .help(both!(
+                    "give it by \"line\", \"angle\" and \"through\" with points of the link, or the link's points by coordinates",
+                    "请用该构件上的点给出 \"line\"、\"angle\" 和 \"through\"，或用坐标给出该构件的点"
+                )))
             };
         };
         let places = match path {
@@ -146,7 +166,7 @@ impl<N: Real> Assembly<'_, N> {
                     .into_iter()
                     .map(|at| {
                         Pose::from_point_and_direction(d, centre - d, pivot_at, at - pivot_at)
-                            .ok_or_else(|| self.degenerate(guide, "its centre lies on the pivot"))
+                            .ok_or_else(|| self.degenerate(guide, both!("its centre lies on the pivot", "其圆心在铰链中心上")))
                     })
                     .collect();
             }
@@ -157,7 +177,12 @@ impl<N: Real> Assembly<'_, N> {
                 Pose::from_point_and_direction(d, local - d, pivot_at, to_pin).ok_or_else(|| {
                     self.degenerate(
                         guide,
-                        &format!("pin {} lies on the pivot {}", self.scene.point_name(runner), self.scene.point_name(pivot)),
+                        both!(
+                            "pin {} lies on the pivot {}",
+                            "销 {} 在铰链 {} 的中心上",
+                            self.scene.point_name(runner),
+                            self.scene.point_name(pivot)
+                        ),
                     )
                 })
             })
@@ -171,13 +196,14 @@ impl<N: Real> Assembly<'_, N> {
         };
         Diagnostic::error(
             "cannot-assemble",
-            format!(
+            both!(
                 "the slot of link {} cannot reach pin {r}: {p}{r} is {by} short of the slot's distance from {p}",
+                "构件 {} 的导槽够不到销 {r}：{p}{r} 比导槽到 {p} 的距离短 {by}",
                 self.scene.link_name(link)
             ),
         )
         .at(self.scene.links[link.0].span)
-        .help("change the slot's offset, a length, or the driver's position")
+        .help(both!("change the slot's offset, a length, or the driver's position", "请改变导槽的偏距、某一长度或原动件的位置"))
     }
 
     fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
@@ -203,13 +229,16 @@ impl<N: Real> Assembly<'_, N> {
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
-                Miss::Parallel(0.0) => "its two guides run parallel".to_string(),
+                Miss::Parallel(0.0) => both!("its two guides run parallel", "它的两条导路平行"),
                 Miss::TooFar(x) | Miss::TooNear(x) | Miss::Parallel(x) => {
-                    format!("its two joints miss each other by {}", self.scene.length_words(x))
+                    both!("its two joints miss each other by {}", "它的两个运动副相差 {}", self.scene.length_words(x))
                 }
             };
-            Diagnostic::error("cannot-assemble", format!("link {} cannot be placed: {how}", self.scene.link_name(link)))
-                .at(self.scene.links[link.0].span)
+            Diagnostic::error(
+                "cannot-assemble",
+                both!("link {} cannot be placed: {}", "构件 {} 无法装配：{}", self.scene.link_name(link), how),
+            )
+            .at(self.scene.links[link.0].span)
         })?;
         Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect())
     }
@@ -263,12 +292,17 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn unproven(&self, links: &[LinkId], why: Unproven) -> Diagnostic {
         let names: Vec<_> = links.iter().map(|l| self.scene.link_name(*l)).collect();
         let why = match why {
-            Unproven::NoRoot => "Newton's method does not settle",
-            Unproven::NotUnique => "another assembly may lie closer than the numbers can tell",
-            Unproven::NotWritten => "its pose is not told by lengths and drivers alone",
+            Unproven::NoRoot => both!("Newton's method does not settle", "牛顿法不收敛"),
+            Unproven::NotUnique => {
+                both!("another assembly may lie closer than the numbers can tell", "另一种装配可能过于接近，数值无法区分")
+            }
+            Unproven::NotWritten => both!("its pose is not told by lengths and drivers alone", "仅由长度和原动件不能确定其位置"),
         };
-        Diagnostic::error("not-proved", format!("the assembly of link {} is not proved: {why}", names.join(", ")))
-            .at(self.scene.links[links[0].0].span)
+        Diagnostic::error(
+            "not-proved",
+            both!("the assembly of link {} is not proved: {}", "构件 {} 的装配未能证明：{}", names.join(", "), why),
+        )
+        .at(self.scene.links[links[0].0].span)
     }
 
     fn poses_of_triad(&self, link: LinkId, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
@@ -284,10 +318,14 @@ impl<N: Real> Assembly<'_, N> {
         if found.is_empty() {
             return Err(Diagnostic::error(
                 "cannot-assemble",
-                format!("link {} cannot be placed on its three legs in any position", self.scene.link_name(link)),
+                both!(
+                    "link {} cannot be placed on its three legs in any position",
+                    "构件 {} 的三条支链在任何位置都不能装配",
+                    self.scene.link_name(link)
+                ),
             )
             .at(self.scene.links[link.0].span)
-            .help("change a length of the group or the driver's position"));
+            .help(both!("change a length of the group or the driver's position", "请改变该杆组的某一长度或原动件的位置")));
         }
         Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
     }

@@ -3,7 +3,7 @@
 use super::Path;
 use super::assemble::Assembly;
 use super::kernel::{self, Locus, Miss};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::mechanism::{Entry, Hold, Leg, Strut};
 use crate::number::Real;
@@ -25,9 +25,12 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     pub(super) fn not_placed(&self, pin: PointId, link: LinkId) -> Diagnostic {
-        Diagnostic::error("not-placed", format!("{} is not placed on link {}", self.scene.point_name(pin), self.scene.link_name(link)))
-            .at(self.scene.points[pin.0].span)
-            .help("give a length, or its coordinates in \"points\"")
+        Diagnostic::error(
+            "not-placed",
+            both!("{} is not placed on link {}", "{} 在构件 {} 上的位置未定", self.scene.point_name(pin), self.scene.link_name(link)),
+        )
+        .at(self.scene.points[pin.0].span)
+        .help(both!("give a length, or its coordinates in \"points\"", "请给出长度，或在 \"points\" 中给出其坐标"))
     }
 
     fn locus_of_pin(&self, hold: &Hold) -> Result<Locus<N>, Diagnostic> {
@@ -61,7 +64,7 @@ impl<N: Real> Assembly<'_, N> {
     fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
             DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], l)),
-            _ => Err(self.driver_without_value(driver, "length", "how long the cylinder is")),
+            _ => Err(self.driver_without_value(driver, "length", both!("how long the cylinder is", "液压缸的长度"))),
         }
     }
 
@@ -69,7 +72,7 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn way_along(&self, driver: usize) -> Result<N, Diagnostic> {
         match &self.scene.drivers[driver].kind {
             DriverKind::Slide { position: Some(s), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], s)),
-            _ => Err(self.driver_without_value(driver, "position", "how far the slider is along its guide")),
+            _ => Err(self.driver_without_value(driver, "position", both!("how far the slider is along its guide", "滑块在导路上的位置"))),
         }
     }
 
@@ -83,29 +86,30 @@ impl<N: Real> Assembly<'_, N> {
         let (wa, wb) = (self.hold_words(pin, a), self.hold_words(pin, b));
         let p = self.scene.point_name(pin);
         let how = match miss {
-            Miss::TooFar(x) => format!("they end {} apart", self.scene.length_words(x)),
-            Miss::TooNear(x) => format!("one is {} too long for the other", self.scene.length_words(x)),
-            Miss::Parallel(0.0) => "they coincide, so that the joint's place is undetermined".to_string(),
-            Miss::Parallel(x) => format!("they run parallel, {} apart", self.scene.length_words(x)),
+            Miss::TooFar(x) => both!("they end {} apart", "两端相距 {}", self.scene.length_words(x)),
+            Miss::TooNear(x) => both!("one is {} too long for the other", "其一比另一长出 {}", self.scene.length_words(x)),
+            Miss::Parallel(0.0) => both!("they coincide, so that the joint's place is undetermined", "两者重合，铰链位置不定"),
+            Miss::Parallel(x) => both!("they run parallel, {} apart", "两者平行，相距 {}", self.scene.length_words(x)),
         };
-        let d = Diagnostic::error("cannot-assemble", format!("{wa} and {wb} cannot meet at {p}: {how}")).at(self.scene.points[pin.0].span);
-        d.help("change a length, the driver's position, or a pivot")
+        let d = Diagnostic::error("cannot-assemble", both!("{} and {} cannot meet at {p}: {}", "{}与{}不能在 {p} 相交：{}", wa, wb, how))
+            .at(self.scene.points[pin.0].span);
+        d.help(both!("change a length, the driver's position, or a pivot", "请改变某一长度、原动件的位置或固定铰链"))
     }
 
-    fn hold_words(&self, pin: PointId, hold: &Hold) -> String {
+    fn hold_words(&self, pin: PointId, hold: &Hold) -> Both {
         let (p, name) = (self.scene.point_name(pin), |l: LinkId| self.scene.link_name(l));
         match *hold {
             Hold::Distance { near, far, strut } => {
                 let length = self.strut_length(near, far, strut).map_or(0.0, Real::approx);
                 let (far, length) = (self.scene.point_name(far), self.scene.length_words(length));
                 match strut {
-                    Strut::Bar(link) => format!("link {} ({far}{p} = {length})", name(link)),
-                    Strut::Cylinder(_) => format!("the cylinder {far}{p} ({length})"),
-                    Strut::Ram { link, .. } => format!("link {}", name(link)),
+                    Strut::Bar(link) => both!("link {} ({far}{p} = {length})", "构件 {}（{far}{p} = {length}）", name(link)),
+                    Strut::Cylinder(_) => both!("the cylinder {far}{p} ({length})", "液压缸 {far}{p}（{length}）"),
+                    Strut::Ram { link, .. } => both!("link {}", "构件 {} ", name(link)),
                 }
             }
-            Hold::Guide { guide, .. } => format!("the guide on link {}", name(self.scene.guides[guide.0].on)),
-            Hold::Slot { .. } | Hold::Glide { .. } => format!("the joint at {p}"),
+            Hold::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", name(self.scene.guides[guide.0].on)),
+            Hold::Slot { .. } | Hold::Glide { .. } => both!("the joint at {p}", "{p} 处的运动副"),
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use super::Path;
 use super::kernel::{Locus, Miss, meet};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Mechanism;
 use crate::number::Real;
@@ -171,12 +171,24 @@ fn pick_side(scene: &Scene, p: PointId, a: PointId, b: PointId) -> usize {
 fn impossible_triangle(scene: &Scene, l: LinkId, p: PointId, a: PointId, b: PointId, miss: Miss) -> Diagnostic {
     let (p, a, b) = (scene.point_name(p), scene.point_name(a), scene.point_name(b));
     let by = match miss {
-        Miss::TooFar(x) => format!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", scene.length_words(x)),
-        Miss::TooNear(x) => format!("one of {a}{p}, {p}{b} is longer than the two other sides together by {}", scene.length_words(x)),
-        Miss::Parallel(_) => format!("{a} and {b} coincide"),
+        Miss::TooFar(x) => both!("{a}{p} + {p}{b} is shorter than {a}{b} by {}", "{a}{p} + {p}{b} 比 {a}{b} 短 {}", scene.length_words(x)),
+        Miss::TooNear(x) => both!(
+            "one of {a}{p}, {p}{b} is longer than the two other sides together by {}",
+            "{a}{p}、{p}{b} 之一比另两边之和长 {}",
+            scene.length_words(x)
+        ),
+        Miss::Parallel(_) => both!("{a} and {b} coincide", "{a} 与 {b} 重合"),
     };
-    Diagnostic::error("impossible-triangle", format!("the lengths of link {} make no triangle {a}{b}{p}: {by}", scene.link_name(l)))
-        .at(scene.links[l.0].span)
+    Diagnostic::error(
+        "impossible-triangle",
+        both!(
+            "the lengths of link {} make no triangle {a}{b}{p}: {}",
+            "构件 {} 的长度不能构成三角形 {a}{b}{p}：{}",
+            scene.link_name(l),
+            by
+        ),
+    )
+    .at(scene.links[l.0].span)
 }
 
 fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N>)], p: PointId) -> Diagnostic {
@@ -184,13 +196,26 @@ fn missing_length<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Point<N
     let given: Vec<PointId> = points.iter().map(|(q, _)| *q).filter(|q| given_length(scene, *q, p).is_some()).collect();
     let missing: Vec<String> =
         points.iter().filter(|(q, _)| !given.contains(q)).map(|(q, _)| format!("{}{name}", scene.point_name(*q))).collect();
-    let wanted = if points.len() >= 2 { "two lengths to points of the link" } else { "its length" };
+    let wanted = if points.len() >= 2 {
+        both!("two lengths to points of the link", "到该构件上两点的长度")
+    } else {
+        both!("its length", "其长度")
+    };
     Diagnostic::error(
         "missing-length",
-        format!("point {name} of link {} is not placed: give {wanted} ({})", scene.link_name(l), missing.join(", ")),
+        both!(
+            "point {name} of link {} is not placed: give {} ({})",
+            "构件 {} 的点 {name} 位置未定：请给出{}（{}）",
+            scene.link_name(l),
+            wanted,
+            missing.join(", ")
+        ),
     )
     .at(scene.links[l.0].span)
-    .help(format!("or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"))
+    .help(both!(
+        "or its coordinates in \"points\", such as \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}",
+        "或在 \"points\" 中给出其坐标，如 \"{name}\": {{\"base\": ..., \"x\": ..., \"y\": ...}}"
+    ))
 }
 
 /// Two descriptions of one length must agree to what a person writes.
@@ -208,8 +233,9 @@ fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Po
             faults.push(
                 Diagnostic::error(
                     "contradictory-length",
-                    format!(
+                    both!(
                         "{}{} is given as {}, but the other data of link {} make it {}",
+                        "{}{} 给定为 {}，而按构件 {} 的其他数据应为 {}",
                         scene.point_name(given.a),
                         scene.point_name(given.b),
                         given.value.text,
@@ -218,7 +244,10 @@ fn check_given_lengths<N: Real>(scene: &Scene, l: LinkId, points: &[(PointId, Po
                     ),
                 )
                 .at(given.value.span)
-                .help("leave one of the two out; rough coordinates belong in \"sketch\""),
+                .help(both!(
+                    "leave one of the two out; rough coordinates belong in \"sketch\"",
+                    "请去掉其一；粗略坐标应写在 \"sketch\" 中"
+                )),
             );
         }
     }

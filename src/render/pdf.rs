@@ -18,7 +18,7 @@ use krilla::tagging::{Artifact, ArtifactType, ContentTag, Node, Tag, TagGroup, T
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document};
 
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
 use crate::figure::font::FaceKey;
@@ -121,13 +121,16 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     for page in pages {
         let (w, h) = (page.width_mm, page.height_mm);
         if !(w > 0.0 && h > 0.0 && w <= SIDE_MAX_MM && h <= SIDE_MAX_MM) {
-            let help = format!("a page of a PDF is at most {SIDE_MAX_MM} mm long and wide");
-            faults.push(Diagnostic::error("page-size", format!("the page is {w} mm by {h} mm")).help(help));
+            let help = both!("a page of a PDF is at most {SIDE_MAX_MM} mm long and wide", "PDF 页面的边长不超过 {SIDE_MAX_MM} mm");
+            faults.push(Diagnostic::error("page-size", both!("the page is {w} mm by {h} mm", "页面为 {w} mm × {h} mm")).help(help));
         }
         for item in page.parts.iter().flat_map(|p| &p.items) {
             if !item.is_finite() {
                 let name = if item.id.is_empty() { &item.class } else { &item.id };
-                faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
+                faults.push(Diagnostic::error(
+                    "not-finite",
+                    both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
+                ));
             }
             if let Shape::Label { label, .. } = &item.shape {
                 let set = text::set(label);
@@ -141,8 +144,8 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
         match Font::new(Data::from(face.bytes()), 0) {
             Some(font) => drop(fonts.insert(key, font)),
             None => {
-                let d = Diagnostic::error("font", format!("the font {face:?} cannot be put into a PDF"));
-                faults.push(d.help("write an SVG or a PNG, or give another font"));
+                let d = Diagnostic::error("font", both!("the font {face:?} cannot be put into a PDF", "字体 {face:?} 不能嵌入 PDF"));
+                faults.push(d.help(both!("write an SVG or a PNG, or give another font", "请输出 SVG 或 PNG，或换字体")));
             }
         }
     }
@@ -159,7 +162,7 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
     file.set_tag_tree(TagTree::from(writer.tags).with_lang(Some(lang.to_owned())));
     match file.finish() {
         Ok(value) => Ok(Warned { value, notes: faults.list }),
-        Err(e) => Err(Diagnostic::error("pdf", format!("the PDF cannot be made: {e}")).into()),
+        Err(e) => Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}")).into()),
     }
 }
 

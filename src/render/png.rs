@@ -2,7 +2,7 @@
 
 use resvg::{tiny_skia, usvg};
 
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 
 /// Millimetres of an inch.
 const INCH_MM: f64 = 25.4;
@@ -21,12 +21,18 @@ const SIDE_MAX: f64 = 16384.0;
 /// `png-size` when `dpi` makes no picture or one with a side above 16 384 pixels, `png-svg` when the document cannot be read.
 pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
-        .map_err(|e| Diagnostic::error("png-svg", format!("the SVG document cannot be read: {e}")))?;
+        .map_err(|e| Diagnostic::error("png-svg", both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}")))?;
     let scale = dpi / CSS_DPI;
     let (w, h) = ((f64::from(tree.size().width()) * scale).round(), (f64::from(tree.size().height()) * scale).round());
     let size_fault = || {
-        Diagnostic::error("png-size", format!("at {dpi} dpi the picture would be {w} by {h} pixels; each side may be 1 to {SIDE_MAX}"))
-            .help("choose another resolution")
+        Diagnostic::error(
+            "png-size",
+            both!(
+                "at {dpi} dpi the picture would be {w} by {h} pixels; each side may be 1 to {SIDE_MAX}",
+                "在 {dpi} dpi 下图像为 {w} × {h} 像素；每边应为 1 到 {SIDE_MAX}"
+            ),
+        )
+        .help(both!("choose another resolution", "请改变分辨率"))
     };
     if !(w >= 1.0 && h >= 1.0 && w <= SIDE_MAX && h <= SIDE_MAX) {
         return Err(size_fault());
@@ -35,7 +41,7 @@ pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     pixmap.fill(tiny_skia::Color::WHITE);
     let transform = tiny_skia::Transform::from_scale(w as f32 / tree.size().width(), h as f32 / tree.size().height());
     resvg::render(&tree, transform, &mut pixmap.as_mut());
-    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", format!("the picture cannot be encoded: {e}")))
+    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
 }
 
 fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {

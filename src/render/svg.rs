@@ -13,7 +13,7 @@ use ::svg::Document;
 use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
 use ::svg::node::{Blob, Node, Text};
 
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
 use crate::figure::font::{Cut, Face, FaceKey, Segment};
@@ -59,7 +59,11 @@ pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
 fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
     let mut writer = Writer { height_mm: figure.height_mm, writing, letters: BTreeMap::new(), faults: Faults::default() };
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
-        return Err(Diagnostic::error("not-finite", format!("the paper is {} mm by {} mm", figure.width_mm, figure.height_mm)).into());
+        return Err(Diagnostic::error(
+            "not-finite",
+            both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm),
+        )
+        .into());
     }
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let mut document = Document::new()
@@ -164,7 +168,10 @@ impl Writer {
             return Some(self.item(item));
         }
         let name = if item.id.is_empty() { &item.class } else { &item.id };
-        self.faults.push(Diagnostic::error("not-finite", format!("item `{name}` has a coordinate that is not a number")));
+        self.faults.push(Diagnostic::error(
+            "not-finite",
+            both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
+        ));
         None
     }
 
@@ -569,7 +576,7 @@ mod tests {
         let faults = write(&bad).unwrap_err();
         let codes: Vec<_> = faults.list.iter().map(|d| d.code).collect();
         assert_eq!(codes, ["not-finite", "label-syntax"]);
-        assert!(faults.list[0].message.contains("nan"));
+        assert!(faults.list[0].message.en.contains("nan"));
         let warned = write(&figure(vec![label("v \u{2620}")])).unwrap();
         assert_eq!(warned.notes[0].code, "missing-glyph");
     }

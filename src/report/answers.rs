@@ -102,8 +102,8 @@ pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     let Refused { why, named, words, .. } = &u.refused;
     let names: Vec<_> = named.iter().map(|l| scene.link_name(*l)).collect();
     match (lang, why) {
-        (Lang::En, Refusal::DeadPoint) => format!("dead centre: {words}"),
-        (Lang::En, _) => words.clone(),
+        (Lang::En, Refusal::DeadPoint) => format!("dead centre: {}", words.en),
+        (Lang::En, _) => words.en.clone(),
         (Lang::Zh, Refusal::DeadPoint) => format!("构件{}处于死点位置", names.join("、")),
         (Lang::Zh, Refusal::Locked) => format!("构件{}在该位置被锁住", names.join("、")),
         (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件{}在该位置有多余的自由度", names.join("、")),
@@ -357,7 +357,7 @@ fn singularity(scene: &Scene, s: &Singularity) -> Json {
             SingularKind::Rest => "at-rest",
         },
         "links": s.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
-        "words": s.words,
+        "words": s.words.en,
         "decided": s.decided.map(|d| match d {
             Decided::Side => "side",
             Decided::Sketch => "sketch",
@@ -372,8 +372,8 @@ pub fn diagnostic(d: &Diagnostic) -> Json {
     json!({
         "severity": match d.severity { Severity::Error => "error", Severity::Warning => "warning", Severity::Note => "note" },
         "code": d.code,
-        "message": d.message,
-        "help": d.help,
+        "message": d.message.en,
+        "help": d.help.as_ref().map(|h| &h.en),
         "span": d.span.map(|s| [s.start, s.end]),
     })
 }

@@ -7,7 +7,9 @@ use miette::{
     SourceCode, SourceSpan, SpanContents,
 };
 
-use crate::diag::{Diagnostic, Faults, Severity, Span};
+use super::phrase::tr;
+use crate::diag::{Diagnostic, Faults, Severity, Span, both};
+use crate::scene::Lang;
 
 /// Width of the text in columns: that of a printed listing; terminals are at least this wide, and tests want it fixed.
 const WIDTH: usize = 100;
@@ -23,6 +25,11 @@ const MAX_SHOWN: usize = 100;
 /// A diagnostic whose line is too long to show is printed in one line, `name:line:column: error: ...`. Columns count characters. What a
 /// terminal would obey stands there as a sign ([`visible`]).
 pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
+    render_in(faults, source_name, source, Lang::En)
+}
+
+/// [`render`] in a language.
+pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -> String {
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_links(false).with_width(WIDTH);
     let (seen, source_name) = (visible(source), &*visible(source_name));
     let mut out = String::new();
@@ -35,15 +42,20 @@ pub fn render(faults: &Faults, source_name: &str, source: &str) -> String {
             None => true,
         };
         let mut text = String::new();
-        let report = report(d, span, source_name, if shown { &seen } else { "" });
+        let report = report(d, span, source_name, if shown { &seen } else { "" }, lang);
         if shown && handler.render_report(&mut text, report.as_ref()).is_ok() {
-            out.push_str(text.trim_start_matches('\n'));
+            let text = text.trim_start_matches('\n');
+            match lang {
+                Lang::En => out.push_str(text),
+                // The printer knows this one word of its own, as wide as the Chinese one.
+                Lang::Zh => out.push_str(&text.replace("\n  help: ", "\n  建议：")),
+            }
         } else {
-            out.push_str(&plain(d, span, source_name, &seen));
+            out.push_str(&plain(d, span, source_name, &seen, lang));
         }
     }
     if let Some(more) = faults.list.len().checked_sub(MAX_SHOWN).filter(|n| *n > 0) {
-        out.push_str(&format!("... and {more} more\n"));
+        out.push_str(lang.of(&both!("... and {more} more\n", "……另有 {more} 条\n")));
     }
     out
 }
@@ -90,18 +102,18 @@ fn column(source: &str, at: usize) -> usize {
     line.chars().filter(|c| *c != '\u{feff}').count()
 }
 
-fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str) -> Report {
+fn report(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lang) -> Report {
     let severity = match d.severity {
         Severity::Note => miette::Severity::Advice,
         Severity::Warning => miette::Severity::Warning,
         Severity::Error => miette::Severity::Error,
     };
-    let mut shown = MietteDiagnostic::new(visible(&d.message)).with_code(d.code).with_severity(severity);
+    let mut shown = MietteDiagnostic::new(visible(lang.of(&d.message))).with_code(d.code).with_severity(severity);
     if let Some(help) = &d.help {
-        shown = shown.with_help(visible(help));
+        shown = shown.with_help(visible(lang.of(help)));
     }
     if let Some(s) = span {
-        shown = shown.with_label(LabeledSpan::at(s.start..s.end, "here"));
+        shown = shown.with_label(LabeledSpan::at(s.start..s.end, tr(lang, "here", "此处")));
         return Report::new(shown).with_source_code(NamedSource::new(name, Characters(source.to_owned())));
     }
     Report::new(shown)
@@ -127,16 +139,19 @@ fn line_length(span: Span, source: &str) -> usize {
     source[start..end].split('\n').map(str::len).max().unwrap_or(0)
 }
 
-fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str) -> String {
+fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lang) -> String {
     let kind = match d.severity {
-        Severity::Note => "note",
-        Severity::Warning => "warning",
-        Severity::Error => "error",
+        Severity::Note => tr(lang, "note", "提示"),
+        Severity::Warning => tr(lang, "warning", "警告"),
+        Severity::Error => tr(lang, "error", "错误"),
     };
     let place =
         span.map_or_else(String::new, |s| format!(":{}:{}", source[..s.start].matches('\n').count() + 1, column(source, s.start) + 1));
-    let help = d.help.as_ref().map_or_else(String::new, |h| format!(" ({h})"));
-    visible(&format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, d.message)).into_owned()
+    let help = d.help.as_ref().map_or_else(String::new, |h| match lang {
+        Lang::En => format!(" ({})", h.en),
+        Lang::Zh => format!("（{}）", h.zh),
+    });
+    visible(&format!("{name}{place}: {kind}[{}]: {}{help}\n", d.code, lang.of(&d.message))).into_owned()
 }
 
 #[cfg(test)]

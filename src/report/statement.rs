@@ -1,7 +1,7 @@
 //! The problem's statement as sentences, and what of its mathematics cannot be read.
 
 use super::phrase::{Phrase, Piece};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::label::Label;
 use crate::scene::statement::Run;
 use crate::scene::{Lang, Scene};
@@ -24,8 +24,11 @@ pub fn faults(scene: &Scene) -> Faults {
         let Run::Formula(source, span) = run else { continue };
         for fault in Label::math(source.as_str()).faults() {
             let d = Diagnostic { span: Some(*span), ..fault.clone() };
-            let help =
-                "see the label language: $v_{B3B2}^r$, $\\omega_1$, $b'_2$, $\\text{words}$; a dollar sign that is to be printed is `\\$`";
+            let forms = "$v_{B3B2}^r$, $\\omega_1$, $b'_2$, $\\text{words}$";
+            let help = both!(
+                "see the label language: {forms}; a dollar sign that is to be printed is `\\$`",
+                "参见标注的写法：{forms}；要印出的美元符号写作 `\\$`"
+            );
             // A text that serves for both languages is told of once.
             if !faults.list.iter().any(|f| f.span == d.span && f.message == d.message) {
                 faults.push(d.help(help));

@@ -1,9 +1,10 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
 use super::keys;
+use super::model::Lang;
 use super::raw::*;
-use crate::diag::{Diagnostic, Faults};
-use crate::json::fields::{Fields, list, object, suggest, word, wrong};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::json::fields::{Fields, What, list, object, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
 
 /// More entries of one kind are refused. A textbook mechanism has a dozen links; the solvers' matrices grow with the square
@@ -20,7 +21,7 @@ const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
 pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
-    let f = Fields::open(root, "a scene", keys::SCENE, faults)?;
+    let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
     let mut raw = RawScene::default();
     if let Some(node) = f.get("title") {
         raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
@@ -29,10 +30,10 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         raw.statement = localized(node, "\"statement\"", MAX_STATEMENT, faults);
     }
     for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
-        raw.parameters.extend(quantity(node, &format!("parameter `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
-        raw.units.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
     }
     for (key, node) in entries(f.get("answers"), "\"answers\"", faults) {
         raw.answers.extend(word(node, &format!("unit of `{}`", key.text), faults).map(|w| (key.clone(), w)));
@@ -40,16 +41,18 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     let before = faults.list.len();
     let links = f.need("links", "{\"1\": [\"A\", \"B\"], ...}", faults);
     for (key, node) in entries(links, "\"links\"", faults) {
-        let points = words(Some(node), &format!("link `{}`", key.text), faults);
+        let points = words(Some(node), both!("link `{}`", "构件 `{}`", key.text), faults);
         raw.links.push(RawLink { name: key.clone(), points });
     }
     raw.links_sound = faults.list.len() == before;
-    raw.ground = f.need("ground", "\"4\", the name of the fixed link", faults).and_then(|n| word(n, "\"ground\"", faults));
+    raw.ground = f
+        .need("ground", both!("\"4\", the name of the fixed link", "\"4\"（机架的名称）"), faults)
+        .and_then(|n| word(n, "\"ground\"", faults));
     for (key, node) in entries(f.get("points"), "\"points\"", faults) {
         raw.points.extend(place(node, faults).map(|p| (key.clone(), p)));
     }
     for (key, node) in entries(f.get("lengths"), "\"lengths\"", faults) {
-        raw.lengths.extend(quantity(node, &format!("length `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.lengths.extend(quantity(node, both!("length `{}`", "长度 `{}`", key.text), faults).map(|q| (key.clone(), q)));
     }
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
@@ -57,7 +60,10 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
     match drivers {
         Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
-            faults.push(Diagnostic::error("empty", "\"driver\" is empty: nothing drives the mechanism").at(*span));
+            faults.push(
+                Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
+                    .at(*span),
+            );
         }
         Some(Node { kind: Kind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
@@ -68,10 +74,10 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         None => {}
     }
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
-        raw.sketch.extend(two_quantities(node, &format!("sketch of `{}`", key.text), faults).map(|q| (key.clone(), q)));
+        raw.sketch.extend(two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults).map(|q| (key.clone(), q)));
     }
     for (key, node) in entries(f.get("side"), "\"side\"", faults) {
-        raw.sides.extend(word(node, &format!("side of `{}`", key.text), faults).map(|w| (key.clone(), w)));
+        raw.sides.extend(word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults).map(|w| (key.clone(), w)));
     }
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
     if let Some(node) = f.get("paper") {
@@ -83,42 +89,51 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
 }
 
 /// The members of an optional object, within the limit.
-fn entries<'a>(node: Option<&'a Node>, what: &str, faults: &mut Faults) -> &'a [(Word, Node)] {
-    let members = node.and_then(|n| object(n, what, faults)).unwrap_or_default();
-    let limit = if what == "\"links\"" { MAX_LINKS } else { MAX_ENTRIES };
-    within(members, limit, what, faults, |(key, _)| key.span)
+fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [(Word, Node)] {
+    let what = what.into();
+    let limit = if what.is("\"links\"") { MAX_LINKS } else { MAX_ENTRIES };
+    let members = node.and_then(|n| object(n, &what, faults)).unwrap_or_default();
+    within(members, limit, &what, faults, |(key, _)| key.span)
 }
 
 /// The items of an optional list, within the limit.
-fn items<'a>(node: Option<&'a Node>, what: &str, faults: &mut Faults) -> &'a [Node] {
-    let items = node.and_then(|n| list(n, what, faults)).unwrap_or_default();
-    within(items, MAX_ENTRIES, what, faults, |n| n.span)
+fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+    let what = what.into();
+    let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
+    within(items, MAX_ENTRIES, &what, faults, |n| n.span)
 }
 
-fn within<'a, T>(all: &'a [T], limit: usize, what: &str, faults: &mut Faults, span: impl Fn(&T) -> crate::diag::Span) -> &'a [T] {
+fn within<'a, T>(all: &'a [T], limit: usize, what: &What, faults: &mut Faults, span: impl Fn(&T) -> crate::diag::Span) -> &'a [T] {
     match all.get(limit) {
         None => all,
         Some(first) => {
-            let message = format!("{what} has {} entries; at most {limit} are allowed", all.len());
+            let message = both!("{} has {} entries; at most {limit} are allowed", "{}有 {} 项，最多允许 {limit} 项", *what, all.len());
             faults.push(Diagnostic::error("too-many", message).at(span(first)));
             &all[..limit]
         }
     }
 }
 
-fn words(node: Option<&Node>, what: &str, faults: &mut Faults) -> Vec<Word> {
-    items(node, what, faults).iter().filter_map(|n| word(n, &format!("an entry of {what}"), faults)).collect()
+fn words(node: Option<&Node>, what: impl Into<What>, faults: &mut Faults) -> Vec<Word> {
+    let what = what.into();
+    items(node, &what, faults).iter().filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults)).collect()
 }
 
 fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
     if let Kind::Object(_) = node.kind {
         let f = Fields::open(node, what, keys::TEXT, faults)?;
         let mut text = |key: &str| {
-            f.get(key).and_then(|n| word(n, &format!("`{key}` of {what}"), faults)).and_then(|w| no_longer(w, what, most, faults))
+            f.get(key)
+                .and_then(|n| word(n, both!("`{key}` of {what}", "{what} 的 `{key}`"), faults))
+                .and_then(|w| no_longer(w, what, most, faults))
         };
         let both = RawLocalized { en: text("en"), zh: text("zh") };
         if f.get("en").is_none() && f.get("zh").is_none() {
-            faults.push(Diagnostic::error("empty", format!("{what} says nothing")).at(node.span).help("give \"en\", \"zh\" or both"));
+            faults.push(
+                Diagnostic::error("empty", both!("{what} says nothing", "{what} 没有内容"))
+                    .at(node.span)
+                    .help(both!("give \"en\", \"zh\" or both", "请给出 \"en\" 或 \"zh\"，或两者都给出")),
+            );
         }
         return Some(both);
     }
@@ -130,7 +145,13 @@ fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) 
 fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option<Word> {
     let count = word.text.chars().count();
     if count > most {
-        faults.push(Diagnostic::error("too-long", format!("{what} has {count} characters; at most {most} are allowed")).at(word.span));
+        faults.push(
+            Diagnostic::error(
+                "too-long",
+                both!("{what} has {count} characters; at most {most} are allowed", "{what} 有 {count} 个字符，最多允许 {most} 个"),
+            )
+            .at(word.span),
+        );
         return None;
     }
     Some(word)
@@ -138,32 +159,42 @@ fn no_longer(word: Word, what: &str, most: usize, faults: &mut Faults) -> Option
 
 fn place(node: &Node, faults: &mut Faults) -> Option<RawPlace> {
     if let Kind::Array(_) = node.kind {
-        return two_quantities(node, "a place", faults).map(RawPlace::At);
+        return two_quantities(node, both!("a place", "位置"), faults).map(RawPlace::At);
     }
     let has = |key: &str| matches!(&node.kind, Kind::Object(m) if m.iter().any(|(k, _)| k.text == key));
     let (xy, polar) = (has("x") || has("y"), has("length") || has("angle"));
     if xy && polar {
-        let d = Diagnostic::error("two-places", "the place is given in two ways, by x and y and by length and angle");
-        faults.push(d.at(node.span).help("keep \"x\" and \"y\", or \"length\" and \"angle\""));
+        let d = Diagnostic::error(
+            "two-places",
+            both!("the place is given in two ways, by x and y and by length and angle", "位置给了两次：既有 x、y，又有 length、angle"),
+        );
+        faults.push(
+            d.at(node.span)
+                .help(both!("keep \"x\" and \"y\", or \"length\" and \"angle\"", "请只保留 \"x\"、\"y\"，或只保留 \"length\"、\"angle\"")),
+        );
         return None;
     }
     let example = "\"100 mm\"";
     if polar {
-        let f = Fields::open(node, "a place", keys::PLACE_POLAR, faults)?;
-        let base = f.need("base", "\"BC\", two points of the link", faults).and_then(|n| word(n, "\"base\"", faults));
+        let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_POLAR, faults)?;
+        let base = f
+            .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+            .and_then(|n| word(n, "\"base\"", faults));
         let length = f.need("length", example, faults).and_then(|n| quantity(n, "\"length\"", faults));
         let angle = f.need("angle", "\"30 deg\"", faults).and_then(|n| quantity(n, "\"angle\"", faults));
         return Some(RawPlace::Polar { base: base?, length: length?, angle: angle? });
     }
-    let f = Fields::open(node, "a place", keys::PLACE_XY, faults)?;
-    let base = f.need("base", "\"BC\", two points of the link", faults).and_then(|n| word(n, "\"base\"", faults));
+    let f = Fields::open(node, both!("a place", "位置"), keys::PLACE_XY, faults)?;
+    let base = f
+        .need("base", both!("\"BC\", two points of the link", "\"BC\"（该构件上的两点）"), faults)
+        .and_then(|n| word(n, "\"base\"", faults));
     let x = f.need("x", example, faults).and_then(|n| quantity(n, "\"x\"", faults));
     let y = f.need("y", example, faults).and_then(|n| quantity(n, "\"y\"", faults));
     Some(RawPlace::InLink { base: base?, xy: [x?, y?] })
 }
 
 fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
-    let f = Fields::open(node, "a guide", keys::GUIDE, faults)?;
+    let f = Fields::open(node, both!("a guide", "导路"), keys::GUIDE, faults)?;
     let before = faults.list.len();
     let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
     let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
@@ -178,50 +209,75 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
 }
 
 /// The three kinds of driver: the key that tells the kind, its name, all its keys.
-const KINDS: [(&str, &str, &[&str]); 3] =
-    [("link", "a turning driver", keys::TURN), ("slide", "a sliding driver", keys::SLIDE), ("cylinder", "a cylinder", keys::CYLINDER)];
+const KINDS: [(&str, [&str; 2], &[&str]); 3] = [
+    ("link", ["a turning driver", "转动原动件"], keys::TURN),
+    ("slide", ["a sliding driver", "移动原动件"], keys::SLIDE),
+    ("cylinder", ["a cylinder", "液压缸"], keys::CYLINDER),
+];
+
+fn words_of([en, zh]: [&str; 2]) -> Both {
+    Both { en: en.to_owned(), zh: zh.to_owned() }
+}
 
 fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
-    let members = object(node, "a driver", faults)?;
+    let members = object(node, both!("a driver", "原动件"), faults)?;
     let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
-    let (mark, what, known) =
-        match present.as_slice() {
-            [one] => **one,
-            [] => {
-                let d = Diagnostic::error("driver-kind", "a driver says neither `link`, nor `slide`, nor `cylinder`").at(node.span);
-                let near = members.iter().map(|(k, _)| suggest(&k.text, KINDS.iter().map(|k| k.0), "")).find(|s| s.starts_with("did"));
-                faults.push(d.help(near.unwrap_or_else(|| {
-                    "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\"".to_owned()
-                })));
-                return None;
-            }
-            many => {
-                let marks: Vec<_> = many.iter().map(|(mark, ..)| format!("`{mark}`")).collect();
-                let d = Diagnostic::error("driver-kind", format!("one driver mixes {}", marks.join(" and "))).at(node.span);
-                faults.push(d.help("give a list of drivers, one for each: \"driver\": [{...}, {...}]"));
-                return None;
-            }
-        };
+    let (mark, what, known) = match present.as_slice() {
+        [one] => **one,
+        [] => {
+            let d = Diagnostic::error(
+                "driver-kind",
+                both!("a driver says neither `link`, nor `slide`, nor `cylinder`", "原动件没有写 `link`、`slide` 或 `cylinder`"),
+            )
+            .at(node.span);
+            let near =
+                members.iter().map(|(k, _)| suggest(&k.text, KINDS.iter().map(|k| k.0), Both::default())).find(|s| s.en.starts_with("did"));
+            faults.push(d.help(near.unwrap_or_else(|| {
+                both!(
+                    "name the turning \"link\", the pin that is to \"slide\", or the ends of the \"cylinder\"",
+                    "请写出转动的 \"link\"、沿导路移动的销 \"slide\"，或 \"cylinder\" 的两端"
+                )
+            })));
+            return None;
+        }
+        many => {
+            let marks: Vec<_> = many.iter().map(|(mark, ..)| format!("`{mark}`")).collect();
+            let d = Diagnostic::error(
+                "driver-kind",
+                both!("one driver mixes {}", "一个原动件混用了 {}", Both { en: marks.join(" and "), zh: marks.join("、") }),
+            )
+            .at(node.span);
+            faults.push(d.help(both!(
+                "give a list of drivers, one for each: \"driver\": [{{...}}, {{...}}]",
+                "请写成列表，每个原动件一项：\"driver\": [{{...}}, {{...}}]"
+            )));
+            return None;
+        }
+    };
     // A key of another kind is not a slip of the pen: it deserves a better answer than the nearest key.
     let mut mixed = false;
     for (key, _) in members {
         if known.contains(&key.text.as_str()) {
             continue;
         }
-        if let Some((_, other, _)) = KINDS.iter().find(|(.., keys)| keys.contains(&key.text.as_str())) {
-            let d = Diagnostic::error("driver-kind", format!("`{}` belongs to {other}, this is {what}", key.text)).at(key.span);
-            faults.push(d.help(format!("the keys of {what} are {}", known.join(", "))));
+        if let Some(&(_, other, _)) = KINDS.iter().find(|(.., keys)| keys.contains(&key.text.as_str())) {
+            let d = Diagnostic::error(
+                "driver-kind",
+                both!("`{}` belongs to {}, this is {}", "`{}` 是{}的键，此处为{}", key.text, words_of(other), words_of(what)),
+            )
+            .at(key.span);
+            faults.push(d.help(both!("the keys of {} are {}", "{}的键有 {}", words_of(what), known.join(", "))));
             mixed = true;
         }
     }
     let all: Vec<&str> = KINDS.iter().flat_map(|(.., keys)| keys.iter().copied()).collect();
-    let f = Fields::open(node, what, if mixed { &all } else { known }, faults)?;
+    let f = Fields::open(node, words_of(what), if mixed { &all } else { known }, faults)?;
     let rate = match mark {
         "link" => f.need("omega", "\"10 rad/s\"", faults),
         "slide" => f.need("velocity", "\"2 m/s\"", faults),
         _ => f.need("rate", "\"50 mm/s\"", faults),
     };
-    let rate = rate.and_then(|n| quantity(n, "the rate of a driver", faults));
+    let rate = rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });
     let (angle, position, length) = (value("angle"), value("position"), value("length"));
@@ -234,7 +290,11 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
             RawDriverKind::Turn { link: link?, against, line, against_line, angle }
         }
         "slide" => RawDriverKind::Slide { slide: name("slide")?, position },
-        _ => RawDriverKind::Cylinder { ends: name("cylinder")?, length, links: words(f.get("links"), "\"links\" of a cylinder", faults) },
+        _ => RawDriverKind::Cylinder {
+            ends: name("cylinder")?,
+            length,
+            links: words(f.get("links"), both!("\"links\" of a cylinder", "液压缸的 \"links\""), faults),
+        },
     };
     (faults.list.len() == before).then_some(())?;
     Some(RawDriver { kind, rate, acceleration, span: f.span() })
@@ -261,26 +321,38 @@ pub(super) fn members_of<'a>(root: &'a Node, section: &str) -> &'a [(Word, Node)
     }
 }
 
+/// The language that the scene names, if it is one.
+pub(super) fn language_of(root: &Node) -> Option<Lang> {
+    let Kind::Object(members) = &root.kind else { return None };
+    match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
+        Kind::Text(name) => Lang::named(name),
+        Kind::Number(_) | Kind::Bool | Kind::Null | Kind::Array(_) | Kind::Object(_) => None,
+    }
+}
+
 /// A number or an expression in quotation marks.
-fn quantity(node: &Node, what: &str, faults: &mut Faults) -> Option<RawQuantity> {
+fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
         Kind::Text(_) => (word(node, what, faults)?.text, false),
-        _ => return wrong(node, what, "a quantity such as \"100 mm\"", faults),
+        _ => return wrong(node, what, both!("a quantity such as \"100 mm\"", "量，如 \"100 mm\""), faults),
     };
     Some(RawQuantity { text, span: node.span, bare })
 }
 
 /// Two quantities, such as coordinates.
-fn two_quantities(node: &Node, what: &str, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
-    match list(node, what, faults)? {
+fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+    let what = what.into();
+    match list(node, &what, faults)? {
         [a, b] => {
-            let (a, b) = (quantity(a, what, faults), quantity(b, what, faults));
+            let (a, b) = (quantity(a, &what, faults), quantity(b, &what, faults));
             Some([a?, b?])
         }
         items => {
-            let d = Diagnostic::error("wrong-count", format!("{what} has two values, this has {}", items.len())).at(node.span);
-            faults.push(d.help("write [x, y]"));
+            let d =
+                Diagnostic::error("wrong-count", both!("{} has two values, this has {}", "{}应有两个值，此处有 {} 个", what, items.len()))
+                    .at(node.span);
+            faults.push(d.help(both!("write [x, y]", "请写作 [x, y]")));
             None
         }
     }

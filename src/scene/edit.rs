@@ -5,7 +5,7 @@ use super::json::{self, Kind};
 use super::model::Angle;
 use super::units::Dim;
 use super::{exact, expr};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::number::Ball;
 
 /// The text of a scene with other questions; everything else stays byte for byte.
@@ -21,7 +21,7 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
     let Kind::Object(members) = &root.kind else {
-        return Err(Diagnostic::error("not-a-scene", "a scene is a JSON object").at(root.span).into());
+        return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
     };
     let list = serde_json::json!(find).to_string();
     let mut out = source.to_owned();
@@ -44,7 +44,7 @@ pub fn with_find(text: &str, find: &[&str]) -> Result<String, Faults> {
 /// assert_eq!(new, r#"{"parameters": {"r": "120 mm", "s": "2*r"}}"#);
 /// ```
 pub fn with_parameters(text: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    super::templates::with_parameters(text, values, "the scene")
+    super::templates::with_parameters(text, values, both!("the scene", "机构文件"))
 }
 
 /// The text of a scene whose drivers all have a rate: that of a driver which says none is 0. For what does not depend on it.
@@ -61,7 +61,7 @@ pub fn with_rates(text: &str) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let (source, root) = json::parse(text.as_bytes(), &mut faults)?;
     let Kind::Object(members) = &root.kind else {
-        return Err(Diagnostic::error("not-a-scene", "a scene is a JSON object").at(root.span).into());
+        return Err(Diagnostic::error("not-a-scene", both!("a scene is a JSON object", "机构文件是一个 JSON 对象")).at(root.span).into());
     };
     let drivers = members.iter().find(|(key, _)| key.text == "driver").map(|(_, node)| match &node.kind {
         Kind::Array(list) => list.as_slice(),
@@ -142,7 +142,7 @@ impl Read {
 fn angle_read(text: &str) -> Result<Read, Faults> {
     let read = quantity(text, "deg")?;
     if read.value.dim != Dim::ANGLE {
-        return Err(wrong(text, "an angle", read.value));
+        return Err(wrong(text, both!("an angle", "角度"), read.value));
     }
     Ok(read)
 }
@@ -154,13 +154,13 @@ fn angle_read(text: &str) -> Result<Read, Faults> {
 pub fn length(text: &str) -> Result<f64, Faults> {
     let value = quantity(text, "mm")?.value;
     if (value.dim.length, value.dim.time) != (1, 0) {
-        return Err(wrong(text, "a length", value));
+        return Err(wrong(text, both!("a length", "长度"), value));
     }
     Ok(value.si())
 }
 
-fn wrong(text: &str, wanted: &str, value: Value) -> Faults {
-    Diagnostic::error("dimension", format!("`{text}` is {}; {wanted} is wanted", value.dim.describe())).into()
+fn wrong(text: &str, wanted: Both, value: Value) -> Faults {
+    Diagnostic::error("dimension", both!("`{text}` is {}; {} is wanted", "`{text}` 是{}；此处需要{}", value.dim.describe(), wanted)).into()
 }
 
 /// A quantity without parameters; a bare number gets the unit.

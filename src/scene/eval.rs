@@ -5,7 +5,7 @@
 use super::expr::{Expr, ExprKind, Function, Op};
 use super::model::Angle;
 use super::units::{Dim, Unit};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::number::Real;
 use crate::trig;
 
@@ -72,7 +72,7 @@ pub enum NoValue {
 /// Dimensions that do not fit, functions outside their domain, values that are not finite or beyond all measure.
 pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>) -> Result<Value<N>, NoValue> {
     let of = |e: &Expr| evaluate(e, lookup);
-    let fault = |message: String| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
+    let fault = |message: Both| NoValue::Fault(Diagnostic::error("expression", message).at(expr.span));
     let value = match &expr.kind {
         ExprKind::Number(text) => Value::number(literal(text).map_err(fault)?),
         ExprKind::Pi => Value::number(N::pi()),
@@ -93,7 +93,7 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>)
                 Op::Add => add(a, b, false).map_err(fault)?,
                 Op::Sub => add(a, b, true).map_err(fault)?,
                 Op::Mul => multiply(a, b, 1),
-                Op::Div if b.number.approx() == 0.0 => return Err(fault("division by zero".to_owned())),
+                Op::Div if b.number.approx() == 0.0 => return Err(fault(both!("division by zero", "除数为零"))),
                 Op::Div => multiply(a, b, -1),
                 Op::Pow => power(a, b).map_err(fault)?,
             }
@@ -103,19 +103,23 @@ pub fn evaluate<N: Real>(expr: &Expr, lookup: &dyn Fn(&str) -> Option<Value<N>>)
     let size = value.number.approx().abs();
     // Twenty: no quantity of kinematics comes near, and the exponents' own arithmetic stays small.
     if [value.dim.length, value.dim.time, value.dim.angle].iter().any(|k| k.abs() > 20) {
-        return Err(fault("the powers of the units are beyond all measure".to_owned()));
+        return Err(fault(both!("the powers of the units are beyond all measure", "单位的幂次过大")));
     }
     if !size.is_finite() || size > HUGE || (size != 0.0 && size < 1.0 / HUGE) {
-        return Err(fault(format!("the value {:e} is beyond all measure (1e-90 to 1e90)", value.number.approx())));
+        return Err(fault(both!(
+            "the value {:e} is beyond all measure (1e-90 to 1e90)",
+            "数值 {:e} 超出可用范围（1e-90 到 1e90）",
+            value.number.approx()
+        )));
     }
     Ok(value)
 }
 
-fn literal<N: Real>(text: &str) -> Result<N, String> {
-    let number: f64 = text.parse().map_err(|e| format!("`{text}` is not a number: {e}"))?;
+fn literal<N: Real>(text: &str) -> Result<N, Both> {
+    let number: f64 = text.parse().map_err(|e| both!("`{text}` is not a number: {e}", "`{text}` 不是数：{e}"))?;
     let mantissa = text.split(['e', 'E']).next().unwrap_or_default();
     if number == 0.0 && mantissa.bytes().any(|b| (b'1'..=b'9').contains(&b)) {
-        return Err(format!("`{text}` is too small for a number"));
+        return Err(both!("`{text}` is too small for a number", "`{text}` 过小，无法表示"));
     }
     // What is too large is refused by its size, and need not be multiplied out.
     Ok(if number == 0.0 || number.abs() > HUGE { N::from_f64(number) } else { N::from_decimal(text) })
@@ -143,11 +147,14 @@ fn multiply<N: Real>(a: Value<N>, b: Value<N>, k: i32) -> Value<N> {
     Value { number: if k < 0 { a / b } else { a * b }, dim, degrees }
 }
 
-fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, String> {
+fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, Both> {
     if a.dim != b.dim && !(a.dim.serves(b.dim) || b.dim.serves(a.dim)) {
-        let verb = if minus { "be subtracted from" } else { "be added to" };
         let (first, second) = if minus { (b.dim, a.dim) } else { (a.dim, b.dim) };
-        return Err(format!("{} cannot {verb} {}", first.describe(), second.describe()));
+        let [first, second] = [first.describe(), second.describe()];
+        return Err(match minus {
+            true => both!("{} cannot be subtracted from {}", "不能从{1}中减去{0}", first, second),
+            false => both!("{} cannot be added to {}", "{}不能与{}相加", first, second),
+        });
     }
     // A length in metres and an arc in metres times radians, v/r and ω: the radians are pure numbers there.
     let plain = |d: Dim| if d.length == 0 && d.time != 0 { d.angle == 1 } else { d.angle == 0 };
@@ -157,20 +164,23 @@ fn add<N: Real>(a: Value<N>, b: Value<N>, minus: bool) -> Result<Value<N>, Strin
     Ok(Value { number, dim, degrees: a.degrees })
 }
 
-fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, String> {
+fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, Both> {
     if b.dim != Dim::NUMBER {
-        return Err(format!("an exponent is a pure number, this is {}", b.dim.describe()));
+        return Err(both!("an exponent is a pure number, this is {}", "指数应为纯数，此处为{}", b.dim.describe()));
     }
     let exponent = b.number.approx();
     let whole = libm::rint(exponent);
     if a.dim == Dim::NUMBER {
         if a.number.approx() < 0.0 && whole != exponent {
-            return Err("a negative number has no broken power".to_owned());
+            return Err(both!("a negative number has no broken power", "负数没有非整数次幂"));
         }
         return Ok(Value::number(a.number.pow(b.number)));
     }
     if whole != exponent || whole.abs() > 6.0 {
-        return Err("the exponent of a quantity with a unit is a whole number from -6 to 6".to_owned());
+        return Err(both!(
+            "the exponent of a quantity with a unit is a whole number from -6 to 6",
+            "带单位的量，其指数应为 -6 到 6 的整数"
+        ));
     }
     let k = whole as i32;
     if k == 1 {
@@ -180,20 +190,21 @@ fn power<N: Real>(a: Value<N>, b: Value<N>) -> Result<Value<N>, String> {
     Ok(Value { number: a.number.pow(N::from_f64(whole)), dim: Dim::NUMBER.times(a.dim, k), degrees: false })
 }
 
-fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, String> {
+fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
     let wants = |dim: Dim, name: &str| match a.dim == dim {
         true => Ok(()),
         false if dim == Dim::ANGLE && a.dim == Dim::NUMBER && a.number.approx() == 0.0 => Ok(()),
-        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER => {
-            Err(format!("{name} wants an angle, this is a pure number: write `deg` or `rad` after it"))
-        }
-        false => Err(format!("{name} wants {}, this is {}", dim.describe(), a.dim.describe())),
+        false if dim == Dim::ANGLE && a.dim == Dim::NUMBER => Err(both!(
+            "{name} wants an angle, this is a pure number: write `deg` or `rad` after it",
+            "{name} 需要角度，此处为纯数：请在后面写 `deg` 或 `rad`"
+        )),
+        false => Err(both!("{name} wants {}, this is {}", "{name} 需要{}，此处为{}", dim.describe(), a.dim.describe())),
     };
     let inverse = |name: &str, known: fn(f64) -> Angle, g: &dyn Fn(N) -> Value<N>| {
         wants(Dim::NUMBER, name)?;
         let x = a.number.approx();
         match known(x) {
-            Angle::Rad(r) if r.is_nan() => Err(format!("{name} has no value at {x}")),
+            Angle::Rad(r) if r.is_nan() => Err(both!("{name} has no value at {x}", "{name} 在 {x} 处无值")),
             // An angle known in degrees is meant only where the number is just that.
             Angle::Deg(d) if a.number == N::from_f64(x) => Ok(Value::deg(N::from_f64(d))),
             _ => Ok(g(a.number)),
@@ -206,11 +217,11 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, String> {
         Function::Abs => Value { number: if a.number.approx() < 0.0 { -a.number } else { a.number }, ..a },
         Function::Sqrt => {
             if a.number.approx() < 0.0 {
-                return Err(format!("sqrt of the negative value {}", a.number.approx()));
+                return Err(both!("sqrt of the negative value {}", "对负值 {} 开平方", a.number.approx()));
             }
             let d = a.dim;
             if [d.length, d.time, d.angle].iter().any(|k| k % 2 != 0) {
-                return Err(format!("sqrt of {}: its unit is no square", d.describe()));
+                return Err(both!("sqrt of {}: its unit is no square", "对{}开平方：其单位不是平方", d.describe()));
             }
             Value { number: a.si().sqrt(), dim: Dim { length: d.length / 2, time: d.time / 2, angle: d.angle / 2 }, degrees: false }
         }
@@ -226,7 +237,7 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, String> {
             wants(Dim::ANGLE, "tan")?;
             let (s, c) = a.sin_cos();
             if c.approx() == 0.0 {
-                return Err("tan of a right angle".to_owned());
+                return Err(both!("tan of a right angle", "直角的正切不存在"));
             }
             Value::number(s / c)
         }
@@ -306,7 +317,7 @@ mod tests {
         ] {
             let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
             let dim = if v.dim.length != 0 { Dim { angle: 0, ..v.dim } } else { v.dim };
-            assert_eq!((v.si(), dim.describe().as_str()), (number, what), "{text}");
+            assert_eq!((v.si(), dim.describe().en.as_str()), (number, what), "{text}");
         }
     }
 

@@ -4,7 +4,7 @@
 //! offsets into the expression's own text.
 
 use super::units::{UNITS, Unit, unit_named};
-use crate::diag::{Diagnostic, Span};
+use crate::diag::{Both, Diagnostic, Span, both};
 use crate::json::fields::suggest;
 
 /// Longer expressions are refused: nobody writes them by hand, and the tree's depth is bounded by the length.
@@ -118,10 +118,14 @@ pub fn is_name(text: &str) -> bool {
 /// # Errors
 /// A diagnostic whose span counts from the beginning of `text`: too long, too deep, not an expression, an unknown name.
 pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
-    let fault = |message: String| Diagnostic::error("expression", message);
+    let fault = |message: Both| Diagnostic::error("expression", message);
     if text.len() > MAX_LENGTH {
-        return Err(fault(format!("an expression has at most {MAX_LENGTH} bytes, this has {}", text.len()))
-            .help("name its parts in \"parameters\""));
+        return Err(fault(both!(
+            "an expression has at most {MAX_LENGTH} bytes, this has {}",
+            "表达式至多 {MAX_LENGTH} 字节，此处有 {} 字节",
+            text.len()
+        ))
+        .help(both!("name its parts in \"parameters\"", "请在 \"parameters\" 中给各部分命名")));
     }
     let mut depth = 0usize;
     for (i, c) in text.char_indices() {
@@ -131,7 +135,8 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
             _ => {}
         }
         if depth > MAX_PARENTHESES {
-            return Err(fault(format!("parentheses are nested more than {MAX_PARENTHESES} deep")).at(Span::new(i, i + 1)));
+            return Err(fault(both!("parentheses are nested more than {MAX_PARENTHESES} deep", "括号嵌套超过 {MAX_PARENTHESES} 层"))
+                .at(Span::new(i, i + 1)));
         }
     }
     let mut pairs = Grammar::parse(Rule::whole, text).map_err(|e| {
@@ -140,20 +145,24 @@ pub fn parse(text: &str, parameters: &[&str]) -> Result<Expr, Diagnostic> {
         };
         let rest = text.get(at..).unwrap_or_default();
         match rest.chars().next() {
-            None => fault(format!("`{text}` ends too early")).at(Span::new(0, text.len())),
+            None => fault(both!("`{text}` ends too early", "`{text}` 不完整")).at(Span::new(0, text.len())),
             // A comma between digits is a decimal comma: nothing else is parted by commas here.
             Some(',') if decimal_comma(text, at) => {
-                let d = fault(format!("`{text}` has a comma in a number")).at(Span::new(at, at + 1));
-                d.help(format!("write the decimal point: \"{}.{}\"", &text[..at], &text[at + 1..]))
+                let d = fault(both!("`{text}` has a comma in a number", "`{text}` 的数中有逗号")).at(Span::new(at, at + 1));
+                d.help(both!("write the decimal point: \"{}.{}\"", "请用小数点：\"{}.{}\"", &text[..at], &text[at + 1..]))
             }
             Some(c) => {
-                let d = fault(format!("`{text}` cannot be read from `{rest}` on")).at(Span::new(at, at + c.len_utf8()));
-                d.help("an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\"")
+                let d = fault(both!("`{text}` cannot be read from `{rest}` on", "`{text}` 从 `{rest}` 起无法识别"))
+                    .at(Span::new(at, at + c.len_utf8()));
+                d.help(both!(
+                    "an expression is made of numbers, units, parameters, + - * / ^ ( ) and functions, such as \"2*r + 5 mm\"",
+                    "表达式由数、单位、参数、+ - * / ^ ( ) 和函数组成，如 \"2*r + 5 mm\""
+                ))
             }
         }
     })?;
     let sum = pairs.next().and_then(|whole| whole.into_inner().next());
-    let sum = sum.ok_or_else(|| fault("the expression is empty".to_owned()))?;
+    let sum = sum.ok_or_else(|| fault(both!("the expression is empty", "表达式是空的")))?;
     Builder { parameters }.chain(sum)
 }
 
@@ -255,13 +264,13 @@ impl Builder<'_> {
         let mut inner = pair.into_inner();
         let (name, argument) = (inner.next().ok_or_else(nothing)?, inner.next().ok_or_else(nothing)?);
         let Some((_, function)) = FUNCTIONS.iter().find(|(n, _)| *n == name.as_str()) else {
-            let d = Diagnostic::error("unknown-name", format!("`{}` is not a function", name.as_str())).at(place(&name));
+            let d = Diagnostic::error("unknown-name", both!("`{}` is not a function", "`{}` 不是函数", name.as_str())).at(place(&name));
             let known = FUNCTIONS.iter().map(|(n, _)| *n);
             let times = self.parameters.contains(&name.as_str()) || unit_named(name.as_str()).is_some();
             return Err(if times {
-                d.help(format!("for a product write `{}*(...)`", name.as_str()))
+                d.help(both!("for a product write `{}*(...)`", "乘积请写 `{}*(...)`", name.as_str()))
             } else {
-                d.help(suggest(name.as_str(), known, "the functions are"))
+                d.help(suggest(name.as_str(), known, both!("the functions are", "函数有")))
             });
         };
         Ok(Expr { kind: ExprKind::Call(*function, Box::new(self.chain(argument)?)), span })
@@ -274,23 +283,25 @@ impl Builder<'_> {
         if let Some(unit) = unit_named(name) {
             return Ok(Expr { kind: ExprKind::Unit(unit), span });
         }
-        let d = Diagnostic::error("unknown-name", format!("`{name}` is neither a parameter nor a unit")).at(span);
+        let d = Diagnostic::error("unknown-name", both!("`{name}` is neither a parameter nor a unit", "`{name}` 既不是参数也不是单位"))
+            .at(span);
         let known = self.parameters.iter().copied().chain(UNITS.iter().map(|u| u.name));
         Err(if FUNCTIONS.iter().any(|(n, _)| *n == name) {
-            d.help(format!("`{name}` is a function: write `{name}(...)`"))
+            d.help(both!("`{name}` is a function: write `{name}(...)`", "`{name}` 是函数：请写 `{name}(...)`"))
         } else if self.parameters.is_empty() {
-            d.help(format!("{} (\"parameters\" of the scene name values)", suggest(name, known, "the units are")))
+            let near = suggest(name, known, both!("the units are", "单位有"));
+            d.help(both!("{} (\"parameters\" of the scene name values)", "{}（数值可在 \"parameters\" 中命名）", near))
         } else {
-            d.help(suggest(name, known, "there are"))
+            d.help(suggest(name, known, both!("there are", "有")))
         })
     }
 
     fn not_a_unit(&self, name: &str, span: Span) -> Diagnostic {
-        let d = Diagnostic::error("unknown-unit", format!("`{name}` is not a unit")).at(span);
+        let d = Diagnostic::error("unknown-unit", both!("`{name}` is not a unit", "`{name}` 不是单位")).at(span);
         if self.parameters.contains(&name) || name == "pi" {
-            d.help(format!("for a product write `*{name}`"))
+            d.help(both!("for a product write `*{name}`", "乘积请写 `*{name}`"))
         } else {
-            d.help(suggest(name, UNITS.iter().map(|u| u.name), "the units are"))
+            d.help(suggest(name, UNITS.iter().map(|u| u.name), both!("the units are", "单位有")))
         }
     }
 }
@@ -304,7 +315,7 @@ fn join(left: Option<Expr>, op: Op, right: Expr) -> Expr {
 
 /// The grammar has an operand at every such place; should it ever be changed, this is the answer instead of a panic.
 fn nothing() -> Diagnostic {
-    Diagnostic::error("expression", "a value is missing in the expression")
+    Diagnostic::error("expression", both!("a value is missing in the expression", "表达式中缺少数值"))
 }
 
 /// Whether any unit or parameter occurs: whether more than a bare number was written.

@@ -10,6 +10,7 @@ pub mod eval;
 pub mod exact;
 pub mod expr;
 mod keys;
+mod lang;
 pub mod model;
 mod names;
 mod raw;
@@ -90,6 +91,12 @@ pub fn read_asking(source: impl AsRef<[u8]>, questions: &str) -> Result<Warned<S
 /// A place in the questions of [`read_asking`]; `None` where it is one in the file.
 pub fn place_in_asked(span: Span) -> Option<Span> {
     Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
+}
+
+/// The language that a scene names, as far as its JSON can be read: what is wrong with it is told in that.
+pub fn language_of(source: &[u8]) -> Option<Lang> {
+    let (_, root) = json::parse(source, &mut Faults::default()).ok()?;
+    decode::language_of(&root)
 }
 
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {

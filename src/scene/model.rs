@@ -9,6 +9,8 @@ use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
+pub use super::lang::Lang;
+
 /// Index into [`Scene::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PointId(pub usize);
@@ -20,16 +22,6 @@ pub struct LinkId(pub usize);
 /// Index into [`Scene::guides`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct GuideId(pub usize);
-
-/// A language of the figures and texts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Lang {
-    /// English.
-    #[default]
-    En,
-    /// Chinese.
-    Zh,
-}
 
 /// A text in both languages; a scene that gives one gets it in both.
 #[derive(Clone, Debug, Default, PartialEq)]

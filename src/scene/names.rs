@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::model::{Link, LinkId, OnLink, Point, PointId};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::json::Word;
 use crate::json::fields::suggest;
 
@@ -22,24 +22,47 @@ pub(super) struct Names<'a> {
     by_link: HashMap<&'a str, LinkId>,
 }
 
+/// What a name is given to.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Named {
+    Point,
+    Link,
+}
+
 /// What is wrong with a new name, if anything. `what` is "point" or "link"; a point begins with a letter.
-pub(super) fn check(name: &Word, what: &str) -> Option<Diagnostic> {
+pub(super) fn check(name: &Word, what: Named) -> Option<Diagnostic> {
     let text = &name.text;
     let good = text.chars().all(|c| c.is_alphanumeric() || c == '\'' || c == '_');
-    let start = text.chars().next().is_some_and(|c| what == "link" || c.is_alphabetic());
+    let start = text.chars().next().is_some_and(|c| what == Named::Link || c.is_alphabetic());
     if good && start && text.chars().count() <= MAX_NAME {
         return None;
     }
-    let d = Diagnostic::error("name", format!("`{text}` cannot name a {what}")).at(name.span);
-    let begin = if what == "link" { "up to" } else { "a letter first, up to" };
-    Some(d.help(format!("{begin} {MAX_NAME} letters, digits, ' or _")))
+    let (message, help) = match what {
+        Named::Link => (
+            both!("`{text}` cannot name a link", "`{text}` 不能作构件名"),
+            both!("up to {MAX_NAME} letters, digits, ' or _", "至多 {MAX_NAME} 个字母、数字、' 或 _"),
+        ),
+        Named::Point => (
+            both!("`{text}` cannot name a point", "`{text}` 不能作点名"),
+            both!("a letter first, up to {MAX_NAME} letters, digits, ' or _", "以字母开头，至多 {MAX_NAME} 个字母、数字、' 或 _"),
+        ),
+    };
+    Some(Diagnostic::error("name", message).at(name.span).help(help))
+}
+
+/// The readings among which a writer is to choose.
+pub(super) fn written(readings: &[String]) -> Both {
+    both!("write {}", "请写 {}", Both { en: readings.join(" or "), zh: readings.join(" 或 ") })
 }
 
 fn within_run(text: &str, word: &Word) -> Result<(), Diagnostic> {
     if text.chars().count() <= MAX_RUN {
         return Ok(());
     }
-    let message = format!("a name of more than {MAX_RUN} letters cannot be made of the names of points and links");
+    let message = both!(
+        "a name of more than {MAX_RUN} letters cannot be made of the names of points and links",
+        "超过 {MAX_RUN} 个字母的名称不可能由点名和构件名组成"
+    );
     Err(Diagnostic::error("name", message).at(word.span))
 }
 
@@ -77,14 +100,15 @@ impl<'a> Names<'a> {
     /// The link called `text`, which is a part of `word`.
     pub fn link_in(&self, text: &str, word: &Word) -> Result<LinkId, Diagnostic> {
         self.find_link(text).ok_or_else(|| {
-            let d = Diagnostic::error("unknown-link", format!("there is no link `{text}`")).at(word.span);
-            d.help(suggest(text, self.links.iter().map(|l| l.name.as_str()), "the links are"))
+            let d = Diagnostic::error("unknown-link", both!("there is no link `{text}`", "没有构件 `{text}`")).at(word.span);
+            d.help(suggest(text, self.links.iter().map(|l| l.name.as_str()), both!("the links are", "构件有")))
         })
     }
 
     fn no_point(&self, text: &str, word: &Word) -> Diagnostic {
-        let d = Diagnostic::error("unknown-point", format!("there is no point `{text}` on any link")).at(word.span);
-        d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), "the points are"))
+        let d =
+            Diagnostic::error("unknown-point", both!("there is no point `{text}` on any link", "各构件上都没有点 `{text}`")).at(word.span);
+        d.help(suggest(text, self.points.iter().map(|p| p.name.as_str()), both!("the points are", "点有")))
     }
 
     /// Two different points, as in `AB` or `O2,B`.
@@ -106,14 +130,15 @@ impl<'a> Names<'a> {
                 [] => return Err(self.no_pair(text, word)),
                 many => {
                     let readings = many.iter().map(|(a, b)| format!("\"{},{}\"", self.points[a.0].name, self.points[b.0].name));
-                    let d = Diagnostic::error("ambiguous", format!("`{text}` can be read in {} ways", many.len())).at(word.span);
-                    return Err(d.help(format!("write {}", readings.collect::<Vec<_>>().join(" or "))));
+                    let d = Diagnostic::error("ambiguous", both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()))
+                        .at(word.span);
+                    return Err(d.help(written(&readings.collect::<Vec<_>>())));
                 }
             }
         };
         if a == b {
-            let d = Diagnostic::error("same-point", format!("`{text}` names the same point twice")).at(word.span);
-            return Err(d.help("two different points are wanted"));
+            let d = Diagnostic::error("same-point", both!("`{text}` names the same point twice", "`{text}` 两次写了同一点")).at(word.span);
+            return Err(d.help(both!("two different points are wanted", "需要两个不同的点")));
         }
         Ok((a, b))
     }
@@ -124,13 +149,19 @@ impl<'a> Names<'a> {
         match known {
             Some(p) if p.name.len() < text.len() => {
                 let rest = &text[p.name.len()..];
-                let d = Diagnostic::error("unknown-point", format!("in `{text}` there is no point `{rest}`")).at(word.span);
-                d.help(suggest(rest, self.points.iter().map(|p| p.name.as_str()), "the points are"))
+                let d = Diagnostic::error("unknown-point", both!("in `{text}` there is no point `{rest}`", "`{text}` 中没有点 `{rest}`"))
+                    .at(word.span);
+                d.help(suggest(rest, self.points.iter().map(|p| p.name.as_str()), both!("the points are", "点有")))
             }
             _ => {
-                let d = Diagnostic::error("unknown-point", format!("`{text}` does not name two points")).at(word.span);
+                let d = Diagnostic::error("unknown-point", both!("`{text}` does not name two points", "`{text}` 不是两个点的名称"))
+                    .at(word.span);
                 let names: Vec<_> = self.points.iter().map(|p| p.name.as_str()).collect();
-                d.help(format!("write two of the points one after the other or with a comma; the points are {}", names.join(", ")))
+                d.help(both!(
+                    "write two of the points one after the other or with a comma; the points are {}",
+                    "请连写两个点名，或用逗号隔开；点有 {}",
+                    names.join(", ")
+                ))
             }
         }
     }
@@ -165,8 +196,9 @@ impl<'a> Names<'a> {
         match best.as_slice() {
             [one] => Ok(*one),
             many => {
-                let d = Diagnostic::error("ambiguous", format!("`{text}` can be read in {} ways", many.len())).at(word.span);
-                Err(d.help(format!("write {}", many.iter().map(|r| self.print(r)).collect::<Vec<_>>().join(" or "))))
+                let d = Diagnostic::error("ambiguous", both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()))
+                    .at(word.span);
+                Err(d.help(written(&many.iter().map(|r| self.print(r)).collect::<Vec<_>>())))
             }
         }
     }
@@ -213,9 +245,9 @@ impl<'a> Names<'a> {
             && p.name.len() < text.len()
         {
             let rest = &text[p.name.len()..];
-            let message = format!("in `{text}`, `{rest}` is neither a link nor a point");
+            let message = both!("in `{text}`, `{rest}` is neither a link nor a point", "`{text}` 中的 `{rest}` 既不是构件也不是点");
             let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
-            return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(rest, all, "there are"));
+            return Diagnostic::error("unknown-point", message).at(word.span).help(suggest(rest, all, both!("there are", "有")));
         }
         self.no_point(text, word)
     }

@@ -2,7 +2,7 @@
 
 use super::model::Localized;
 use super::{decode, expr};
-use crate::diag::{Diagnostic, Faults, Span};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::json::fields::suggest;
 use crate::json::{self, Kind, Node, Word};
 
@@ -71,8 +71,8 @@ pub fn list() -> Vec<Template> {
 /// An unknown name; the diagnostic proposes the nearest one.
 pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
     FILES.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
-        let d = Diagnostic::error("unknown-template", format!("there is no template `{name}`"));
-        d.help(suggest(name, FILES.iter().map(|(n, _)| *n), "the templates are"))
+        let d = Diagnostic::error("unknown-template", both!("there is no template `{name}`", "没有模板 `{name}`"));
+        d.help(suggest(name, FILES.iter().map(|(n, _)| *n), both!("the templates are", "模板有")))
     })
 }
 
@@ -90,33 +90,46 @@ pub fn get(name: &str) -> Result<&'static str, Diagnostic> {
 /// assert!(text.contains(r#""l_AB": "80 mm""#) && text.contains(r#""omega_1": "-2 rad/s""#));
 /// ```
 pub fn instantiate(name: &str, values: &[(&str, &str)]) -> Result<String, Faults> {
-    with_parameters(get(name)?, values, &format!("template `{name}`"))
+    with_parameters(get(name)?, values, both!("template `{name}`", "模板 `{name}` "))
 }
 
 /// The text of a scene with other values for some of its parameters; `whose` begins a sentence about it.
-pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: &str) -> Result<String, Faults> {
+pub(super) fn with_parameters(text: &str, values: &[(&str, &str)], whose: Both) -> Result<String, Faults> {
     let mut faults = Faults::default();
     let known = parameters(text, &mut faults);
     let names: Vec<&str> = known.iter().map(|(name, _)| name.as_str()).collect();
     let mut edits: Vec<(Span, String)> = Vec::new();
     for (parameter, value) in values {
         let Some(i) = names.iter().position(|n| n == parameter) else {
-            let d = Diagnostic::error("unknown-parameter", format!("{whose} has no parameter `{parameter}`"));
+            let d = Diagnostic::error("unknown-parameter", both!("{} has no parameter `{parameter}`", "{}没有参数 `{parameter}`", whose));
             faults.push(if names.is_empty() {
-                d.help(format!("name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}"))
+                d.help(both!(
+                    "name values that are to be set: \"parameters\": {{\"{parameter}\": ...}}",
+                    "要改的数值须先命名：\"parameters\": {{\"{parameter}\": ...}}"
+                ))
             } else {
-                d.help(suggest(parameter, names.iter().copied(), "the parameters are"))
+                d.help(suggest(parameter, names.iter().copied(), both!("the parameters are", "参数有")))
             });
             continue;
         };
         let old = &known[i].1;
         match replacement(parameter, &old.text, value, &names[..i]) {
             Ok(new) if edits.iter().any(|(span, _)| *span == old.span) => {
-                faults.push(Diagnostic::error("given-twice", format!("parameter `{parameter}` is set twice, the second time to `{new}`")));
+                faults.push(Diagnostic::error(
+                    "given-twice",
+                    both!(
+                        "parameter `{parameter}` is set twice, the second time to `{new}`",
+                        "参数 `{parameter}` 设了两次，第二次为 `{new}`"
+                    ),
+                ));
             }
             Ok(new) => edits.push((old.span, quoted(&new))),
             // The place would count in the value, which stands in no file.
-            Err(d) => faults.push(Diagnostic { span: None, message: format!("parameter `{parameter}`: {}", d.message), ..d }),
+            Err(d) => faults.push(Diagnostic {
+                span: None,
+                message: both!("parameter `{parameter}`: {}", "参数 `{parameter}`：{}", d.message),
+                ..d
+            }),
         }
     }
     if faults.has_errors() {
@@ -145,8 +158,11 @@ pub(crate) fn replacement(parameter: &str, old: &str, new: &str, earlier: &[&str
     if is_number(number) && expr::parse(&candidate, earlier).is_ok() && new.bytes().all(|b| b.is_ascii_digit() || b".-+eE".contains(&b)) {
         return Ok(candidate);
     }
-    let d = Diagnostic::error("no-unit", format!("`{new}` has no unit, and `{old}` does not tell which one is meant"));
-    Err(d.help(format!("write {parameter}=\"{new} mm\", or whichever unit it has")))
+    let d = Diagnostic::error(
+        "no-unit",
+        both!("`{new}` has no unit, and `{old}` does not tell which one is meant", "`{new}` 没有单位，从 `{old}` 也看不出单位"),
+    );
+    Err(d.help(both!("write {parameter}=\"{new} mm\", or whichever unit it has", "请写 {parameter}=\"{new} mm\"，或所需的单位")))
 }
 
 /// The parameters of a scene with their values as written and the places of the values.

@@ -39,6 +39,9 @@ fn faults(source: &str) -> String {
     };
     let place =
         |d: &crate::diag::Diagnostic| d.span.map_or("", |s| source.get(s.start..s.end).expect("a span between characters")).to_owned();
+    for d in &list {
+        assert_eq!(d.english_in_chinese(), None, "{d:?}");
+    }
     list.iter().map(|d| format!("[{}] {d}\n", place(d))).collect()
 }
 

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::diag::{Both, both};
+
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
 /// taken for a length or a pure number by mistake.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -38,20 +40,20 @@ impl Dim {
     }
 
     /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
-    pub fn describe(self) -> String {
+    pub fn describe(self) -> Both {
         let known = match (self.length, self.time, self.angle) {
-            (0, 0, 0) => "a pure number",
-            (1, 0, 0) => "a length",
-            (2, 0, 0) => "an area",
-            (0, 1, 0) => "a time",
-            (0, 0, 1) => "an angle",
-            (0, -1, 1) => "an angular velocity",
-            (0, -2, 1) => "an angular acceleration",
-            (1, -1, 0) => "a velocity",
-            (1, -2, 0) => "an acceleration",
-            _ => return format!("a quantity in {}", self.units()),
+            (0, 0, 0) => both!("a pure number", "纯数"),
+            (1, 0, 0) => both!("a length", "长度"),
+            (2, 0, 0) => both!("an area", "面积"),
+            (0, 1, 0) => both!("a time", "时间"),
+            (0, 0, 1) => both!("an angle", "角度"),
+            (0, -1, 1) => both!("an angular velocity", "角速度"),
+            (0, -2, 1) => both!("an angular acceleration", "角加速度"),
+            (1, -1, 0) => both!("a velocity", "速度"),
+            (1, -2, 0) => both!("an acceleration", "加速度"),
+            _ => return both!("a quantity in {}", "以 {} 为单位的量", self.units()),
         };
-        known.to_owned()
+        known
     }
 
     fn units(self) -> String {
@@ -183,17 +185,17 @@ impl Wanted {
     }
 
     /// In words, as a message begins: `a length`.
-    pub const fn describe(self) -> &'static str {
+    pub fn describe(self) -> Both {
         match self {
-            Wanted::Length => "a length",
-            Wanted::Angle => "an angle",
-            Wanted::Omega => "an angular velocity",
-            Wanted::Alpha => "an angular acceleration",
-            Wanted::Velocity => "a velocity",
-            Wanted::Acceleration => "an acceleration",
-            Wanted::ScaleOfLengths => "a scale of lengths",
-            Wanted::ScaleOfVelocities => "a scale of velocities",
-            Wanted::ScaleOfAccelerations => "a scale of accelerations",
+            Wanted::Length => both!("a length", "长度"),
+            Wanted::Angle => both!("an angle", "角度"),
+            Wanted::Omega => both!("an angular velocity", "角速度"),
+            Wanted::Alpha => both!("an angular acceleration", "角加速度"),
+            Wanted::Velocity => both!("a velocity", "速度"),
+            Wanted::Acceleration => both!("an acceleration", "加速度"),
+            Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
+            Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
+            Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
         }
     }
 

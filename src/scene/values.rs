@@ -9,10 +9,13 @@ use super::expr::{self, Expr};
 use super::model::{Angle, Given};
 use super::raw::RawQuantity;
 use super::units::{Dim, Wanted};
-use crate::diag::{Diagnostic, Faults, Span};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::json::Word;
 use crate::json::fields::suggest;
 use crate::number::{Ball, Real};
+
+/// An expression, its value, and the value with a bound of its error.
+type Evaluated = (Expr, Value, Value<Ball<f64>>);
 
 /// A parameter's value, and the same with a bound of its error.
 #[derive(Clone, Copy)]
@@ -70,12 +73,15 @@ impl<'a> Values<'a> {
                 }
             };
             if !expr::is_name(&name.text) {
-                let d = Diagnostic::error("name", format!("`{}` cannot name a parameter", name.text)).at(name.span);
-                faults.push(d.help("a name is a letter followed by letters, digits or _"));
+                let d = Diagnostic::error("name", both!("`{}` cannot name a parameter", "`{}` 不能作参数名", name.text)).at(name.span);
+                faults.push(d.help(both!("a name is a letter followed by letters, digits or _", "名称以字母开头，后接字母、数字或 _")));
             } else if expr::is_reserved(&name.text) {
-                let d =
-                    Diagnostic::error("name", format!("`{}` is a unit or a function and cannot name a parameter", name.text)).at(name.span);
-                faults.push(d.help(format!("call it `{}0`", name.text)));
+                let d = Diagnostic::error(
+                    "name",
+                    both!("`{}` is a unit or a function and cannot name a parameter", "`{}` 是单位或函数，不能作参数名", name.text),
+                )
+                .at(name.span);
+                faults.push(d.help(both!("call it `{}0`", "可改称 `{}0`", name.text)));
                 // Where it is used, it is meant: that is the same fault.
                 values.names.push(&name.text);
                 values.known.insert(&name.text, None);
@@ -95,8 +101,9 @@ impl<'a> Values<'a> {
 
     fn unit(&mut self, key: &Word, unit: &Word, faults: &mut Faults) {
         let Some((name, wanted)) = Wanted::TABLE.iter().find(|(k, _)| *k == key.text) else {
-            let d = Diagnostic::error("unknown-key", format!("`{}` is not a quantity of \"units\"", key.text)).at(key.span);
-            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), "the quantities are")));
+            let d = Diagnostic::error("unknown-key", both!("`{}` is not a quantity of \"units\"", "`{}` 不是 \"units\" 中的量", key.text))
+                .at(key.span);
+            faults.push(d.help(suggest(&key.text, Wanted::TABLE.iter().map(|(k, _)| *k), both!("the quantities are", "量有"))));
             return;
         };
         let quantity = RawQuantity { text: unit.text.clone(), span: unit.span, bare: false };
@@ -105,8 +112,9 @@ impl<'a> Values<'a> {
                 self.units.insert(name, unit.text.clone());
             }
             Ok(_) => {
-                let d = Diagnostic::error("unit", format!("`{}` is not a unit of {}", unit.text, wanted.describe())).at(unit.span);
-                faults.push(d.help(format!("write \"{}\"", wanted.usual_unit())));
+                let d = Diagnostic::error("unit", both!("`{}` is not a unit of {}", "`{}` 不是{}的单位", unit.text, wanted.describe()))
+                    .at(unit.span);
+                faults.push(d.help(both!("write \"{}\"", "请写 \"{}\"", wanted.usual_unit())));
             }
             Err(fault) => faults.list.extend(fault),
         }
@@ -118,7 +126,9 @@ impl<'a> Values<'a> {
         parameters
             .iter()
             .filter(|(name, _)| !used.contains(&name.text))
-            .map(|(name, _)| Diagnostic::warning("unused-parameter", format!("parameter `{}` is not used", name.text)).at(name.span))
+            .map(|(name, _)| {
+                Diagnostic::warning("unused-parameter", both!("parameter `{}` is not used", "参数 `{}` 没有用到", name.text)).at(name.span)
+            })
             .collect()
     }
 
@@ -150,12 +160,12 @@ impl<'a> Values<'a> {
     }
 
     /// A length that must be greater than zero.
-    pub fn positive_length(&self, quantity: &RawQuantity, what: &str, faults: &mut Faults) -> Option<Given> {
+    pub fn positive_length(&self, quantity: &RawQuantity, what: Both, faults: &mut Faults) -> Option<Given> {
         let given = self.si(quantity, Wanted::Length, faults)?;
         if given.value > 0.0 {
             return Some(given);
         }
-        let d = Diagnostic::error("not-positive", format!("{what} is {}; it must be greater than zero", given.text));
+        let d = Diagnostic::error("not-positive", both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text));
         faults.push(d.at(quantity.span));
         None
     }
@@ -209,9 +219,9 @@ impl<'a> Values<'a> {
             if value.dim.serves(wanted.dim()) {
                 return Ok((text.clone(), value, ball));
             }
-            let message = format!("{} is wanted here, `{text}` is {}", wanted.describe(), value.dim.describe());
+            let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
             let d = Diagnostic::error("dimension", message).at(quantity.span);
-            return Err(d.help(format!("write it in {}", wanted.usual_unit())));
+            return Err(d.help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit())));
         }
         if value.number == 0.0 {
             let zero = Value { number: 0.0, dim: wanted.dim(), degrees: wanted == Wanted::Angle };
@@ -225,12 +235,19 @@ impl<'a> Values<'a> {
             (false, _) => format!("({text}) ({unit})"),
         };
         let Some(unit) = wanted.key().and_then(|k| self.units.get(k)) else {
-            let d = Diagnostic::error("no-unit", format!("{} is wanted here, `{text}` has no unit", wanted.describe())).at(quantity.span);
+            let d = Diagnostic::error(
+                "no-unit",
+                both!("{} is wanted here, `{text}` has no unit", "此处需要{}，`{text}` 没有单位", wanted.describe()),
+            )
+            .at(quantity.span);
             let usual = wanted.usual_unit();
             let proposal = if simple { format!("{text} {usual}") } else { format!("({text}) * 1 {usual}") };
             return Err(match wanted.key() {
-                Some(key) => d.help(format!("write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers")),
-                None => d.help(format!("write \"{proposal}\"")),
+                Some(key) => d.help(both!(
+                    "write \"{proposal}\", or give \"units\": {{\"{key}\": \"{usual}\"}} for all bare numbers",
+                    "请写 \"{proposal}\"，或用 \"units\": {{\"{key}\": \"{usual}\"}} 给所有不带单位的数规定单位"
+                )),
+                None => d.help(both!("write \"{proposal}\"", "请写 \"{proposal}\"")),
             });
         };
         let text = with_unit(unit);
@@ -238,13 +255,16 @@ impl<'a> Values<'a> {
         match self.evaluate(&full) {
             Ok((_, value, ball)) => Ok((text, value, ball)),
             // The number and the unit have been read one by one; together they can only be too large.
-            Err(fault) => Err(fault.unwrap_or_else(|| Diagnostic::error("expression", format!("`{text}` has no value")).at(quantity.span))),
+            Err(fault) => {
+                Err(fault
+                    .unwrap_or_else(|| Diagnostic::error("expression", both!("`{text}` has no value", "`{text}` 无值")).at(quantity.span)))
+            }
         }
     }
 
     /// Parses and evaluates, with a bound of the error; in longer numbers where `f64` loses the digits of what is written. The
     /// fault is `None` where it is that of a parameter and has been reported there.
-    fn evaluate(&self, quantity: &RawQuantity) -> Result<(Expr, Value, Value<Ball<f64>>), Option<Diagnostic>> {
+    fn evaluate(&self, quantity: &RawQuantity) -> Result<Evaluated, Option<Diagnostic>> {
         let expr = expr::parse(&quantity.text, &self.names).map_err(|d| Some(self.locate(quantity, d)))?;
         let lookup = |name: &str| {
             self.used.borrow_mut().insert(name.to_owned());

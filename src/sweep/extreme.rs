@@ -12,7 +12,7 @@ use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::walked::Walk;
 use super::{Placed, Width};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
 use crate::scene::{Angle, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 use std::f64::consts::TAU;
@@ -133,7 +133,7 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
 fn at_unit_speed(scene: &Scene, driver: usize) -> Result<Scene, Faults> {
     let mut scene = scene.clone();
     let Some(d) = scene.drivers.get_mut(driver) else {
-        return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+        return Err(Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into());
     };
     (d.rate.value, d.acceleration) = (1.0, None);
     for (_, d) in scene.drivers.iter_mut().enumerate().filter(|(i, _)| *i != driver) {

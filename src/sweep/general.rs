@@ -6,7 +6,7 @@ use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
 use crate::answer::Value;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::position::{self, Configuration};
 use crate::quantity::significant;
 use crate::scene::{Kind, Lang, LinkId, Scene};
@@ -49,9 +49,9 @@ impl<'a> General<'a> {
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         for f in &scene.find {
-            let value = solution
-                .answer(scene, at, &f.what)
-                .ok_or_else(|| Diagnostic::error("cannot-answer", format!("{} cannot be answered here", f.text)).at(f.span))?;
+            let value = solution.answer(scene, at, &f.what).ok_or_else(|| {
+                Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", f.text)).at(f.span)
+            })?;
             match value {
                 Value::Scalar(s) => row.push(s),
                 Value::Vector(v) => row.extend([v.x, v.y, v.norm()]),
@@ -59,7 +59,7 @@ impl<'a> General<'a> {
         }
         match row.iter().all(|v| v.is_finite()) {
             true => Ok(row),
-            false => Err(Diagnostic::error("overflow", "a number is out of range").into()),
+            false => Err(Diagnostic::error("overflow", both!("a number is out of range", "数值超出范围")).into()),
         }
     }
 }
@@ -74,11 +74,11 @@ pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
 }
 
 /// The links of an event for a sentence: `links 2, 3`.
-pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> String {
+pub(super) fn links_words(scene: &Scene, links: &[LinkId]) -> Both {
     let names: Vec<_> = links.iter().map(|l| scene.link_name(*l)).collect();
     match names[..] {
-        [one] => format!("link {one}"),
-        _ => format!("links {}", names.join(", ")),
+        [one] => both!("link {one}", "构件 {one}"),
+        _ => both!("links {}", "构件 {}", names.join(", ")),
     }
 }
 
@@ -87,14 +87,24 @@ pub(super) fn change_note(scene: &Scene, driver: usize, change: &Event) -> Diagn
     let (links, at) = (links_words(scene, &change.links), driver_words(scene, driver, change.value));
     Diagnostic::note(
         "change-point",
-        format!("at {at} {links} lie in line (a change point); the motion is carried on smoothly to the other side"),
+        both!(
+            "at {at} {} lie in line (a change point); the motion is carried on smoothly to the other side",
+            "{at} 处{}共线（运动不确定位置）；运动平滑地延续到另一侧",
+            links
+        ),
     )
 }
 
 /// What is told of change points that come again as far as a value.
 pub(super) fn again_note(scene: &Scene, driver: usize, until: f64) -> Diagnostic {
     let until = driver_words(scene, driver, until);
-    Diagnostic::note("change-point", format!("the same change points come again, on every further turn, as far as {until}"))
+    Diagnostic::note(
+        "change-point",
+        both!(
+            "the same change points come again, on every further turn, as far as {until}",
+            "此后每转一周都再次出现同样的运动不确定位置，直到 {until}"
+        ),
+    )
 }
 
 /// What a limit of the driver is told as.
@@ -102,18 +112,18 @@ pub(super) fn limit_note(scene: &Scene, driver: usize, limit: &Event) -> Diagnos
     let at = driver_words(scene, driver, limit.value);
     let what = limit.toggle.as_ref().map_or_else(
         || {
-            let pin = limit.pin.map_or(String::new(), |p| format!(" at {}", scene.point_name(p)));
-            format!("{} come into line{pin}", links_words(scene, &limit.links))
+            let pin = limit.pin.map_or(Both::default(), |p| both!(" at {}", "在 {} 处", scene.point_name(p)));
+            both!("{} come into line{}", "{}{}共线", links_words(scene, &limit.links), pin)
         },
-        |t| t.words(scene, Lang::En),
+        |t| Both { en: t.words(scene, Lang::En), zh: t.words(scene, Lang::Zh) },
     );
-    Diagnostic::note("limit", format!("the driver goes no farther than {at}: there {what}"))
+    Diagnostic::note("limit", both!("the driver goes no farther than {at}: there {}", "原动件最远到 {at}：{}", what))
 }
 
 /// A run of missing rows, and why the first of them is missing.
 pub(super) struct Gap {
     pub rows: Range<usize>,
-    pub why: String,
+    pub why: Both,
 }
 
 /// The runs of missing rows, the first row of all being the `first` of the sweep.
@@ -123,7 +133,7 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> 
         let row = first + i;
         match gaps.last_mut().filter(|g| g.rows.end == row) {
             Some(gap) => gap.rows.end = row + 1,
-            None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(String::new(), |d| d.message.clone()) }),
+            None => gaps.push(Gap { rows: row..row + 1, why: why.list.first().map_or(Both::default(), |d| d.message.clone()) }),
         }
     }
     gaps
@@ -133,10 +143,10 @@ pub(super) fn runs(missing: &BTreeMap<usize, Faults>, first: usize) -> Vec<Gap> 
 pub(super) fn gap_notes(words: &dyn Fn(usize) -> String, gaps: &[Gap]) -> Vec<Diagnostic> {
     let note = |Gap { rows, why }: &Gap| {
         let (count, range) = match rows.len() {
-            1 => ("1 row is".to_owned(), format!("at {}", words(rows.start))),
-            n => (format!("{n} rows are"), format!("from {} to {}", words(rows.start), words(rows.end - 1))),
+            1 => (both!("1 row is", "1 行"), both!("at {}", "{} 处", words(rows.start))),
+            n => (both!("{n} rows are", "{n} 行"), both!("from {} to {}", "{} 到 {} ", words(rows.start), words(rows.end - 1))),
         };
-        Diagnostic::warning("no-position", format!("{count} missing {range}: {why}"))
+        Diagnostic::warning("no-position", both!("{} missing {}: {}", "{1}缺少 {0}：{2}", count, range, why))
     };
     gaps.iter().map(note).collect()
 }

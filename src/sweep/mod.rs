@@ -49,7 +49,7 @@ pub use lane::Width;
 pub use station::{Stations, Steps};
 pub use table::{Column, Table};
 
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration};
 use crate::scene::Scene;
@@ -110,7 +110,9 @@ impl<'a> Sweep<'a> {
     pub fn new(placed: &'a Placed<'a>, driver: usize) -> Result<Sweep<'a>, Faults> {
         let scene = placed.scene;
         if driver >= scene.drivers.len() {
-            return Err(Diagnostic::error("no-driver", format!("the scene has no driver {}", driver + 1)).into());
+            return Err(
+                Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into()
+            );
         }
         let program = compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find);
         Ok(Sweep { placed, driver, program })

@@ -9,7 +9,7 @@ use super::general::{self, General};
 use super::limit::{Event, Kind};
 use super::station::{Stations, position_now};
 use crate::accuracy::toggle::with_driver_at;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Mechanism};
 use crate::position::Configuration;
 use crate::position::fold::fold;
@@ -120,9 +120,9 @@ impl Follow for Moved<'_> {
     fn stopped(&self, last: Option<&Standing>, toward: f64) -> Faults {
         let words = |value| general::driver_words(self.placed.scene, self.driver, value);
         let message = match last.map(|last| (last, self.end(last))) {
-            Some((_, Some(limit))) => format!("the mechanism cannot be assembled beyond {}", words(limit.value)),
-            Some((last, None)) => format!("the mechanism cannot be followed beyond {}", words(last.value)),
-            None => format!("the mechanism cannot be followed to {}", words(toward)),
+            Some((_, Some(limit))) => both!("the mechanism cannot be assembled beyond {}", "机构在 {} 以后不能装配", words(limit.value)),
+            Some((last, None)) => both!("the mechanism cannot be followed beyond {}", "机构的运动在 {} 以后无法跟踪", words(last.value)),
+            None => both!("the mechanism cannot be followed to {}", "机构的运动无法跟踪到 {}", words(toward)),
         };
         Diagnostic::error("limit", message).into()
     }

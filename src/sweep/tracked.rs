@@ -6,7 +6,7 @@ use super::general::driver_words;
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
 use super::track::State;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use std::ops::Range;
 
 /// A program whose links are followed.
@@ -51,8 +51,12 @@ impl Follow for Tracked<'_> {
     fn stopped(&self, last: Option<&State>, _toward: f64) -> Faults {
         let scene = self.placed.scene;
         let names: Vec<_> = self.program.tracks.iter().map(|t| scene.link_name(t.link)).collect();
-        let until = last.map_or(String::new(), |last| format!(" beyond {}", driver_words(scene, self.driver, last.value)));
-        Diagnostic::error("limit", format!("the group of link {} cannot be assembled{until}", names.join(", "))).into()
+        let until = last.map_or(Both::default(), |last| both!(" beyond {}", "在 {} 以后", driver_words(scene, self.driver, last.value)));
+        Diagnostic::error(
+            "limit",
+            both!("the group of link {} cannot be assembled{}", "构件 {} 所在杆组{}不能装配", names.join(", "), until),
+        )
+        .into()
     }
 
     fn turns(&self) -> bool {

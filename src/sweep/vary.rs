@@ -8,7 +8,7 @@ use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
 use super::{Placed, Width, moved};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::Mechanism;
 use crate::quantity::shortest;
 use crate::scene::eval::{NoValue, Value, evaluate};
@@ -89,12 +89,15 @@ impl Variation {
         for name in names {
             match known.iter().position(|k| k == name) {
                 Some(i) if !varied.contains(&i) => varied.push(i),
-                Some(_) => faults.push(Diagnostic::error("given-twice", format!("parameter `{name}` is varied twice"))),
+                Some(_) => {
+                    faults.push(Diagnostic::error("given-twice", both!("parameter `{name}` is varied twice", "参数 `{name}` 变化了两次")))
+                }
                 None => {
-                    let d = Diagnostic::error("unknown-parameter", format!("the scene has no parameter `{name}`"));
+                    let d =
+                        Diagnostic::error("unknown-parameter", both!("the scene has no parameter `{name}`", "机构文件没有参数 `{name}`"));
                     faults.push(d.help(match known[..] {
-                        [] => "give the lengths to be varied names in \"parameters\"".to_owned(),
-                        _ => format!("its parameters are {}", known.join(", ")),
+                        [] => both!("give the lengths to be varied names in \"parameters\"", "请在 \"parameters\" 中给要变化的长度命名"),
+                        _ => both!("its parameters are {}", "其参数有 {}", known.join(", ")),
                     }));
                 }
             }
@@ -149,14 +152,15 @@ impl Variation {
     /// What is no quantity of the parameter's kind.
     pub fn value(&self, scene: &Scene, name: &str, text: &str) -> Result<Value, Faults> {
         let known: Vec<&str> = self.parameters.iter().map(|p| p.0.as_str()).collect();
-        let i = known.iter().position(|k| *k == name).ok_or_else(|| Diagnostic::error("unknown-parameter", format!("`{name}`")))?;
+        let i =
+            known.iter().position(|k| *k == name).ok_or_else(|| Diagnostic::error("unknown-parameter", both!("`{name}`", "`{name}`")))?;
         let written = templates::replacement(name, &scene.parameters[i].1.text, text, &[])?;
         let value = self.evaluate(&expr::parse(&written, &[])?, &[])?;
         let usual = self.evaluate(&self.parameters[i].1, &self.values(&[])?)?;
         if value.dim != usual.dim {
             return Err(Diagnostic::error(
                 "dimension",
-                format!("`{text}` is {}; `{name}` is {}", value.dim.describe(), usual.dim.describe()),
+                both!("`{text}` is {}; `{name}` is {}", "`{text}` 是{}；`{name}` 是{}", value.dim.describe(), usual.dim.describe()),
             )
             .into());
         }
@@ -188,7 +192,7 @@ impl Variation {
         let lookup = |name: &str| self.parameters[..values.len()].iter().rposition(|p| p.0 == name).map(|i| values[i]);
         evaluate(expr, &lookup).map_err(|e| match e {
             NoValue::Fault(d) => Diagnostic { span: None, ..d }.into(),
-            NoValue::Reported => Diagnostic::error("unknown-parameter", "a parameter has no value").into(),
+            NoValue::Reported => Diagnostic::error("unknown-parameter", both!("a parameter has no value", "有参数没有值")).into(),
         })
     }
 
@@ -219,7 +223,7 @@ impl Variation {
                 Slot::Number(given, positive) => {
                     let si = value.si();
                     if *positive && si <= 0.0 {
-                        return Err(Diagnostic::error("not-positive", format!("`{}` becomes {}", given.text, shortest(si)))
+                        return Err(Diagnostic::error("not-positive", both!("`{}` becomes {}", "`{}` 变为 {}", given.text, shortest(si)))
                             .at(given.span)
                             .into());
                     }

@@ -71,7 +71,7 @@ fn strange(folder: &std::path::Path) -> Vec<PathBuf> {
     ] {
         let out = folder.join(format!("{name}.json"));
         let sets = sets.iter().flat_map(|s| ["--set", s]);
-        hodograph().args(["new", name, "-o"]).arg(&out).args(sets).assert();
+        hodograph().args(["new", name, "-o"]).arg(&out).args(sets).assert().success();
         all.extend(out.exists().then_some(out));
     }
     all.push(templates_path("shaper").into());

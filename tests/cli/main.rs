@@ -7,6 +7,7 @@ mod exits;
 mod figures;
 #[cfg(target_os = "linux")]
 mod files;
+mod languages;
 mod scene;
 mod text;
 mod units;
@@ -16,7 +17,8 @@ use std::path::Path;
 
 fn hodograph() -> Command {
     let mut c = Command::cargo_bin("hodograph").unwrap();
-    c.current_dir(env!("CARGO_MANIFEST_DIR"));
+    // The language of the machine is none of the tests' concern.
+    c.current_dir(env!("CARGO_MANIFEST_DIR")).env("LC_ALL", "C");
     c
 }
 

@@ -85,3 +85,33 @@ fn broken_scenes_are_explained() {
     }
     assert!(missing.is_empty(), "{}\nin\n{now}", missing.join("\n"));
 }
+
+/// Everything that is said of a scene: its faults, or the notes of its answers.
+fn said(text: &str) -> Vec<hodograph::diag::Diagnostic> {
+    match scene::read(text) {
+        Err(faults) => faults.list,
+        Ok(read) => match work(&read.value, Scope::Figure) {
+            Err(faults) => [read.notes, faults.list].concat(),
+            Ok(done) => [read.notes, done.notes].concat(),
+        },
+    }
+}
+
+#[test]
+fn the_chinese_has_no_english() {
+    let (mut told, mut faults) = (0, Vec::new());
+    for folder in ["tests/bad", "tests/repro", "tests/cases", "templates"] {
+        for file in std::fs::read_dir(format!("{}/{folder}", env!("CARGO_MANIFEST_DIR"))).unwrap() {
+            let path = file.unwrap().path();
+            if path.extension().is_none_or(|e| e != "json") {
+                continue;
+            }
+            for d in said(&std::fs::read_to_string(&path).unwrap()) {
+                told += 1;
+                faults.extend(d.english_in_chinese().map(|left| format!("{}: {left:?} in {d:?}", path.display())));
+            }
+        }
+    }
+    assert!(told > 20, "only {told} messages were looked at");
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

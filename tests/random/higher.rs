@@ -83,7 +83,7 @@ fn the_direction_of_a_slider_is_not_taken_from_the_sketch() {
 fn worked(text: &str) -> (Scene, Worked) {
     let scene = scene::read(text).unwrap_or_else(|f| panic!("{f}")).value;
     let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}"));
-    assert!(done.notes.iter().any(|d| d.code == "higher-group" && d.message.contains("2, 3, 4, 5")), "{:?}", done.notes);
+    assert!(done.notes.iter().any(|d| d.code == "higher-group" && d.message.en.contains("2, 3, 4, 5")), "{:?}", done.notes);
     (scene, done.value)
 }
 

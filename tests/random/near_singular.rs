@@ -78,7 +78,7 @@ fn near_a_dead_point() {
             let bound = if longer { 1e-14 } else { 4.0 * rounding / h };
             assert!((got - expected).abs() <= bound * expected.abs(), "h {h:e}: {got:e} {expected:e}\n{text}");
             assert!(longer || k < 14, "h {h:e}\n{text}");
-            let warned = notes.iter().any(|d| d.code == "near-singular" && d.message.contains("link 1 (AB) and link 2 (BC)"));
+            let warned = notes.iter().any(|d| d.code == "near-singular" && d.message.en.contains("link 1 (AB) and link 2 (BC)"));
             assert!(warned || rounding / h < 1e-6, "h {h:e}: {got:e} without a word\n{text}");
         }
     }
@@ -181,7 +181,7 @@ fn random_crank_rockers_at_their_limits() {
                 Err(e) => {
                     dead += 1;
                     let said =
-                        e.list.iter().all(|d| d.code == "dead-centre" && d.message.contains("link 1 (AB) and link 2 (BC) lie in line"));
+                        e.list.iter().all(|d| d.code == "dead-centre" && d.message.en.contains("link 1 (AB) and link 2 (BC) lie in line"));
                     assert!(said, "seed {seed}: {e}\n{text}");
                 }
             }

@@ -259,7 +259,7 @@ fn an_isosceles_slider_crank() {
         let others: Vec<f64> = done.results.iter().map(|o| number(o.others[0])).collect();
         assert!(close(values[1], -1.0, 1.0) && close(values[2], 2.0 * f.scale, f.scale), "{values:?}\n{text}");
         assert!(close(others[1], 1.0, 1.0) && others[2] == 0.0, "{others:?}\n{text}");
-        assert!(done.solution.singular[0].words.contains("link 2 (BC) lies square to the guide of C"), "{:?}", done.solution.singular);
+        assert!(done.solution.singular[0].words.en.contains("link 2 (BC) lies square to the guide of C"), "{:?}", done.solution.singular);
         // Driven by the slider it is the dead point of crank and rod.
         let text = text.replace(
             r#""driver": {"link": "1", "omega": "1 rad/s", "alpha": "0 rad/s^2"}"#,

@@ -31,7 +31,7 @@ fn go_on(part: &mut Part, until: usize) {
 
 fn open(out: &Path) -> Result<Part, String> {
     Part::open(out, "job", &format()).map_err(|f| match f {
-        Failure::Output(words) => words,
+        Failure::Output(words) => words.en,
         _ => panic!("another failure"),
     })
 }

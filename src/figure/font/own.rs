@@ -12,7 +12,7 @@ use skrifa::font::attribute::Style;
 use skrifa::font::name::NameId;
 
 use super::{Bytes, Cut, Face, Loaded, Slant};
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 
 /// The largest font file that is read: whole Chinese fonts are smaller.
 pub const LARGEST: usize = 64 << 20;
@@ -37,14 +37,16 @@ impl Own {
     /// # Errors
     /// `font` for a file that is none or whose letters cannot be drawn.
     fn read(name: &str, bytes: Vec<u8>) -> Result<Own, Diagnostic> {
-        let fault = |what: String| Diagnostic::error("font", what);
+        let fault = |what: Both| Diagnostic::error("font", what);
         if bytes.len() > LARGEST {
-            return Err(fault(format!("{name} is larger than {} MiB", LARGEST >> 20)).help("give a font of the usual size"));
+            return Err(fault(both!("{name} is larger than {} MiB", "{name} 超过 {} MiB", LARGEST >> 20))
+                .help(both!("give a font of the usual size", "请用通常大小的字体")));
         }
         let key = fingerprint(&bytes);
         let bytes: Bytes = Arc::new(bytes);
         let Some(loaded) = Loaded::try_new(Arc::clone(&bytes)) else {
-            return Err(fault(format!("{name} is no font that can be read")).help("give an OpenType or TrueType file (.otf, .ttf)"));
+            return Err(fault(both!("{name} is no font that can be read", "{name} 不是可读的字体"))
+                .help(both!("give an OpenType or TrueType file (.otf, .ttf)", "请用 OpenType 或 TrueType 文件（.otf、.ttf）")));
         };
         let cut = match loaded.font.default_attributes().style {
             Style::Normal => Cut::Upright,
@@ -52,7 +54,8 @@ impl Own {
         };
         let sound = |c: &char| super::drawn(&loaded, *c).is_some();
         if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c)) {
-            return Err(fault(format!("{name} has no letter and no digit that can be drawn")).help("give a text font"));
+            return Err(fault(both!("{name} has no letter and no digit that can be drawn", "{name} 没有可绘制的字母和数字"))
+                .help(both!("give a text font", "请用文字字体")));
         }
         // A name goes into files as it is: nothing in it may end an attribute.
         let named = loaded.font.names().get(NameId::FAMILY_NAME).and_then(|n| n.english_or_first());
@@ -153,8 +156,8 @@ impl Fonts {
         let cut = own.cut();
         let mut cuts = self.cuts().map(Option::<&Own>::cloned);
         if cuts[cut as usize].replace(own).is_some() {
-            let d = Diagnostic::error("font", format!("{name} is the second {} font", cut.name()));
-            return Err(d.help("give one upright and one slanted (italic) font at most"));
+            let d = Diagnostic::error("font", both!("{name} is the second {} font", "{name} 是第二个 {} 字体", cut.name()));
+            return Err(d.help(both!("give one upright and one slanted (italic) font at most", "正体和斜体字体至多各一个")));
         }
         Ok(Fonts::of(cuts))
     }
@@ -194,8 +197,8 @@ impl Fonts {
         let lacking = self.0.as_ref()?.lacking.lock().unwrap_or_else(PoisonError::into_inner);
         let named: Vec<String> = lacking.iter().take(NAMED_MAX).map(char::to_string).collect();
         let more = lacking.len().saturating_sub(NAMED_MAX);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-        let message = format!("the font has no {}{more}: set in the bundled fonts", named.join(" "));
+        let more = if more > 0 { both!(" and {more} more", " 等另 {more} 个字符") } else { Both::default() };
+        let message = both!("the font has no {}{}: set in the bundled fonts", "字体中没有 {}{}：改用内置字体", named.join(" "), more);
         (!named.is_empty()).then(|| Diagnostic::note("font-lacks", message))
     }
 }
@@ -223,7 +226,7 @@ mod tests {
         assert!(matches!(Face::of('v', Slant::Italic, &italic), Some(Face::Own(_))));
         assert_eq!(Face::of('v', Slant::Italic, &song), Some(Face::Italic), "an upright font writes no quantities");
         assert_eq!(Face::of('α', Slant::Upright, &song), Some(Face::Roman));
-        assert!(song.lacking().unwrap().message.contains('α') && italic.lacking().is_none());
+        assert!(song.lacking().unwrap().message.en.contains('α') && italic.lacking().is_none());
         let both = italic.over(&song);
         assert_eq!(both.cuts(), [song.cuts()[0], italic.cuts()[1]]);
         assert_eq!(both.over(&Fonts::default()), both);

@@ -1,6 +1,6 @@
 //! The parser of the label language: characters to rows of atoms.
 
-use crate::diag::Diagnostic;
+use crate::diag::{Both, Diagnostic, both};
 use crate::figure::font::Slant;
 
 use super::{Node, Role};
@@ -34,9 +34,12 @@ impl Parser<'_> {
         self.chars.get(self.at).copied()
     }
 
-    fn fault(&mut self, what: String) {
-        let help = "see the label language: v_{B3B2}^r, \\omega_1, b'_2, \\text{words}";
-        self.faults.push(Diagnostic::error("label-syntax", format!("label `{}`: {what}", self.source)).help(help));
+    fn fault(&mut self, what: Both) {
+        let help = both!(
+            "see the label language: v_{{B3B2}}^r, \\omega_1, b'_2, \\text{{words}}",
+            "标注的写法：v_{{B3B2}}^r、\\omega_1、b'_2、\\text{{words}}"
+        );
+        self.faults.push(Diagnostic::error("label-syntax", both!("label `{}`: {}", "标注 `{}`：{}", self.source, what)).help(help));
     }
 
     fn take_while(&mut self, keep: impl Fn(char) -> bool) -> String {
@@ -58,7 +61,7 @@ impl Parser<'_> {
                 }
                 '}' => {
                     self.at += 1;
-                    self.fault("a } that closes nothing".into());
+                    self.fault(both!("a }} that closes nothing", "多余的 }}"));
                 }
                 '{' => {
                     self.at += 1;
@@ -97,7 +100,7 @@ impl Parser<'_> {
             }
         }
         if braced {
-            self.fault("a { without its }".into());
+            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
         }
         row
     }
@@ -106,7 +109,7 @@ impl Parser<'_> {
     fn host<'r>(&mut self, row: &'r mut Vec<Node>, mark: &str) -> &'r mut Node {
         match row.last_mut() {
             None => {
-                self.fault(format!("{mark} stands on nothing"));
+                self.fault(both!("{mark} stands on nothing", "{mark} 前面没有内容"));
                 row.push(Node::new("", Slant::Upright, Role::Ordinary));
             }
             // A script stands on one letter: in `AB_1` on B.
@@ -143,7 +146,7 @@ impl Parser<'_> {
                 vec![Node::new(c, slant, Role::Ordinary)]
             }
             _ => {
-                self.fault(format!("{mark} without a script"));
+                self.fault(both!("{mark} without a script", "{mark} 后面没有内容"));
                 return;
             }
         };
@@ -156,7 +159,7 @@ impl Parser<'_> {
         if slot.is_empty() {
             *slot = inner;
         } else {
-            self.fault(format!("two {mark} on one letter"));
+            self.fault(both!("two {mark} on one letter", "一个字母有两个 {mark}"));
         }
     }
 
@@ -199,7 +202,7 @@ impl Parser<'_> {
                 Some(' ') => row.push(Node::space(WORD_EM)),
                 Some(c @ ('{' | '}' | '_' | '^' | '\\' | '\'' | '%' | '#' | '&')) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
                 _ => {
-                    self.fault("a \\ with no command after it".into());
+                    self.fault(both!("a \\ with no command after it", "\\ 后面没有命令"));
                     return;
                 }
             }
@@ -218,7 +221,10 @@ impl Parser<'_> {
                         let c = char::from_u32(0x2460 + k - 1).expect("① to ⑳ are characters");
                         row.push(Node::new(c, Slant::Symbol, Role::Ordinary));
                     }
-                    _ => self.fault(format!("\\circled takes a number from 1 to 20, not `{n}`")),
+                    _ => self.fault(both!(
+                        "\\circled takes a number from 1 to 20, not `{n}`",
+                        "\\circled 的参数应为 1 到 20 的数，而不是 `{n}`"
+                    )),
                 }
             }
             "quad" => row.push(Node::space(1.0)),
@@ -228,7 +234,7 @@ impl Parser<'_> {
                 Some((c, Kind::Capital)) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
                 Some((c, Kind::Sign)) => row.push(symbol(c, row)),
                 None => {
-                    self.fault(format!("unknown command \\{name}"));
+                    self.fault(both!("unknown command \\{name}", "未知命令 \\{name}"));
                     row.push(Node::new(name, Slant::Upright, Role::Ordinary));
                 }
             },
@@ -238,13 +244,13 @@ impl Parser<'_> {
     /// The characters between the braces after a command, as they stand.
     fn argument(&mut self) -> String {
         if self.peek() != Some('{') {
-            self.fault("a command that needs {…}".into());
+            self.fault(both!("a command that needs {{…}}", "该命令需要 {{…}}"));
             return String::new();
         }
         self.at += 1;
         let text = self.take_while(|c| c != '}');
         if self.peek().is_none() {
-            self.fault("a { without its }".into());
+            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
         }
         self.at += 1;
         text

@@ -8,7 +8,7 @@ mod cells;
 mod page;
 
 use crate::construct::scale::Boxes;
-use crate::diag::{Diagnostic, Faults, Warned};
+use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
@@ -84,8 +84,8 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
         .collect();
     // A table has at least one row.
     if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
-        let d = Diagnostic::error("no-motion", "the mechanism cannot be followed from its pose");
-        return Err(d.help("give another pose, or ask for the sheet of this one").into());
+        let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
+        return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
     }
     let moved = (!wanted.points.is_empty())
         .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
@@ -95,10 +95,13 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     let pages = table.pages(scene.paper.size_mm)?;
     let mut notes = Vec::new();
     if rows.len() < wanted.count {
-        notes.push(Diagnostic::note("poses", format!("{} of {} poses can be drawn", rows.len(), wanted.count)));
+        notes.push(Diagnostic::note("poses", both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count)));
     }
     if scene.drivers.len() > 1 {
-        let text = "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates";
+        let text = both!(
+            "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
+            "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
+        );
         notes.push(Diagnostic::note("poses-driver", text));
     }
     Ok(Warned { value: pages, notes })

@@ -2,7 +2,7 @@
 
 use super::cells::{Column, Shows};
 use super::{Table, text};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::arrange::AIM_MM;
 use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
@@ -47,9 +47,17 @@ impl Table<'_> {
                 if one_w > w || one_h > h {
                     let d = Diagnostic::error(
                         "paper-too-small",
-                        format!("a row of the sheet needs {one_w:.0} mm by {one_h:.0} mm, the paper has {w} by {h}"),
+                        both!(
+                            "a row of the sheet needs {one_w:.0} mm by {one_h:.0} mm, the paper has {w} by {h}",
+                            "一行图需要 {one_w:.0} mm × {one_h:.0} mm，而图纸为 {w} × {h}"
+                        ),
                     );
-                    return Err(d.help("give a larger paper, leave its size to the sheet, or ask for less").into());
+                    return Err(d
+                        .help(both!(
+                            "give a larger paper, leave its size to the sheet, or ask for less",
+                            "请用更大的图纸，或不规定图幅，或少求一些量"
+                        ))
+                        .into());
                 }
                 let across = ((w - 2.0 * MARGIN_MM) / width_mm) as usize;
                 (across, ((h - one_h) / row_mm) as usize + 1, [w, h])

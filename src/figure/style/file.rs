@@ -5,12 +5,12 @@
 //! ```
 
 use super::{Marks, Style};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Colour;
 use crate::figure::label::Label;
 use crate::figure::text;
-use crate::json::fields::{Fields, list, suggest, word, wrong};
+use crate::json::fields::{Fields, What, list, suggest, word, wrong};
 use crate::json::{self, Kind, Node};
 
 /// A length that a style sets: its key, where it is kept, and its bounds in mm.
@@ -91,7 +91,10 @@ pub fn read_with(source: &[u8], open: &mut Open) -> Result<Style, Faults> {
 
 /// Opens nothing.
 pub(super) fn nothing(name: &str) -> Result<Vec<u8>, Diagnostic> {
-    Err(Diagnostic::error("font", format!("{name} cannot be read: this style is read without other files")))
+    Err(Diagnostic::error(
+        "font",
+        both!("{name} cannot be read: this style is read without other files", "不能读取 {name}：此样式不另读文件"),
+    ))
 }
 
 /// The same for a file that differs, where it names no base, from `usual`.
@@ -103,14 +106,14 @@ pub(super) fn read_onto(source: &[u8], usual: Style, open: &mut Open) -> Result<
 }
 
 fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Option<Style> {
-    let f = Fields::open(root, "a style", KEYS, faults)?;
+    let f = Fields::open(root, both!("a style", "样式文件"), KEYS, faults)?;
     let mut style = match f.get("base") {
         None => usual,
         Some(node) => {
             let base = word(node, "\"base\"", faults)?;
             Style::named(&base.text).or_else(|| {
-                let d = Diagnostic::error("unknown-style", format!("there is no style `{}`", base.text)).at(base.span);
-                faults.push(d.help(suggest(&base.text, Style::names().into_iter(), "the styles are")));
+                let d = Diagnostic::error("unknown-style", both!("there is no style `{}`", "没有样式 `{}`", base.text)).at(base.span);
+                faults.push(d.help(suggest(&base.text, Style::names().into_iter(), both!("the styles are", "样式有"))));
                 None
             })?
         }
@@ -121,7 +124,7 @@ fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Opt
     for (key, what, lengths) in SECTIONS {
         let Some(node) = f.get(key) else { continue };
         let keys: Vec<&str> = lengths.iter().map(|l| l.0).collect();
-        let Some(section) = Fields::open(node, what, &keys, faults) else { continue };
+        let Some(section) = Fields::open(node, *what, &keys, faults) else { continue };
         for (key, place, bounds) in *lengths {
             if let Some(mm) = section.get(key).and_then(|n| length(n, key, *bounds, faults)) {
                 *place(&mut style) = mm;
@@ -141,12 +144,14 @@ fn style(root: &Node, usual: Style, open: &mut Open, faults: &mut Faults) -> Opt
 }
 
 fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) -> Option<f64> {
-    let Kind::Number(text) = &node.kind else { return wrong(node, &format!("`{key}`"), "a number of millimetres", faults) };
+    let Kind::Number(text) = &node.kind else {
+        return wrong(node, &format!("`{key}`"), both!("a number of millimetres", "毫米数"), faults);
+    };
     match text.parse::<f64>() {
         Ok(mm) if (least..=most).contains(&mm) => Some(mm),
         _ => {
-            let d = Diagnostic::error("out-of-range", format!("`{key}` is {text} mm")).at(node.span);
-            faults.push(d.help(format!("give {least} to {most} mm")));
+            let d = Diagnostic::error("out-of-range", both!("`{key}` is {text} mm", "`{key}` 为 {text} mm")).at(node.span);
+            faults.push(d.help(both!("give {least} to {most} mm", "请取 {least} 到 {most} mm")));
             None
         }
     }
@@ -156,7 +161,7 @@ fn length(node: &Node, key: &str, [least, most]: [f64; 2], faults: &mut Faults) 
 fn fonts(node: &Node, open: &mut Open, faults: &mut Faults) -> Fonts {
     let mut fonts = Fonts::default();
     for item in list(node, "\"fonts\"", faults).unwrap_or_default() {
-        let Some(name) = word(item, "a font", faults) else { continue };
+        let Some(name) = word(item, both!("a font", "字体"), faults) else { continue };
         match open(&name.text).and_then(|bytes| fonts.with(&name.text, bytes)) {
             Ok(more) => fonts = more,
             Err(d) => faults.push(d.at(name.span)),
@@ -168,7 +173,7 @@ fn fonts(node: &Node, open: &mut Open, faults: &mut Faults) -> Fonts {
 fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
     let Some(f) = Fields::open(node, "\"colours\"", COLOURS, faults) else { return };
     let mut one = |key: &str, place: &mut Colour| {
-        if let Some(c) = f.get(key).and_then(|n| colour(n, key, faults)) {
+        if let Some(c) = f.get(key).and_then(|n| colour(n, &format!("`{key}`"), faults)) {
             *place = c;
         }
     };
@@ -178,19 +183,26 @@ fn colours(node: &Node, style: &mut Style, faults: &mut Faults) {
     let Some(node) = f.get("links") else { return };
     let Some(items) = list(node, "\"links\"", faults) else { return };
     if items.len() > LINKS_MAX {
-        let message = format!("\"links\" has {} colours; at most {LINKS_MAX} are allowed", items.len());
+        let message = both!(
+            "\"links\" has {} colours; at most {LINKS_MAX} are allowed",
+            "\"links\" 有 {} 种颜色，最多允许 {LINKS_MAX} 种",
+            items.len()
+        );
         return faults.push(Diagnostic::error("too-many", message).at(node.span));
     }
-    style.palette.links = items.iter().filter_map(|n| colour(n, "a colour of a link", faults)).collect();
+    style.palette.links = items.iter().filter_map(|n| colour(n, both!("`a colour of a link`", "构件的颜色"), faults)).collect();
 }
 
-fn colour(node: &Node, what: &str, faults: &mut Faults) -> Option<Colour> {
-    let text = word(node, &format!("`{what}`"), faults)?;
+fn colour(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Colour> {
+    let text = word(node, what, faults)?;
     let digits = text.text.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()));
     let value = digits.and_then(|d| u32::from_str_radix(d, 16).ok());
     if value.is_none() {
-        let d = Diagnostic::error("colour", format!("`{}` is no colour", text.text)).at(text.span);
-        faults.push(d.help("write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\""));
+        let d = Diagnostic::error("colour", both!("`{}` is no colour", "`{}` 不是颜色", text.text)).at(text.span);
+        faults.push(d.help(both!(
+            "write red, green and blue in two hexadecimal digits each, such as \"#1f6fd0\"",
+            "请把红、绿、蓝各写成两位十六进制数，如 \"#1f6fd0\""
+        )));
     }
     value.map(|v| Colour::rgb((v >> 16) as u8, (v >> 8) as u8, v as u8))
 }
@@ -200,13 +212,15 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
     let mut one = |key: &str, place: &mut Option<String>| {
         let Some(text) = f.get(key).and_then(|n| word(n, &format!("`{key}`"), faults)) else { return };
         if text.text.chars().count() > MARK_MAX {
-            let d = Diagnostic::error("mark", format!("`{key}` has more than {MARK_MAX} characters")).at(text.span);
-            return faults.push(d.help("write another mark"));
+            let d = Diagnostic::error("mark", both!("`{key}` has more than {MARK_MAX} characters", "`{key}` 超过 {MARK_MAX} 个字符"))
+                .at(text.span);
+            return faults.push(d.help(both!("write another mark", "请换一个记号")));
         }
         let label = Label::math(text.text.as_str());
         let set = text::set(&label);
         match set.faults.first() {
-            Some(fault) => faults.push(Diagnostic::error("mark", fault.message.clone()).at(text.span).help("write another mark")),
+            Some(fault) => faults
+                .push(Diagnostic::error("mark", fault.message.clone()).at(text.span).help(both!("write another mark", "请另写一个记号"))),
             None => *place = Some(text.text),
         }
     };
@@ -229,7 +243,7 @@ mod tests {
         let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
         assert_eq!(codes, ["unknown-key", "unknown-key", "out-of-range", "wrong-type", "colour", "colour", "mark"]);
         assert!(faults.list.iter().all(|d| d.span.is_some()));
-        assert!(faults.list[2].help.as_ref().unwrap().contains("0.1 to 2 mm"));
+        assert!(faults.list[2].help.as_ref().unwrap().en.contains("0.1 to 2 mm"));
     }
 
     #[test]

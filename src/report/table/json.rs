@@ -47,7 +47,7 @@ pub(super) struct Note<'a> {
 
 /// Notes by code and message.
 pub(super) fn notes(notes: &[Diagnostic]) -> Vec<Note<'_>> {
-    notes.iter().map(|n| Note { code: n.code, message: &n.message }).collect()
+    notes.iter().map(|n| Note { code: n.code, message: &n.message.en }).collect()
 }
 
 /// Writes a table as JSON, number by number: no text of it is kept. `values` gives the numbers of each column, in pieces of any size.

@@ -19,6 +19,7 @@ pub use self::npy::Npy;
 pub use self::parquet::Parquet;
 
 use crate::diag::Diagnostic;
+use crate::scene::Lang;
 use crate::sweep::Table;
 use std::collections::HashSet;
 use std::io;
@@ -54,6 +55,8 @@ pub struct Head {
     pub title: String,
     /// The columns.
     pub columns: Vec<Heading>,
+    /// The language of the notes, where the format has them for people.
+    pub lang: Lang,
 }
 
 impl Head {
@@ -71,7 +74,12 @@ impl Head {
                 c.name = format!("{own} ({count})");
             }
         }
-        Head { title: title.to_owned(), columns }
+        Head { title: title.to_owned(), columns, lang: Lang::default() }
+    }
+
+    /// The same, with notes in a language.
+    pub fn told_in(self, lang: Lang) -> Head {
+        Head { lang, ..self }
     }
 
     /// The head of a sweep's table.

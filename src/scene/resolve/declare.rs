@@ -29,7 +29,7 @@ impl Register {
             return *id;
         }
         // A bad name is declared all the same: its other mentions are the same fault, not new ones.
-        faults.list.extend(names::check(word, "point"));
+        faults.list.extend(names::check(word, names::Named::Point));
         let id = PointId(self.points.len());
         self.points.push(Point { name: word.text.clone(), place: Place::Unknown, sketch: None, span: word.span });
         self.by_point.insert(word.text.clone(), id);
@@ -37,7 +37,7 @@ impl Register {
     }
 
     fn link(&mut self, word: &Word, points: Vec<PointId>, faults: &mut Faults) -> LinkId {
-        faults.list.extend(names::check(word, "link"));
+        faults.list.extend(names::check(word, names::Named::Link));
         let id = LinkId(self.links.len());
         self.links.push(Link { name: word.text.clone(), points, span: word.span });
         self.by_link.insert(word.text.clone(), id);
@@ -52,13 +52,13 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         for word in &link.points {
             let id = r.point(word, faults);
             if points.contains(&id) {
-                let message = format!("link `{}` names point `{}` twice", link.name.text, word.text);
-                faults.push(Diagnostic::error("same-point", message).at(word.span).help("name it once"));
+                let message = both!("link `{}` names point `{}` twice", "构件 `{}` 两次写了点 `{}`", link.name.text, word.text);
+                faults.push(Diagnostic::error("same-point", message).at(word.span).help(both!("name it once", "请只写一次")));
             } else {
                 points.push(id);
             }
             if r.points.len() > MAX_POINTS {
-                let message = format!("there are more than {MAX_POINTS} points");
+                let message = both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
                 faults.push(Diagnostic::error("too-many", message).at(word.span));
                 return Declared { points: r.points, links: r.links, ground: None };
             }
@@ -97,9 +97,15 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         }
     }
     if r.links.len() > MAX_LINKS {
-        faults.push(Diagnostic::error("too-many", format!("there are {} links; at most {MAX_LINKS} are allowed", r.links.len())));
+        faults.push(Diagnostic::error(
+            "too-many",
+            both!("there are {} links; at most {MAX_LINKS} are allowed", "有 {} 个构件，最多允许 {MAX_LINKS} 个", r.links.len()),
+        ));
     } else if r.links.len() < 2 && !raw.links.is_empty() {
-        let d = Diagnostic::error("too-few-links", "a mechanism has at least two links, counting the ground; there is one");
+        let d = Diagnostic::error(
+            "too-few-links",
+            both!("a mechanism has at least two links, counting the ground; there is one", "机构至少有两个构件（包括机架），此处只有一个"),
+        );
         faults.push(d.at(raw.links[0].name.span));
     }
     empty_links(raw, &r, ground, faults);
@@ -126,18 +132,35 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     let pivots = if carries { Vec::new() } else { implied_pivots(raw, r) };
     // A ground that nothing touches is a mistyped name, not a link without points of its own.
     if !carries && pivots.is_empty() {
-        let d = Diagnostic::error("unknown-link", format!("the ground `{}` is not among the links and carries no guide", word.text));
+        let d = Diagnostic::error(
+            "unknown-link",
+            both!("the ground `{}` is not among the links and carries no guide", "机架 `{}` 不在构件之列，也没有导路", word.text),
+        );
         let known = raw.links.iter().map(|l| l.name.text.as_str());
-        let near = suggest(&word.text, known, "the links are");
-        faults.push(d.at(word.span).help(format!("{near}; list its fixed pivots, as in \"{}\": [\"A\", \"D\"]", word.text)));
+        let near = suggest(&word.text, known, both!("the links are", "构件有"));
+        faults.push(d.at(word.span).help(both!(
+            "{}; list its fixed pivots, as in \"{}\": [\"A\", \"D\"]",
+            "{}；请列出其固定铰链，如 \"{}\": [\"A\", \"D\"]",
+            near,
+            word.text
+        )));
         return None;
     }
     if !pivots.is_empty() {
         let names: Vec<&str> = pivots.iter().map(|p| r.points[p.0].name.as_str()).collect();
         let quoted: Vec<String> = names.iter().map(|n| format!("\"{n}\"")).collect();
-        let message = format!("{} taken as fixed: they have coordinates and sit on one link only", names.join(", "));
+        let message = both!(
+            "{} taken as fixed: they have coordinates and sit on one link only",
+            "{} 视为固定铰链：有坐标，且只在一个构件上",
+            names.join(", ")
+        );
         let d = Diagnostic::note("implied-pivots", message).at(word.span);
-        faults.push(d.help(format!("to say it: \"{}\": [{}] in \"links\"", word.text, quoted.join(", "))));
+        faults.push(d.help(both!(
+            "to say it: \"{}\": [{}] in \"links\"",
+            "可在 \"links\" 中写明：\"{}\": [{}]",
+            word.text,
+            quoted.join(", ")
+        )));
     }
     Some(r.link(word, pivots, faults))
 }
@@ -163,8 +186,10 @@ fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mu
         let cylinder =
             |d: &RawDriver| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == link.name));
         if link.points.is_empty() && !slides && ground != Some(LinkId(i)) && !raw.drivers.iter().any(cylinder) {
-            let d = Diagnostic::error("no-points", format!("link `{}` has no points and no guide", link.name)).at(link.span);
-            faults.push(d.help("name its points: [\"A\", \"B\"]"));
+            let d =
+                Diagnostic::error("no-points", both!("link `{}` has no points and no guide", "构件 `{}` 既没有点也没有导路", link.name))
+                    .at(link.span);
+            faults.push(d.help(both!("name its points: [\"A\", \"B\"]", "请写出它的点：[\"A\", \"B\"]")));
         }
     }
 }

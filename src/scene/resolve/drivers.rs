@@ -24,8 +24,9 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> 
         };
         let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else { continue };
         if out.iter().any(|d| same_motion(&d.kind, &kind)) {
-            let d = Diagnostic::error("given-twice", "this motion is already given by another driver").at(raw.span);
-            faults.push(d.help("keep one of the two"));
+            let d = Diagnostic::error("given-twice", both!("this motion is already given by another driver", "另一原动件已给定这一运动"))
+                .at(raw.span);
+            faults.push(d.help(both!("keep one of the two", "请保留其中一个")));
             continue;
         }
         out.push(Driver { kind, rate, acceleration, span: raw.span });
@@ -66,9 +67,11 @@ fn turn(
     if link == against {
         let name = c.link_name(link);
         let d = if link == c.ground {
-            Diagnostic::error("driver", format!("link `{name}` is the ground: it cannot be driven")).help("drive a moving link")
+            Diagnostic::error("driver", both!("link `{name}` is the ground: it cannot be driven", "构件 `{name}` 是机架，不能作原动件"))
+                .help(both!("drive a moving link", "请以活动构件为原动件"))
         } else {
-            Diagnostic::error("driver", format!("link `{name}` cannot turn against itself")).help("name another link in \"against\"")
+            Diagnostic::error("driver", both!("link `{name}` cannot turn against itself", "构件 `{name}` 不能相对自身转动"))
+                .help(both!("name another link in \"against\"", "请在 \"against\" 中写另一构件"))
         };
         faults.push(d.at(raw.span));
         return None;
@@ -87,7 +90,7 @@ fn turn(
     if angle.is_some() {
         for (l, line) in [(link, line), (against, against_line)] {
             if (l != c.ground) && !has_direction(l, line) {
-                let message = format!("link `{}` has no line whose angle could be given", c.link_name(l));
+                let message = both!("link `{}` has no line whose angle could be given", "构件 `{}` 没有可给定角度的直线", c.link_name(l));
                 faults.push(Diagnostic::error("driver", message).at(raw.span).help(c.points_of(l)));
                 return None;
             }
@@ -118,9 +121,14 @@ fn guided(
         return Some(Some(given));
     }
     let name = c.link_name(link);
-    let message = format!("the driver puts link `{name}` at {}, but its guide, which is its direction, is at {}", given.text, stated.text);
+    let message = both!(
+        "the driver puts link `{name}` at {}, but its guide, which is its direction, is at {}",
+        "原动件给定构件 `{name}` 的角度为 {}，而代表其方向的导路为 {}",
+        given.text,
+        stated.text
+    );
     let d = Diagnostic::error("contradictory-angle", message).at(given.span);
-    faults.push(d.help("leave one of the two angles out"));
+    faults.push(d.help(both!("leave one of the two angles out", "请去掉其中一个角度")));
     None
 }
 
@@ -139,13 +147,19 @@ fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQua
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
             let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().map(|w| w.text.as_str());
-            let d = Diagnostic::error("driver", format!("no guide has a pin or slider `{}`", word.text)).at(word.span);
-            faults.push(if c.raw.guides.is_empty() { d.help("add \"guides\"") } else { d.help(suggest(&word.text, runners, "there are")) });
+            let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))
+                .at(word.span);
+            faults.push(if c.raw.guides.is_empty() {
+                d.help(both!("add \"guides\"", "请加上 \"guides\""))
+            } else {
+                d.help(suggest(&word.text, runners, both!("there are", "有")))
+            });
             None
         }
         _ => {
-            let d = Diagnostic::error("ambiguous", format!("`{}` runs in {} guides", word.text, meant.len())).at(word.span);
-            faults.push(d.help("name a pin or slider that runs in one of them only"));
+            let d = Diagnostic::error("ambiguous", both!("`{}` runs in {} guides", "`{}` 在 {} 条导路中", word.text, meant.len()))
+                .at(word.span);
+            faults.push(d.help(both!("name a pin or slider that runs in one of them only", "请写只在一条导路中的销或滑块")));
             None
         }
     }
@@ -153,13 +167,14 @@ fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQua
 
 fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Word], faults: &mut Faults) -> Option<DriverKind> {
     let length = match length {
-        Some(q) => Some(c.values.positive_length(q, "the length of the cylinder", faults)?),
+        Some(q) => Some(c.values.positive_length(q, both!("the length of the cylinder", "液压缸的长度"), faults)?),
         None => None,
     };
     let (a, b) = note(c.names.pair(ends), faults)?;
     if let Some(link) = c.common(a, b) {
-        let message = format!(
+        let message = both!(
             "`{}` and `{}` are both on link `{}`, so no cylinder can move them",
+            "`{}` 和 `{}` 同在构件 `{}` 上，液压缸不能使其运动",
             c.point_name(a),
             c.point_name(b),
             c.link_name(link)
@@ -170,15 +185,26 @@ fn cylinder(c: &Context, ends: &Word, length: &Option<RawQuantity>, links: &[Wor
     let ids: Vec<LinkId> = links.iter().filter_map(|w| note(c.names.link(w), faults)).collect();
     let mut sound = ids.len() == links.len();
     if !matches!(ids.as_slice(), [] | [_, _]) || (ids.len() == 2 && ids[0] == ids[1]) {
-        let d = Diagnostic::error("driver", "\"links\" of a cylinder numbers two links, the barrel and the rod").at(ends.span);
-        faults.push(d.help("write \"links\": [\"5\", \"6\"]"));
+        let d = Diagnostic::error(
+            "driver",
+            both!("\"links\" of a cylinder numbers two links, the barrel and the rod", "液压缸的 \"links\" 应写两个构件：缸体和活塞杆"),
+        )
+        .at(ends.span);
+        faults.push(d.help(both!("write \"links\": [\"5\", \"6\"]", "请写 \"links\": [\"5\", \"6\"]")));
         sound = false;
     }
     for ((id, word), end) in ids.iter().zip(links).zip([a, b]) {
         if let Some(other) = c.names.links[id.0].points.iter().find(|p| **p != end) {
-            let message = format!("link `{}` of the cylinder has a further point `{}`", word.text, c.point_name(*other));
+            let message = both!(
+                "link `{}` of the cylinder has a further point `{}`",
+                "液压缸的构件 `{}` 还有点 `{}`",
+                word.text,
+                c.point_name(*other)
+            );
             faults.push(
-                Diagnostic::error("driver", message).at(word.span).help("describe barrel and rod as links with a guide between them"),
+                Diagnostic::error("driver", message)
+                    .at(word.span)
+                    .help(both!("describe barrel and rod as links with a guide between them", "请把缸体和活塞杆写成构件，其间设导路")),
             );
             sound = false;
         }

@@ -25,8 +25,8 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     for word in words {
         let Some(what) = note(asked(c, word), faults) else { continue };
         if out.iter().any(|f| f.text == word.text) {
-            let d = Diagnostic::warning("given-twice", format!("`{}` is asked twice", word.text)).at(word.span);
-            faults.push(d.help("ask once"));
+            let d = Diagnostic::warning("given-twice", both!("`{}` is asked twice", "`{}` 求了两次", word.text)).at(word.span);
+            faults.push(d.help(both!("ask once", "请只求一次")));
             continue;
         }
         out.push(Find { what, text: word.text.clone(), span: word.span });
@@ -79,15 +79,18 @@ pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
 }
 
 fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
-    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let Some((symbol, rest)) = word.text.split_once('_') else {
-        let d = fault(format!("`{}` is not a quantity that can be asked", word.text));
-        return Err(d.help("write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2"));
+        let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
+        return Err(d.help(both!(
+            "write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2",
+            "请写符号、_ 和点名或构件名，如 v_E、a_CB、omega_3、ak_B3B2"
+        )));
     };
     let symbol = spelt(symbol);
     if !QUANTITIES.iter().any(|(s, _)| *s == symbol) {
-        let d = fault(format!("`{symbol}` in `{}` is not a quantity that can be asked", word.text));
-        return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), "the quantities are")));
+        let d = fault(both!("`{symbol}` in `{}` is not a quantity that can be asked", "`{}` 中的 `{symbol}` 不是可求的量", word.text));
+        return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), both!("the quantities are", "量有"))));
     }
     Ok(match symbol {
         "omega" | "alpha" => return angular(c, word, symbol, rest),
@@ -95,7 +98,7 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
             let link = c.names.link_in(rest, word)?;
             let guided = c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == rest));
             if c.names.links[link.0].points.len() < 2 && !guided {
-                return Err(fault(format!("link `{rest}` has no two points, so it has no angle")));
+                return Err(fault(both!("link `{rest}` has no two points, so it has no angle", "构件 `{rest}` 没有两个点，因而没有角度")));
             }
             Asked::LinkAngle(link)
         }
@@ -108,15 +111,19 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
             (OnLink { point, .. }, None) => {
                 Asked::Coordinate(point, if symbol == "x" { crate::scene::Axis::X } else { crate::scene::Axis::Y })
             }
-            _ => return Err(fault(format!("`{}` names two points; a coordinate has one", word.text))),
+            _ => return Err(fault(both!("`{}` names two points; a coordinate has one", "`{}` 写了两个点；坐标只属于一个点", word.text))),
         },
         _ => match (symbol, c.names.on_links(rest, word)?) {
             ("v", (a, None)) => Asked::Velocity(a),
             ("a", (a, None)) => Asked::Acceleration(a),
             (_, (_, None)) => {
                 let example = QUANTITIES.iter().find(|q| q.0 == symbol).map_or("", |q| q.1);
-                return Err(fault(format!("`{}` names one point; `{symbol}` is of one point relative to another", word.text))
-                    .help(format!("write for example {example}")));
+                return Err(fault(both!(
+                    "`{}` names one point; `{symbol}` is of one point relative to another",
+                    "`{}` 只写了一个点；`{symbol}` 是一点相对另一点的量",
+                    word.text
+                ))
+                .help(both!("write for example {example}", "例如写 {example}")));
             }
             (_, (of, Some(to))) => relative(c, word, symbol, of, to)?,
         },
@@ -125,30 +132,38 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
 
 /// A velocity is of a point: which points of a link can be asked, where a link is named.
 fn of_a_link(c: &Context, word: &Word, symbol: &str, link: &str) -> Diagnostic {
-    let d = Diagnostic::error("find", format!("`{link}` in `{}` is a link; `{symbol}` is of a point", word.text)).at(word.span);
+    let d = Diagnostic::error(
+        "find",
+        both!("`{link}` in `{}` is a link; `{symbol}` is of a point", "`{}` 中的 `{link}` 是构件；`{symbol}` 是点的量", word.text),
+    )
+    .at(word.span);
     let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
     let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
     // Where a pin runs in the link's guide, the link has a point at the same place.
     let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
     let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
     let all: Vec<String> = if symbol == "v" || symbol == "a" { own.chain(pins).collect() } else { own.collect() };
-    d.help(if all.is_empty() { "name a point".to_owned() } else { format!("write {}", all.join(" or ")) })
+    d.help(if all.is_empty() { both!("name a point", "请写一个点") } else { super::super::names::written(&all) })
 }
 
 fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> Result<Asked, Diagnostic> {
-    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     if of == to {
-        return Err(fault(format!("`{}` is of a point relative to itself: zero", word.text)));
+        return Err(fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", word.text)));
     }
     let sliding = matches!(symbol, "vr" | "ar" | "ak");
     // One of the two may be the pin itself: vr_BB3 is the sliding of pin B on link 3.
     if sliding && of.point != to.point {
-        let d = fault(format!("`{}`: sliding is between two links at one place", word.text));
-        return Err(d.help(format!("name the place twice, each time with its link: {symbol}_{p}3{p}2", p = c.point_name(of.point))));
+        let d = fault(both!("`{}`: sliding is between two links at one place", "`{}`：相对滑动是同一位置上两构件之间的", word.text));
+        return Err(d.help(both!(
+            "name the place twice, each time with its link: {symbol}_{0}3{0}2",
+            "请两次写同一位置，各加构件名：{symbol}_{0}3{0}2",
+            c.point_name(of.point)
+        )));
     }
     if matches!(symbol, "an" | "at") && of.point == to.point {
-        let d = fault(format!("`{}`: two links at one place have no line between them", word.text));
-        return Err(d.help(format!("ask for ar_ or ak_ with {}", &word.text[3..])));
+        let d = fault(both!("`{}`: two links at one place have no line between them", "`{}`：重合点之间没有连线", word.text));
+        return Err(d.help(both!("ask for ar_ or ak_ with {}", "请用 {} 求 ar_ 或 ak_", &word.text[3..])));
     }
     Ok(match symbol {
         "v" => Asked::RelativeVelocity(of, to),
@@ -162,19 +177,23 @@ fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> R
 }
 
 fn angular(c: &Context, word: &Word, symbol: &str, rest: &str) -> Result<Asked, Diagnostic> {
-    let fault = |message: String| Diagnostic::error("find", message).at(word.span);
+    let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let omega = symbol == "omega";
     if let Some((of, to)) = rest.split_once('/') {
         let (of, to) = (c.names.link_in(of.trim(), word)?, c.names.link_in(to.trim(), word)?);
         if of == to {
-            return Err(fault(format!("`{}` is of a link against itself: zero", word.text)));
+            return Err(fault(both!("`{}` is of a link against itself: zero", "`{}` 是构件相对自身的量，为零", word.text)));
         }
         return Ok(if omega { Asked::RelativeOmega(of, to) } else { Asked::RelativeAlpha(of, to) });
     }
     let link = c.names.link_in(rest, word)?;
     if link == c.ground {
-        let d = fault(format!("link `{rest}` is the ground: it does not turn, so `{}` is zero", word.text));
-        return Err(d.help("ask for a moving link"));
+        let d = fault(both!(
+            "link `{rest}` is the ground: it does not turn, so `{}` is zero",
+            "构件 `{rest}` 是机架，不转动，`{}` 为零",
+            word.text
+        ));
+        return Err(d.help(both!("ask for a moving link", "请求活动构件的量")));
     }
     Ok(if omega { Asked::Omega(link) } else { Asked::Alpha(link) })
 }

@@ -10,9 +10,11 @@ pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<
     for (i, raw) in c.raw.guides.iter().enumerate() {
         let Some(guide) = guide(c, raw, places, faults) else { continue };
         if out.iter().any(|(g, _)| (g.pin, g.slider, g.on) == (guide.pin, guide.slider, guide.on) && guide.slider.is_some()) {
-            let message = format!("this slider already slides on link `{}`", c.link_name(guide.on));
+            let message = both!("this slider already slides on link `{}`", "该滑块已在构件 `{}` 上滑动", c.link_name(guide.on));
             faults.push(
-                Diagnostic::error("given-twice", message).at(raw.span).help("one guide joins two links; a second one would stop them"),
+                Diagnostic::error("given-twice", message)
+                    .at(raw.span)
+                    .help(both!("one guide joins two links; a second one would stop them", "一条导路连接两个构件；再加一条就不能运动了")),
             );
             continue;
         }
@@ -23,8 +25,15 @@ pub(super) fn guides(c: &Context, places: &[Place], faults: &mut Faults) -> Vec<
 
 fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> Option<Guide> {
     if raw.pin.is_none() && raw.slider.is_none() {
-        let d = Diagnostic::error("missing-key", "a guide has neither `pin` nor `slider`, so nothing runs in it").at(raw.span);
-        faults.push(d.help("name the running \"pin\", the sliding link \"slider\", or both"));
+        let d = Diagnostic::error(
+            "missing-key",
+            both!("a guide has neither `pin` nor `slider`, so nothing runs in it", "导路既没有 `pin` 也没有 `slider`"),
+        )
+        .at(raw.span);
+        faults.push(d.help(both!(
+            "name the running \"pin\", the sliding link \"slider\", or both",
+            "请写其中的销 \"pin\"、滑块 \"slider\"，或两者都写"
+        )));
         return None;
     }
     let on = match &raw.on {
@@ -40,22 +49,35 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
         faults.push(d);
     };
     if slider == Some(on) {
-        let message = format!("link `{}` cannot slide on itself", c.link_name(on));
-        fault(Diagnostic::error("guide", message).at(raw.span).help("name another link in \"on\""), faults);
+        let message = both!("link `{}` cannot slide on itself", "构件 `{}` 不能相对自身滑动", c.link_name(on));
+        fault(
+            Diagnostic::error("guide", message).at(raw.span).help(both!("name another link in \"on\"", "请在 \"on\" 中写另一构件")),
+            faults,
+        );
     }
     if let (Some(pin), Some(slider), Some(word)) = (pin, slider, &raw.pin)
         && !c.carries(slider, pin)
     {
-        let message = format!("pin `{}` is not on slider `{}`", c.point_name(pin), c.link_name(slider));
+        let message = both!("pin `{}` is not on slider `{}`", "销 `{}` 不在滑块 `{}` 上", c.point_name(pin), c.link_name(slider));
         fault(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(slider)), faults);
     }
     if let (Some(pin), Some(word)) = (pin, &raw.pin)
         && c.carries(on, pin)
     {
-        let message =
-            format!("pin `{}` is a point of link `{}`, which carries the guide: it cannot run in it", c.point_name(pin), c.link_name(on));
+        let message = both!(
+            "pin `{}` is a point of link `{}`, which carries the guide: it cannot run in it",
+            "销 `{}` 是导路所在构件 `{}` 上的点，不能在其中移动",
+            c.point_name(pin),
+            c.link_name(on)
+        );
         let d = Diagnostic::error("guide", message).at(word.span);
-        fault(d.help("the pin belongs to the link that runs, the guide to the link in \"on\""), faults);
+        fault(
+            d.help(both!(
+                "the pin belongs to the link that runs, the guide to the link in \"on\"",
+                "销属于移动的构件，导路属于 \"on\" 中的构件"
+            )),
+            faults,
+        );
     }
     let path = match &raw.centre {
         Some(centre) => arc(c, raw, on, centre, faults),
@@ -76,7 +98,7 @@ fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
 
 fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults) -> Option<GuidePath> {
     let radius = match &raw.radius {
-        Some(quantity) => Some(c.values.positive_length(quantity, "the radius", faults)?),
+        Some(quantity) => Some(c.values.positive_length(quantity, both!("the radius", "半径"), faults)?),
         None => None,
     };
     let straight = [
@@ -86,19 +108,28 @@ fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults
         ("offset", raw.offset.is_some()),
     ];
     if let Some((key, _)) = straight.iter().find(|(_, given)| *given) {
-        let d = Diagnostic::error("guide", format!("a guide about a `centre` is curved and has no `{key}`")).at(raw.span);
-        faults.push(d.help(format!("leave \"{key}\" or \"centre\" away")));
+        let d = Diagnostic::error(
+            "guide",
+            both!("a guide about a `centre` is curved and has no `{key}`", "有 `centre` 的导路是圆弧，没有 `{key}`"),
+        )
+        .at(raw.span);
+        faults.push(d.help(both!("leave \"{key}\" or \"centre\" away", "请去掉 \"{key}\" 或 \"centre\"")));
         return None;
     }
     let centre = note(c.names.point(word), faults)?;
     if !c.carries(on, centre) {
-        let message = format!("centre `{}` is not on link `{}`, which carries the guide", word.text, c.link_name(on));
+        let message = both!(
+            "centre `{}` is not on link `{}`, which carries the guide",
+            "圆心 `{}` 不在导路所在的构件 `{}` 上",
+            word.text,
+            c.link_name(on)
+        );
         faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
         return None;
     }
     if raw.pin.is_none() {
-        let d = Diagnostic::error("missing-key", "a curved guide has no `pin`").at(raw.span);
-        faults.push(d.help("name the point that runs in it: \"pin\""));
+        let d = Diagnostic::error("missing-key", both!("a curved guide has no `pin`", "圆弧导路没有 `pin`")).at(raw.span);
+        faults.push(d.help(both!("name the point that runs in it: \"pin\"", "请写其中移动的点：\"pin\"")));
         return None;
     }
     Some(GuidePath::Arc { centre, radius })
@@ -106,8 +137,9 @@ fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults
 
 fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &[Place], faults: &mut Faults) -> Option<GuidePath> {
     if let Some(radius) = &raw.radius {
-        let d = Diagnostic::error("missing-key", "a guide with a `radius` has no `centre`").at(radius.span);
-        faults.push(d.help(format!("add \"centre\", a point of link `{}`", c.link_name(on))));
+        let d = Diagnostic::error("missing-key", both!("a guide with a `radius` has no `centre`", "有 `radius` 的导路没有 `centre`"))
+            .at(radius.span);
+        faults.push(d.help(both!("add \"centre\", a point of link `{}`", "请加上 \"centre\"，即构件 `{}` 上的一点", c.link_name(on))));
         return None;
     }
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
@@ -132,9 +164,15 @@ fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Op
         RawThrough::At(xy, span) => {
             let xy = c.values.two_lengths(xy, faults);
             if on != c.ground {
-                let d =
-                    Diagnostic::error("guide", format!("a guide on the moving link `{}` cannot pass through coordinates", c.link_name(on)));
-                faults.push(d.at(*span).help(format!("name a point: {}", c.points_of(on))));
+                let d = Diagnostic::error(
+                    "guide",
+                    both!(
+                        "a guide on the moving link `{}` cannot pass through coordinates",
+                        "活动构件 `{}` 上的导路不能用坐标给定",
+                        c.link_name(on)
+                    ),
+                );
+                faults.push(d.at(*span).help(both!("name a point: {}", "请写一个点：{}", c.points_of(on))));
                 return None;
             }
             xy.map(Through::At)
@@ -142,7 +180,12 @@ fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Op
         RawThrough::Point(word) => {
             let point = note(c.names.point(word), faults)?;
             if !c.carries(on, point) {
-                let message = format!("the guide passes through `{}`, which is not on link `{}`", word.text, c.link_name(on));
+                let message = both!(
+                    "the guide passes through `{}`, which is not on link `{}`",
+                    "导路通过 `{}`，而该点不在构件 `{}` 上",
+                    word.text,
+                    c.link_name(on)
+                );
                 faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
                 return None;
             }
@@ -161,27 +204,43 @@ fn own(
     places: &[Place],
     faults: &mut Faults,
 ) -> Option<Direction> {
-    let mut fault = |message: String, help: &str| {
+    let mut fault = |message: Both, help: Both| {
         faults.push(Diagnostic::error("no-direction", message).at(raw.span).help(help));
         None
     };
     if on == c.ground {
         return fault(
-            "a guide on the ground has no direction".to_owned(),
-            "add \"angle\": \"0 deg\" (from the x axis) or \"line\", two points of the ground",
+            both!("a guide on the ground has no direction", "机架上的导路没有方向"),
+            both!(
+                "add \"angle\": \"0 deg\" (from the x axis) or \"line\", two points of the ground",
+                "请加上 \"angle\": \"0 deg\"（自 x 轴起），或机架上两点 \"line\""
+            ),
         );
     }
     let (Some(Through::Point(point)), Some(pin)) = (through, pin) else {
         return fault(
-            format!("the guide on link `{}` has no direction", c.link_name(on)),
-            "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\"",
+            both!("the guide on link `{}` has no direction", "构件 `{}` 上的导路没有方向", c.link_name(on)),
+            both!(
+                "add \"line\", two points of that link, or \"angle\", or the point that it passes \"through\"",
+                "请加上该构件上两点 \"line\"，或 \"angle\"，或所通过的点 \"through\""
+            ),
         );
     };
     let at = |p: PointId| matches!(places[p.0], Place::At(_));
     if c.names.links[on.0].points.len() > 1 && !(at(*point) && at(pin)) {
-        let message =
-            format!("link `{}` has further points, so its guide through `{}` needs a direction", c.link_name(on), c.point_name(*point));
-        return fault(message, "add \"line\", two points of that link, and \"angle\" where the guide is turned from it");
+        let message = both!(
+            "link `{}` has further points, so its guide through `{}` needs a direction",
+            "构件 `{}` 还有其他点，通过 `{}` 的导路须给定方向",
+            c.link_name(on),
+            c.point_name(*point)
+        );
+        return fault(
+            message,
+            both!(
+                "add \"line\", two points of that link, and \"angle\" where the guide is turned from it",
+                "请加上该构件上两点 \"line\"；导路与其有夹角时再加 \"angle\""
+            ),
+        );
     }
     Some(Direction::Own)
 }

@@ -18,7 +18,7 @@ use super::names::Names;
 use super::raw::*;
 use super::units::Wanted;
 use super::values::Values;
-use crate::diag::{Diagnostic, Faults, Span};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::json::Word;
 use crate::json::fields::suggest;
 
@@ -49,12 +49,12 @@ impl Context<'_> {
     }
 
     /// The points of a link, for a help line.
-    fn points_of(&self, l: LinkId) -> String {
+    fn points_of(&self, l: LinkId) -> Both {
         match self.names.links[l.0].points.as_slice() {
-            [] => format!("link `{}` has no points", self.link_name(l)),
+            [] => both!("link `{}` has no points", "构件 `{}` 没有点", self.link_name(l)),
             points => {
                 let names: Vec<_> = points.iter().map(|p| self.point_name(*p)).collect();
-                format!("link `{}` has {}", self.link_name(l), names.join(", "))
+                both!("link `{}` has {}", "构件 `{}` 有点 {}", self.link_name(l), names.join(", "))
             }
         }
     }
@@ -65,7 +65,7 @@ impl Context<'_> {
         match [a, b].into_iter().find(|p| !self.carries(link, *p)) {
             None => Ok((a, b)),
             Some(p) => {
-                let message = format!("point `{}` is not on link `{}`", self.point_name(p), self.link_name(link));
+                let message = both!("point `{}` is not on link `{}`", "点 `{}` 不在构件 `{}` 上", self.point_name(p), self.link_name(link));
                 Err(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)))
             }
         }

@@ -24,7 +24,7 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
         let q = q.as_ref()?;
         let given = values.si(q, wanted, faults)?;
         if given.value <= 0.0 {
-            faults.push(Diagnostic::error("not-positive", format!("`{key}` must be greater than zero")).at(q.span));
+            faults.push(Diagnostic::error("not-positive", both!("`{key}` must be greater than zero", "`{key}` 应大于零")).at(q.span));
             return None;
         }
         // The value counts per metre of paper.
@@ -42,13 +42,18 @@ pub(super) fn paper(raw: &RawScene, values: &Values, book: &Book, faults: &mut F
 
 /// The error of a pencil, in mm.
 pub(in crate::scene) fn pencil_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
-    let given = values.positive_length(q, "the pencil error", faults)?;
+    let given = values.positive_length(q, both!("the pencil error", "作图误差"), faults)?;
     let mm = given.value * 1000.0;
     if mm > BLUNTEST_MM {
-        let message = format!("a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm", given.text);
-        faults.push(
-            Diagnostic::error("pencil", message).at(q.span).help("a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\""),
+        let message = both!(
+            "a pencil error of {}; no pencil is blunter than {BLUNTEST_MM} mm",
+            "作图误差为 {}；铅笔再钝也不超过 {BLUNTEST_MM} mm",
+            given.text
         );
+        faults.push(Diagnostic::error("pencil", message).at(q.span).help(both!(
+            "a careful hand draws within \"0.1 mm\", a hasty one within \"0.5 mm\"",
+            "仔细作图的误差约为 \"0.1 mm\"，草草作图约为 \"0.5 mm\""
+        )));
         return None;
     }
     Some(mm)
@@ -63,9 +68,13 @@ fn named(word: &Word, faults: &mut Faults) -> Option<[f64; 2]> {
         _ => None,
     };
     let (Some((_, [w, h])), Some(landscape)) = (sheet, landscape) else {
-        let d = Diagnostic::error("paper", format!("there is no paper size `{}`", word.text)).at(word.span);
+        let d = Diagnostic::error("paper", both!("there is no paper size `{}`", "没有图纸幅面 `{}`", word.text)).at(word.span);
         let known: Vec<_> = SHEETS.iter().map(|(s, _)| *s).collect();
-        faults.push(d.help(format!("write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]", known.join(", "))));
+        faults.push(d.help(both!(
+            "write one of {}, with \" landscape\" where it lies, or [\"200 mm\", \"150 mm\"]",
+            "请写 {} 之一，横放时加 \" landscape\"，或写 [\"200 mm\", \"150 mm\"]",
+            known.join(", ")
+        )));
         return None;
     };
     Some(if landscape { [*h, *w] } else { [*w, *h] })
@@ -76,7 +85,12 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
     let mm = [w.value * 1000.0, h.value * 1000.0];
     for (given, mm) in [&w, &h].into_iter().zip(mm) {
         if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
-            let message = format!("a side of {mm} mm; paper has sides from {} mm to {} mm", SIDES_MM[0], SIDES_MM[1]);
+            let message = both!(
+                "a side of {mm} mm; paper has sides from {} mm to {} mm",
+                "边长为 {mm} mm；图纸的边长应在 {} mm 到 {} mm 之间",
+                SIDES_MM[0],
+                SIDES_MM[1]
+            );
             faults.push(Diagnostic::error("paper", message).at(given.span));
             return None;
         }
@@ -86,12 +100,12 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
 
 pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
     let word = raw.language.as_ref()?;
-    match word.text.as_str() {
-        "en" => Some(Lang::En),
-        "zh" => Some(Lang::Zh),
-        other => {
-            let d = Diagnostic::error("language", format!("there is no language `{other}`")).at(word.span);
-            faults.push(d.help("write \"en\" or \"zh\""));
+    match Lang::named(&word.text) {
+        Some(lang) => Some(lang),
+        None => {
+            let other = &word.text;
+            let d = Diagnostic::error("language", both!("there is no language `{other}`", "没有语言 `{other}`")).at(word.span);
+            faults.push(d.help(both!("write \"en\" or \"zh\"", "请写 \"en\" 或 \"zh\"")));
             None
         }
     }
@@ -102,7 +116,7 @@ pub(super) fn notation(raw: &RawScene, faults: &mut Faults) -> Option<String> {
     if ["en", "cn"].contains(&word.text.as_str()) {
         return Some(word.text.clone());
     }
-    let d = Diagnostic::error("notation", format!("there is no notation `{}`", word.text)).at(word.span);
-    faults.push(d.help("write \"en\" or \"cn\""));
+    let d = Diagnostic::error("notation", both!("there is no notation `{}`", "没有记号体系 `{}`", word.text)).at(word.span);
+    faults.push(d.help(both!("write \"en\" or \"cn\"", "请写 \"en\" 或 \"cn\"")));
     None
 }

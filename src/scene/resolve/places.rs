@@ -31,7 +31,7 @@ fn place(c: &Context, point: Option<PointId>, raw: &RawPlace, faults: &mut Fault
         }
         RawPlace::Polar { base, length, angle } => {
             let base = self_or_base(c, point, base, faults);
-            let length = c.values.positive_length(length, "the length", faults);
+            let length = c.values.positive_length(length, both!("the length", "长度"), faults);
             let angle = c.values.angle(angle, faults);
             Some(Place::Polar { base: base?, length: length?, angle: angle? })
         }
@@ -43,13 +43,20 @@ fn self_or_base(c: &Context, point: Option<PointId>, word: &Word, faults: &mut F
     let (a, b) = note(c.names.pair(word), faults)?;
     let point = point?;
     if point == a || point == b {
-        let d = Diagnostic::error("same-point", format!("`{}` cannot be its own base", c.point_name(point))).at(word.span);
-        faults.push(d.help("name two other points of its link"));
+        let d = Diagnostic::error("same-point", both!("`{}` cannot be its own base", "`{}` 不能以自身为基准", c.point_name(point)))
+            .at(word.span);
+        faults.push(d.help(both!("name two other points of its link", "请写该构件上的另外两点")));
         return None;
     }
     let link = (0..c.names.links.len()).map(LinkId).find(|l| [a, b, point].iter().all(|p| c.carries(*l, *p)));
     if link.is_none() {
-        let message = format!("no link has all of `{}`, `{}` and `{}`", c.point_name(a), c.point_name(b), c.point_name(point));
+        let message = both!(
+            "no link has all of `{}`, `{}` and `{}`",
+            "没有构件同时含有 `{}`、`{}` 和 `{}`",
+            c.point_name(a),
+            c.point_name(b),
+            c.point_name(point)
+        );
         faults.push(Diagnostic::error("not-on-link", message).at(word.span));
         return None;
     }
@@ -74,8 +81,12 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
             if state[p] == 1 {
                 let span = c.names.points[p].span;
                 let span = c.raw.points.iter().find(|(w, _)| w.text == c.names.points[p].name).map_or(span, |(w, _)| w.span);
-                let message = format!("the place of `{}` is given by way of itself", c.point_name(PointId(p)));
-                faults.push(Diagnostic::error("circular", message).at(span).help("take a base of points that are known without it"));
+                let message = both!("the place of `{}` is given by way of itself", "`{}` 的位置循环给定", c.point_name(PointId(p)));
+                faults.push(
+                    Diagnostic::error("circular", message)
+                        .at(span)
+                        .help(both!("take a base of points that are known without it", "请以不依赖它的已知点为基准")),
+                );
                 // Once said is enough; without its place the circle is open.
                 places[p] = Place::Unknown;
                 state[p] = 2;
@@ -131,9 +142,14 @@ fn contradictions(c: &Context, lengths: &[Length], places: &[Place], faults: &mu
             let (a, b) = (c.point_name(length.a), c.point_name(length.b));
             let unit = super::lengths::unit(c);
             let apart = short(distance * unit.denominator / unit.numerator);
-            let message = format!("{a} and {b} lie {apart} {} apart by their coordinates, but {} is given", unit.name, length.value.text);
+            let message = both!(
+                "{a} and {b} lie {apart} {} apart by their coordinates, but {} is given",
+                "按坐标 {a} 与 {b} 相距 {apart} {}，而给定长度为 {}",
+                unit.name,
+                length.value.text
+            );
             let d = Diagnostic::error("contradiction", message).at(length.value.span);
-            faults.push(d.help("leave the length or the coordinates away"));
+            faults.push(d.help(both!("leave the length or the coordinates away", "请去掉长度或坐标")));
         }
     }
 }
@@ -174,14 +190,18 @@ pub(super) fn sides(c: &Context, faults: &mut Faults) -> Vec<Side> {
             Some((side == "left", line.trim()))
         });
         let Some((left, line)) = parts else {
-            let d = Diagnostic::error("side", format!("`{text}` does not say a side")).at(said.span);
-            faults.push(d.help("write \"left of BD\" or \"right of BD\", as seen looking from B to D"));
+            let d = Diagnostic::error("side", both!("`{text}` does not say a side", "`{text}` 没有说明在哪一侧")).at(said.span);
+            faults.push(d.help(both!(
+                "write \"left of BD\" or \"right of BD\", as seen looking from B to D",
+                "请写 \"left of BD\"（由 B 向 D 看，在左侧）或 \"right of BD\"（在右侧）"
+            )));
             continue;
         };
         let (Some((from, to)), Some(point)) = (note(c.names.pair_in(line, said), faults), point) else { continue };
         if point == from || point == to {
-            let d = Diagnostic::error("side", format!("`{}` lies on the line `{line}` itself", word.text)).at(said.span);
-            faults.push(d.help("name a line through two other points"));
+            let d = Diagnostic::error("side", both!("`{}` lies on the line `{line}` itself", "`{}` 就在直线 `{line}` 上", word.text))
+                .at(said.span);
+            faults.push(d.help(both!("name a line through two other points", "请写通过另外两点的直线")));
             continue;
         }
         out.push(Side { point, left, from, to, span: said.span });

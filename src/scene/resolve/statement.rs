@@ -110,7 +110,7 @@ impl<'a> Reader<'a, '_> {
                 _ => {}
             }
             if depth > DEEPEST {
-                let message = format!("braces of a formula are nested more than {DEEPEST} deep");
+                let message = both!("braces of a formula are nested more than {DEEPEST} deep", "公式中花括号的嵌套超过 {DEEPEST} 层");
                 self.faults.push(Diagnostic::error("formula", message).at(self.place(place)));
                 return None;
             }
@@ -171,14 +171,22 @@ impl<'a> Reader<'a, '_> {
         if self.values.has_name(name) {
             return;
         }
-        let d = Diagnostic::error("unknown-parameter", format!("`{{{name}}}` in the statement names no parameter")).at(self.place(place));
+        let d = Diagnostic::error(
+            "unknown-parameter",
+            both!("`{{{name}}}` in the statement names no parameter", "题文中的 `{{{name}}}` 不是参数名"),
+        )
+        .at(self.place(place));
         let known = self.parameters.iter().map(|p| p.0.as_str());
         let there = if self.parameters.is_empty() {
-            "the scene has no \"parameters\"".to_owned()
+            both!("the scene has no \"parameters\"", "机构文件没有 \"parameters\"")
         } else {
-            suggest(name, known, "the parameters are")
+            suggest(name, known, both!("the parameters are", "可用的参数有"))
         };
-        self.faults.push(d.help(format!("{there}; braces that are to be printed are doubled: `{{{{{name}}}}}`")));
+        self.faults.push(d.help(both!(
+            "{}; braces that are to be printed are doubled: `{{{{{name}}}}}`",
+            "{}；要印出的花括号写两个：`{{{{{name}}}}}`",
+            there
+        )));
     }
 
     /// A place in the text as a place in the file; where escapes keep the two from running in step, the whole text.

@@ -114,11 +114,11 @@ fn notes_speak_in_the_units_of_the_scene() {
     for unit in ["in", "ft", "m", "cm", "mm", "km"] {
         let said = notes(&four_bar(unit));
         let note = said.iter().find(|d| d.code == "assembly-by-default").unwrap_or_else(|| panic!("{said:?}"));
-        assert!(note.message.contains(&format!("C at (2.737 {unit}, 1.983 {unit})")), "{unit}: {note}");
+        assert!(note.message.en.contains(&format!("C at (2.737 {unit}, 1.983 {unit})")), "{unit}: {note}");
     }
     // Bare numbers have the unit of the table.
     let bare = four_bar("#").replace(" #", "").replacen('{', r#"{"units": {"length": "in"}, "#, 1);
-    assert!(notes(&bare).iter().any(|d| d.message.contains("(2.737 in, 1.983 in)")), "{:?}", notes(&bare));
+    assert!(notes(&bare).iter().any(|d| d.message.en.contains("(2.737 in, 1.983 in)")), "{:?}", notes(&bare));
     let far = four_bar("in").replace("3 in", "9 in");
     let scene = read(&far).unwrap().value;
     let said = work(&scene, Scope::Questions).unwrap_err().to_string();
@@ -140,7 +140,7 @@ fn a_side_that_fits_all_assemblies_does_not_decide() {
     let said = notes(&with_side);
     let note = said.iter().find(|d| d.code == "side-undecided");
     match note {
-        Some(note) => assert!(note.message.contains("this side does not decide"), "{note}"),
+        Some(note) => assert!(note.message.en.contains("this side does not decide"), "{note}"),
         None => panic!("{said:?}"),
     }
 }

@@ -1,7 +1,7 @@
 //! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`].
 
 use super::{Compiler, NoKernel, Spot};
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Joined, Level, joined};
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
@@ -190,7 +190,7 @@ impl Compiler<'_> {
 }
 
 fn no_kernel(find: &Find) -> NoKernel {
-    Diagnostic::note("no-kernel", format!("{} has no kernel", find.text)).at(find.span)
+    Diagnostic::note("no-kernel", both!("{} has no kernel", "{} 没有编译形式", find.text)).at(find.span)
 }
 
 /// The columns of a question: name and unit of each.

@@ -17,7 +17,7 @@ use super::extreme::Output;
 use super::kernel::{Pair, Reg};
 use super::program::{COS, Joint, Op, Program, SIN, Step, VALUE};
 use super::track::Track;
-use crate::diag::Diagnostic;
+use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism, Passive};
 use crate::position::kernel::power_of_two_scale;
@@ -178,15 +178,12 @@ impl<'a> Compiler<'a> {
         let g = &self.m.groups[group];
         let names: Vec<_> = g.links.iter().map(|l| self.scene.link_name(*l)).collect();
         let pins: Vec<_> = g.pins.iter().map(|p| self.scene.point_name(*p)).collect();
-        let d = Diagnostic::note(
-            "no-kernel",
-            format!(
-                "links {} with joints {} ({}) have no compiled form: the mechanism is followed by Newton's method from position to position",
-                names.join(", "),
-                pins.join(", "),
-                g.kind()
-            ),
+        let (links, pins, kind) = (names.join(", "), pins.join(", "), g.kind());
+        let message = both!(
+            "links {links} with joints {pins} ({kind}) have no compiled form: the mechanism is followed by Newton's method from position to position",
+            "构件 {links} 与铰链 {pins} 没有编译形式：用牛顿法逐个位置求解"
         );
+        let d = Diagnostic::note("no-kernel", message);
         match g.links.first() {
             Some(l) => d.at(self.scene.links[l.0].span),
             None => d,
@@ -269,7 +266,8 @@ impl<'a> Compiler<'a> {
 
     /// A link that nothing places.
     fn lost(&self, l: LinkId) -> NoKernel {
-        Diagnostic::note("no-kernel", format!("link {} has no compiled form", self.scene.link_name(l))).at(self.scene.links[l.0].span)
+        Diagnostic::note("no-kernel", both!("link {} has no compiled form", "构件 {} 没有编译形式", self.scene.link_name(l)))
+            .at(self.scene.links[l.0].span)
     }
 
     /// A point of the scene: place, velocity or acceleration.
@@ -285,7 +283,8 @@ impl<'a> Compiler<'a> {
         }
         let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
         let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
-            return Err(Diagnostic::note("no-kernel", format!("point {} has no compiled form", self.scene.point_name(p))));
+            let message = both!("point {} has no compiled form", "点 {} 没有编译形式", self.scene.point_name(p));
+            return Err(Diagnostic::note("no-kernel", message));
         };
         let pair = self.spot(Spot::Fixed(l, local), level)?;
         self.points[p.0][level as usize] = Some(pair);

@@ -1,0 +1,287 @@
+//! `--help` and the faults of arguments in Chinese: what `args` says in English, said again from one table.
+//!
+//! The printer of the help knows English headings only; those are put into Chinese in what it has printed.
+
+use super::args::Args;
+use super::lang;
+use crate::scene::Lang;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, Command, CommandFactory};
+use std::ffi::OsString;
+
+/// The language that the arguments ask for, before they are read: that of `--lang`.
+pub fn asked(arguments: &[OsString]) -> Option<Lang> {
+    let words: Vec<&str> = arguments.iter().skip(1).filter_map(|a| a.to_str()).take_while(|a| *a != "--").collect();
+    let apart = words.windows(2).filter(|w| w[0] == "--lang").filter_map(|w| Lang::named(w[1]));
+    let together = words.iter().filter_map(|w| Lang::named(w.strip_prefix("--lang=")?));
+    apart.chain(together).next()
+}
+
+/// The language of the help where the arguments ask for none: that of the machine.
+pub fn of_the_machine() -> Lang {
+    // The order in which they count; an empty one does not.
+    let set = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(std::env::var_os).find(|v| !v.is_empty());
+    match set {
+        Some(name) if name.to_str().is_some_and(|n| n.starts_with("zh")) => Lang::Zh,
+        _ => Lang::En,
+    }
+}
+
+/// The program's arguments with their help in a language.
+pub fn command(lang: Lang) -> Command {
+    let command = Args::command();
+    match lang {
+        Lang::En => command,
+        Lang::Zh => chinese(command),
+    }
+}
+
+fn chinese(mut command: Command) -> Command {
+    command.build();
+    let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
+    let mut command = told(command, "");
+    for name in names {
+        command = command.mut_subcommand(&name, |c| told(c, &name));
+    }
+    // Chinese has no spaces at which the printer could break a line: the terminal breaks it.
+    command.term_width(0)
+}
+
+/// One command with its arguments.
+fn told(command: Command, name: &str) -> Command {
+    let command = match entry(name, "") {
+        Some(about) => command.about(about).long_about(about),
+        None => command,
+    };
+    let command = match entry(name, "*after") {
+        Some(after) => command.after_help(after),
+        None => command,
+    };
+    command.mut_args(|arg: Arg| match entry(name, arg.get_id().as_str()).or_else(|| entry("*", arg.get_id().as_str())) {
+        Some(help) => arg.help(help).long_help(help),
+        None => arg,
+    })
+}
+
+fn entry(command: &str, argument: &str) -> Option<&'static str> {
+    WORDS.iter().find(|w| (w.0, w.1) == (command, argument)).map(|w| w.2)
+}
+
+/// The help as it was printed, its headings and the names of choices in Chinese.
+fn headings(text: &str) -> String {
+    HEADINGS.iter().fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
+}
+
+/// What is wrong with the arguments, or the help that they ask for, in Chinese.
+pub fn usage(e: &clap::Error) -> String {
+    let value = |kind| e.get(kind).map(|v: &ContextValue| v.to_string()).unwrap_or_default();
+    let (argument, given) = (value(ContextKind::InvalidArg), value(ContextKind::InvalidValue));
+    let near = |kind| e.get(kind).map_or(String::new(), |v| format!("\n  是否想写 '{v}'？"));
+    let said = match e.kind() {
+        ErrorKind::InvalidValue if given.is_empty() => format!("参数 '{argument}' 缺少值"),
+        ErrorKind::InvalidValue => {
+            let choices = e.get(ContextKind::ValidValue).map_or(String::new(), |v| format!("\n  可选值：{v}"));
+            format!("参数 '{argument}' 的值 '{given}' 无效{choices}{}", near(ContextKind::SuggestedValue))
+        }
+        ErrorKind::ValueValidation => format!("参数 '{argument}' 的值 '{given}' 无效：{}", refused(e)),
+        ErrorKind::UnknownArgument => format!("没有参数 '{argument}'{}", near(ContextKind::SuggestedArg)),
+        ErrorKind::InvalidSubcommand => {
+            format!("没有命令 '{}'{}", value(ContextKind::InvalidSubcommand), near(ContextKind::SuggestedSubcommand))
+        }
+        ErrorKind::MissingRequiredArgument => format!("缺少参数：{argument}"),
+        ErrorKind::MissingSubcommand => "缺少命令".to_owned(),
+        ErrorKind::ArgumentConflict => format!("参数 '{argument}' 与 '{}' 不能同用", value(ContextKind::PriorArg)),
+        ErrorKind::NoEquals | ErrorKind::TooManyValues | ErrorKind::TooFewValues | ErrorKind::WrongNumberOfValues => {
+            format!("参数 '{argument}' 的值的个数不对")
+        }
+        ErrorKind::InvalidUtf8 => "参数不是 UTF-8 文字".to_owned(),
+        _ => return headings(&e.render().to_string()),
+    };
+    let usage = e.get(ContextKind::Usage).map_or(String::new(), |u| format!("\n\n{u}"));
+    headings(&format!("错误：{said}{usage}\n\n详细说明请用 '--help'。\n"))
+}
+
+/// Why a value is refused, where the library says it.
+fn refused(e: &clap::Error) -> String {
+    let why = std::error::Error::source(e).map(ToString::to_string).unwrap_or_default();
+    match why.split_once(" is not in ") {
+        Some((number, range)) => format!("{number} 不在 {range} 之内"),
+        None if why.contains("digit") => "不是整数".to_owned(),
+        None => why,
+    }
+}
+
+/// Prints the help, or what is wrong with the arguments, in the language of the help.
+pub fn said(e: &clap::Error, lang: Lang) -> String {
+    match lang {
+        Lang::En => e.render().to_string(),
+        Lang::Zh => usage(e),
+    }
+}
+
+/// A value that an argument does not take, in the language of this run.
+pub fn no_value(text: &crate::diag::Both) -> String {
+    lang::of(text).to_owned()
+}
+
+/// What the printer of the help writes by itself, and the choices of an argument.
+const HEADINGS: &[(&str, &str)] = &[
+    ("Usage:", "用法："),
+    ("Commands:", "命令："),
+    ("Arguments:", "参数："),
+    ("Options:", "选项："),
+    ("Possible values:", "可选值："),
+    ("[default: ", "[默认："),
+    ("[possible values: ", "[可选值："),
+    ("The whole sheet", "整张图"),
+    ("The kinematic diagram", "机构运动简图"),
+    ("The velocity polygon", "速度多边形"),
+    ("The acceleration polygon", "加速度多边形"),
+    ("The equations with their tables", "矢量方程及其表格"),
+    ("The results", "结果"),
+    ("Velocities", "速度"),
+    ("Accelerations", "加速度"),
+    ("Outlines", "轮廓"),
+    ("Text, for drawing programs", "文字，供绘图软件编辑"),
+];
+
+/// Command, argument, help: no argument is the command itself, `*` any command.
+const WORDS: &[(&str, &str, &str)] = &[
+    ("", "", "用图解法求解平面机构：列矢量方程，作速度多边形和加速度多边形，图面与教科书一致"),
+    (
+        "",
+        "*after",
+        "开始：hodograph new shaper > shaper.json && hodograph draw shaper.json -o out/\n\n退出码：0 完成；1 文件不能写入；2 机构文件有误；3 作图与解析不符（程序的错误）；4 完成，但有的量在该位置无值（死点）",
+    ),
+    ("*", "help", "显示说明"),
+    ("*", "version", "显示版本"),
+    ("*", "lang", "输出的语言（默认：机构文件的语言，否则 en）"),
+    ("*", "scene", "机构文件；`-` 为标准输入"),
+    ("*", "set", "改变机构文件中参数的值：NAME=VALUE；不带单位的数沿用原单位"),
+    ("*", "notation", "记号体系：en（极点 o，上标 c、rel）或 cn（极点 p，上标 k、r）"),
+    ("*", "style", "样式：print（白底黑线）、slides（各构件一种颜色）、dark，或以 .json 结尾的样式文件"),
+    ("*", "font", "自备的字体（.otf、.ttf），用于字母、数字和文字；可写两次，分别为正体和斜体；优先于样式中的字体。缺少的字符用内置字体"),
+    ("*", "digits", "结果的有效数字，1 到 30 位；不能确定的不显示，并说明原因"),
+    ("*", "over", "使哪个原动件运动，写其名称（`phi_1`、`s_B`、`l_BC`、`driver2`）；其余不动"),
+    ("*", "from", "起点，带单位（默认：0，或原动件所能到达之处）"),
+    ("*", "to", "终点（默认：一整转，或原动件所能到达之处）"),
+    ("*", "steps", "等分的步数；两端都是数据行（默认：360；`batch` 不分步，各机构取机构文件的位置）"),
+    ("*", "find", "改求其他量，如 v_E,a_E,omega_3"),
+    ("draw", "", "绘图：机构运动简图、矢量方程表、速度多边形和加速度多边形、结果（SVG、PNG、PDF）"),
+    ("draw", "output", "输出的文件夹，或以 .svg、.png、.pdf 结尾的一个文件；尚不存在且名称带点的文件夹以 / 结尾"),
+    ("draw", "format", "在文件夹中写哪些格式的文件"),
+    ("draw", "figure", "画哪些图，各成文件：整张图或其中的部分"),
+    ("draw", "vectors", "在机构运动简图上画各点的这种矢量"),
+    (
+        "draw",
+        "poses",
+        "首个原动件的位置数：把各位置的机构和多边形画成一张表，采用同一组比例尺；与 `--figure mechanism` 同用时叠画在机构后面",
+    ),
+    ("draw", "path", "在机构运动简图上画这些点在首个原动件行程中的轨迹；与 `--poses` 同用时在多边形后面画矢端曲线"),
+    ("draw", "dimensions", "在机构运动简图上标注给定的长度（mm）"),
+    ("draw", "text", "SVG 中的文字：轮廓在各处显示相同；可编辑的文字取决于显示它的机器的字体"),
+    ("draw", "steps", "每个作图步骤一幅图，附该步的说明"),
+    ("draw", "drafting", "手工作图时各结果的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）"),
+    ("draw", "dpi", "PNG 的分辨率（dpi）"),
+    ("lesson", "", "生成教学演示：一个 HTML 页面，逐步作图，可拖动曲柄"),
+    ("lesson", "output", "要写的页面（默认：按机构文件命名）"),
+    ("lesson", "reveal", "改为 reveal.js 的片段：各部分逐步显示的内嵌 SVG"),
+    ("lesson", "positions", "一整转或整个行程中的位置数，8 到 360；运动急变处自动加密"),
+    ("lesson", "driver", "使第几个原动件运动，从 1 数起"),
+    ("solve", "", "求解所求的量：数值、单位、转向，作图与解析对照；在运动不确定位置给出两种运动"),
+    ("solve", "json", "结果为 JSON，国际单位制，给出两种方法的结果及其差"),
+    (
+        "solve",
+        "drafting",
+        "手工作图时的误差，给出作图误差，如 0.1mm（默认：机构文件的值，否则 0.1 mm）：各结果、各交点的误差，以及误差为 1 % 的比例尺",
+    ),
+    ("solve", "steps", "同时列出作图步骤和图上量得的长度"),
+    ("plan", "", "按求解次序列出矢量方程，并说明各项取舍的原因；用 JSON 时还给出工作量"),
+    ("plan", "json", "计划为 JSON，附各项计数：杆组、方程、矢量、未知数、数值"),
+    ("plan", "figure", "同时排版图面，以统计标注"),
+    ("worksheet", "", "生成作业：题目及其逐步解答（PDF、HTML、Markdown、Typst）"),
+    ("worksheet", "output", "以 .pdf、.html、.md 或 .typ 结尾的文件；后两种的图以 SVG 文件放在旁边"),
+    ("worksheet", "problem_only", "只要题目：已知与所求，不含答案"),
+    ("worksheet", "solution", "只要解答"),
+    ("accuracy", "", "衡量精度的代价：各种求解方法的误差和时间，列表并作图"),
+    ("accuracy", "toward_toggle", "同时计算一系列趋近首个原动件最近极限的位置，直到 1e-12"),
+    ("accuracy", "output", "把精度与代价的图写入以 .svg、.png 或 .pdf 结尾的文件"),
+    ("accuracy", "json", "表格为 JSON"),
+    ("accuracy", "patience", "每种方法重复计算的毫秒数；取时间的中位数"),
+    ("sweep", "", "使原动件或参数遍历一系列值：各位置的结果列成表（CSV、JSON、NumPy、Parquet）"),
+    ("sweep", "over", "遍历什么：原动件（`driver`、`driver2`、`phi_1`、`s_B`、`l_BC`），或机构文件的参数"),
+    ("sweep", "output", "写入以 .csv、.json、.npy 或 .parquet 结尾的文件，而不是标准输出（CSV）"),
+    ("batch", "", "在网格上或随机改变参数：许多机构，各取一个或多个位置，合成一张表（CSV、NumPy、Parquet）"),
+    ("batch", "vary", "参数及其取值：NAME=FROM..TO:N；不带单位的数沿用原单位"),
+    ("batch", "random", "随机取这么多个机构，而不取所有组合"),
+    ("batch", "seed", "另一个种子给出另一批随机机构"),
+    ("batch", "output", "写入以 .csv、.npy 或 .parquet 结尾的文件；中断后可由此继续"),
+    ("curves", "", "线图：位移、速度、加速度随原动件位置的变化，标出极值"),
+    ("curves", "output", "以 .svg、.png 或 .pdf 结尾的文件"),
+    ("path", "", "在机构上画点的轨迹（连杆曲线），及其速度和加速度的矢端曲线"),
+    ("path", "*after", "曲线数值的表：hodograph sweep SCENE --find x_E,y_E,v_E,a_E -o curves.csv"),
+    ("path", "point", "画哪些点的轨迹，如 E 或 E,F"),
+    ("path", "poses", "把机构在原动件等间隔的这么多个位置上叠画"),
+    ("path", "marks", "原动件等间隔的位置数，在轨迹和矢端曲线上编相同的号（默认：同 --poses，否则 12）"),
+    ("path", "output", "以 .svg、.png 或 .pdf 结尾的文件（默认：按机构文件命名）"),
+    ("limits", "", "原动件的活动范围、极限位置和行程、行程速比系数、传动角、格拉斯霍夫类型"),
+    ("limits", "json", "结果为 JSON，国际单位制"),
+    ("new", "", "写出模板的机构文件，可改参数"),
+    ("new", "template", "模板的名称（见 `hodograph templates`）"),
+    ("new", "set", "改变参数的值：NAME=VALUE；不带单位的数沿用原单位"),
+    ("new", "output", "写入这个文件，而不是标准输出"),
+    ("templates", "", "列出各模板及其参数"),
+    ("schema", "", "输出机构文件格式的 JSON Schema"),
+    ("help", "", "显示本说明或某命令的说明"),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_chinese(text: &str) -> bool {
+        text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c))
+    }
+
+    #[test]
+    fn every_command_and_argument_is_told_in_chinese() {
+        let mut command = command(Lang::Zh);
+        assert!(is_chinese(&command.get_about().unwrap().to_string()));
+        // The list of the commands again.
+        for c in command.get_subcommands_mut().filter(|c| c.get_name() != "help") {
+            let name = c.get_name().to_owned();
+            assert!(c.get_about().is_some_and(|a| is_chinese(&a.to_string())), "{name}: no Chinese in WORDS");
+            for arg in c.get_arguments() {
+                let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
+                assert!(is_chinese(&help), "{name} {}: no Chinese in WORDS, but {help:?}", arg.get_id());
+            }
+            let text = headings(&c.render_long_help().to_string());
+            // What is left in Latin letters are names: no two small words follow one another.
+            let english = text.lines().find(|l| {
+                let small = |w: &str| w.len() > 1 && w.chars().all(|c| c.is_ascii_lowercase());
+                let words: Vec<&str> = l.split(' ').collect();
+                words.windows(3).any(|w| w.iter().all(|w| small(w)))
+            });
+            assert_eq!(english, None, "{name}:\n{text}");
+        }
+    }
+
+    #[test]
+    fn no_entry_is_left_over() {
+        let command = command(Lang::Zh);
+        for (c, a, _) in WORDS.iter().filter(|w| w.1 != "*after") {
+            let all: Vec<&Command> = std::iter::once(&command).chain(command.get_subcommands()).collect();
+            let mut meant = all.iter().filter(|x| *c == "*" || x.get_name() == *c || c.is_empty() && x.get_name() == command.get_name());
+            assert!(meant.any(|x| a.is_empty() || x.get_arguments().any(|arg| arg.get_id() == *a)), "{c} {a}: there is no such argument");
+        }
+    }
+
+    #[test]
+    fn the_language_is_known_before_the_arguments_are_read() {
+        let of = |line: &str| asked(&line.split(' ').map(OsString::from).collect::<Vec<_>>());
+        assert_eq!(of("hodograph solve --lang zh x.json"), Some(Lang::Zh));
+        assert_eq!(of("hodograph solve --lang=en --help"), Some(Lang::En));
+        assert_eq!(of("hodograph solve -- --lang zh"), None);
+        assert_eq!(of("hodograph solve --lang"), None);
+    }
+}

@@ -1,0 +1,119 @@
+//! In which language the program speaks: that of `--lang`, else the scene's, else English; the help in that of the machine too.
+
+use super::{hodograph, text};
+
+/// What is said on standard error of a scene, and printed.
+fn told(arguments: &[&str], scene: &str) -> (String, String) {
+    let run = hodograph().args(arguments).write_stdin(scene).assert();
+    (text(&run.get_output().stderr), text(&run.get_output().stdout))
+}
+
+fn is_chinese(text: &str) -> bool {
+    text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c))
+}
+
+/// A text but for the lines that quote the scene.
+fn own_words(text: &str) -> String {
+    text.lines().filter(|l| !l.contains('│') || l.trim_start().starts_with('│')).collect::<Vec<_>>().join("\n")
+}
+
+/// The line with two small English words side by side, if there is one; commands are no words.
+fn english(text: &str) -> Option<&str> {
+    let small = |w: &str| w.len() > 2 && w.chars().all(|c| c.is_ascii_lowercase());
+    text.lines()
+        .filter(|l| !l.contains("hodograph "))
+        .find(|l| l.split(' ').collect::<Vec<_>>().windows(2).any(|w| w.iter().all(|w| small(w))))
+}
+
+#[test]
+fn a_fault_is_told_in_the_language_of_the_command_line_or_of_the_scene() {
+    let scene = |language: &str| format!("{{{language}\"links\": {{\"1\": [\"A\", \"B\"]}}, \"gruond\": \"1\"}}");
+    for (arguments, language, chinese) in [
+        (&["solve", "-"][..], "", false),
+        (&["solve", "-"], "\"language\": \"zh\", ", true),
+        (&["solve", "-", "--lang", "en"], "\"language\": \"zh\", ", false),
+        (&["solve", "-", "--lang=zh"], "", true),
+        (&["--lang", "zh", "solve", "-"], "\"language\": \"en\", ", true),
+        (&["solve", "-"], "\"language\": \"xx\", ", false),
+    ] {
+        let (said, _) = told(arguments, &scene(language));
+        assert_eq!(is_chinese(&said), chinese, "{arguments:?} {language}:\n{said}");
+        assert!(said.contains("gruond"));
+    }
+    // What cannot be taken apart has no language.
+    assert!(!is_chinese(&told(&["solve", "-"], "{\"language\": \"zh\", ").0));
+    assert!(is_chinese(&told(&["solve", "-", "--lang", "zh"], "{").0));
+}
+
+#[test]
+fn every_command_that_takes_a_scene_speaks_chinese() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("x.gif");
+    let out = out.to_str().unwrap();
+    for command in ["draw", "lesson", "solve", "plan", "worksheet", "accuracy", "sweep", "batch", "curves", "path", "limits"] {
+        // A scene that is not there; a scene that cannot be assembled; an ending that is none.
+        let more: &[&str] = match command {
+            "worksheet" => &["-o", "x.md"],
+            "batch" => &["--vary", "l=1..2:2", "-o", "x.csv"],
+            "curves" => &["-o", "x.svg"],
+            "path" => &["--point", "C"],
+            _ => &[],
+        };
+        for scene in ["no-such-file.json", "tests/bad/several-faults.json"] {
+            let run = hodograph().args([command, "--lang", "zh", scene]).args(more).assert().code(2);
+            let said = own_words(&text(&run.get_output().stderr));
+            assert!(is_chinese(&said) && english(&said).is_none(), "{command} {scene}: {:?} in\n{said}", english(&said));
+        }
+        if ["draw", "lesson", "worksheet", "sweep", "batch", "curves", "path"].contains(&command) {
+            let more: Vec<&str> = more.iter().map(|m| if m.starts_with("x.") { out } else { *m }).collect();
+            let output: &[&str] = if more.contains(&out) { &[] } else { &["-o", out] };
+            let run = hodograph().args([command, "--lang", "zh", "templates/crank-rocker.json"]).args(more).args(output).assert();
+            let said = own_words(&text(&run.get_output().stderr));
+            assert!(is_chinese(&said) && english(&said).is_none(), "{command} -o x.gif: {:?} in\n{said}", english(&said));
+        }
+    }
+}
+
+#[test]
+fn notes_and_tables_are_in_the_language_too() {
+    let (said, table) = told(&["sweep", "templates/crank-rocker.json", "--set", "l_AB=260", "--steps", "9", "--lang", "zh"], "");
+    let notes: String = table.lines().filter(|l| l.starts_with('#')).collect();
+    for text in [&own_words(&said), &notes] {
+        assert!(is_chinese(text) && english(text).is_none(), "{text}");
+    }
+}
+
+#[test]
+fn the_help_is_in_the_language_of_the_machine() {
+    for (variables, arguments, chinese) in [
+        (&[("LC_ALL", "zh_CN.UTF-8")][..], &["solve", "--help"][..], true),
+        (&[("LC_ALL", ""), ("LC_MESSAGES", ""), ("LANG", "zh_TW")], &["--help"], true),
+        (&[("LC_ALL", "C"), ("LANG", "zh_CN.UTF-8")], &["--help"], false),
+        (&[("LC_ALL", "zh_CN.UTF-8")], &["draw", "--help", "--lang", "en"], false),
+        (&[], &["--lang", "zh", "draw", "-h"], true),
+        (&[], &["draw", "-h"], false),
+    ] {
+        let run = hodograph().envs(variables.iter().copied()).args(arguments).assert().success();
+        let help = text(&run.get_output().stdout);
+        assert_eq!(is_chinese(&help), chinese, "{variables:?} {arguments:?}:\n{help}");
+        assert!(!chinese || english(&help).is_none(), "{help}");
+    }
+}
+
+#[test]
+fn faults_of_arguments_are_told_in_chinese() {
+    for line in [
+        "solv",
+        "solve",
+        "solve x --jso",
+        "solve x --digits 77",
+        "draw x --poses 99",
+        "draw x --poses many",
+        "draw x --figure shet",
+        "sweep x --steps -1",
+    ] {
+        let run = hodograph().args(line.split(' ')).args(["--lang", "zh"]).assert().code(2);
+        let said = text(&run.get_output().stderr);
+        assert!(is_chinese(&said) && english(&said).is_none(), "{line}:\n{said}");
+    }
+}
