@@ -679,12 +679,8 @@ fn the_limits_of_a_group_of_class_iv() {
             .map(|&i| format!("the driver goes no farther than {}: there links 2, 3, 4 and 5 leave one freedom open", words[i]))
             .collect();
         assert_eq!(messages, expected);
-        let gap = table.notes.iter().find(|n| n.code == "no-position").unwrap();
-        assert!(
-            words.iter().any(|w| gap.message.en.ends_with(&format!("the mechanism cannot be assembled beyond {w}"))),
-            "{}",
-            gap.message.en
-        );
+        let said = &table.notes.iter().find(|n| n.code == "no-position").unwrap().message.en;
+        assert!(words.iter().any(|w| said.ends_with(&format!("the mechanism cannot be assembled beyond {w}"))), "{said}");
     }
 }
 

@@ -45,13 +45,13 @@ use std::time::Duration;
 pub fn main() -> ExitCode {
     let given: Vec<OsString> = std::env::args_os().collect();
     let asked = help::asked(&given);
-    asked.map(lang::ask);
+    asked.into_iter().for_each(lang::ask);
     let of_help = asked.unwrap_or_else(help::of_the_machine);
     let args = match help::command(of_help).try_get_matches_from(given).and_then(|m| Args::from_arg_matches(&m)) {
         Ok(args) => args,
         Err(e) => return usage(&e, of_help),
     };
-    args.lang.map(|l| lang::ask(l.into()));
+    args.lang.into_iter().for_each(|l| lang::ask(l.into()));
     let result = match args.command {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
@@ -178,13 +178,13 @@ impl Input {
         if let Ok(text) = std::str::from_utf8(&bytes)
             && edit::with_parameters(text, &[]).is_ok()
         {
-            bytes = with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
+            bytes = values::with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
         }
         if let Some(changed) = std::str::from_utf8(&bytes).ok().and_then(|text| change(text).ok()) {
             bytes = changed.into_bytes();
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
-        scene::language_of(&bytes).map(lang::take);
+        scene::language_of(&bytes).into_iter().for_each(lang::take);
         match scene::read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))
@@ -405,32 +405,9 @@ fn accuracy(a: args::Accuracy) -> Run {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A text with the values of `--set NAME=VALUE`; every fault is shown at the argument that has it.
-fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>) -> Result<String, Failure> {
-    let mut values = Vec::new();
-    let mut wrong = Vec::new();
-    for s in set {
-        let Some((name, value)) = s.split_once('=') else {
-            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
-                .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
-            wrong.push(Told::argument("--set", s, d));
-            continue;
-        };
-        values.push((name.trim(), value.trim()));
-        if let Err(faults) = apply(&values) {
-            values.pop();
-            wrong.push(Told::argument("--set", s, faults));
-        }
-    }
-    if !wrong.is_empty() {
-        return Err(Failure::Input(wrong));
-    }
-    apply(&values).map_err(|f| Failure::argument("--set", &set.join(" "), f))
-}
-
 fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
     templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
-    let text = with_values(set, |values| templates::instantiate(template, values))?;
+    let text = values::with_values(set, |values| templates::instantiate(template, values))?;
     match output {
         Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
         None => {

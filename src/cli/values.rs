@@ -1,8 +1,8 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
-use super::help;
+use super::{Failure, Told, help};
 use crate::accuracy::ladder::MOST_DIGITS;
-use crate::diag::both;
+use crate::diag::{Diagnostic, Faults, both};
 use crate::scene::Lang;
 use clap::ValueEnum;
 
@@ -114,4 +114,27 @@ pub fn dpi(s: &str) -> Result<f64, String> {
         Ok(v) => Err(help::no_value(&both!("{v} is not between 20 and 1200", "{v} 不在 20 到 1200 之间"))),
         Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
     }
+}
+
+/// A text with the values of `--set NAME=VALUE`; every fault is shown at the argument that has it.
+pub(super) fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>) -> Result<String, Failure> {
+    let mut values = Vec::new();
+    let mut wrong = Vec::new();
+    for s in set {
+        let Some((name, value)) = s.split_once('=') else {
+            let d = Diagnostic::error("set", both!("`--set {s}` has no `=`", "`--set {s}` 没有 `=`"))
+                .help(both!("write --set NAME=VALUE, such as --set l_AB=120", "请写 --set NAME=VALUE，如 --set l_AB=120"));
+            wrong.push(Told::argument("--set", s, d));
+            continue;
+        };
+        values.push((name.trim(), value.trim()));
+        if let Err(faults) = apply(&values) {
+            values.pop();
+            wrong.push(Told::argument("--set", s, faults));
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(Failure::Input(wrong));
+    }
+    apply(&values).map_err(|f| Failure::argument("--set", &set.join(" "), f))
 }

@@ -1,6 +1,6 @@
 //! The drawing board: ruler and paper, in millimetres.
 //!
-//! Walks a [`Plan`](crate::plan::Plan) on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
+//! Walks a [`Plan`] on the diagram drawn to μ_l and does only what a draughtsman does: takes the pole, lays off known
 //! vectors, draws lines of known direction, crosses them, copies triangles by similarity, measures. What is measured is
 //! multiplied by μ. It never looks at the loop equations. Each of these acts is one of a [`pencil`]: the exact one, or a blunt one
 //! ([`by_hand`]), which shows what the drawing is worth.

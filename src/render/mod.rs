@@ -1,9 +1,16 @@
 //! Ink: numbers, SVG, PNG, PDF.
 
+use crate::diag::{Both, Diagnostic};
+
 pub mod number;
 pub mod pdf;
 pub mod png;
 pub mod svg;
+
+/// A figure that cannot be written, because a number of it is none.
+pub(crate) fn not_finite(message: Both) -> Diagnostic {
+    Diagnostic::error("not-finite", message)
+}
 
 /// A text as it stands in markup.
 pub fn escaped(text: &str) -> String {

@@ -13,7 +13,7 @@ use ::svg::Document;
 use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
 use ::svg::node::{Blob, Node, Text};
 
-use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::diag::{Faults, Warned, both};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
 use crate::figure::font::{Cut, Face, FaceKey, Segment};
@@ -21,8 +21,8 @@ use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
 
-use super::escaped;
 use super::number::mm;
+use super::{escaped, not_finite};
 
 /// Writes a figure.
 ///
@@ -59,11 +59,7 @@ pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
 fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
     let mut writer = Writer { height_mm: figure.height_mm, writing, letters: BTreeMap::new(), faults: Faults::default() };
     if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
-        return Err(Diagnostic::error(
-            "not-finite",
-            both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm),
-        )
-        .into());
+        return Err(not_finite(both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm)).into());
     }
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     let mut document = Document::new()
@@ -168,10 +164,7 @@ impl Writer {
             return Some(self.item(item));
         }
         let name = if item.id.is_empty() { &item.class } else { &item.id };
-        self.faults.push(Diagnostic::error(
-            "not-finite",
-            both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
-        ));
+        self.faults.push(not_finite(both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数")));
         None
     }
 

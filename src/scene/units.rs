@@ -41,7 +41,7 @@ impl Dim {
 
     /// In words: `a length`, `an angle`, `a quantity in m^2/s`.
     pub fn describe(self) -> Both {
-        let known = match (self.length, self.time, self.angle) {
+        match (self.length, self.time, self.angle) {
             (0, 0, 0) => both!("a pure number", "纯数"),
             (1, 0, 0) => both!("a length", "长度"),
             (2, 0, 0) => both!("an area", "面积"),
@@ -51,9 +51,8 @@ impl Dim {
             (0, -2, 1) => both!("an angular acceleration", "角加速度"),
             (1, -1, 0) => both!("a velocity", "速度"),
             (1, -2, 0) => both!("an acceleration", "加速度"),
-            _ => return both!("a quantity in {}", "以 {} 为单位的量", self.units()),
-        };
-        known
+            _ => both!("a quantity in {}", "以 {} 为单位的量", self.units()),
+        }
     }
 
     fn units(self) -> String {

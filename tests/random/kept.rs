@@ -282,7 +282,7 @@ fn a_pin_within_rounding_of_its_pivot() {
     }
     // On the pivot as written, that is said.
     let text = templates::instantiate("slotted-lever", &[("l_AB", "250 mm"), ("phi_1", "-90 deg")]).unwrap();
-    let faults = work(&scene_of(&text), Scope::Questions).err().expect("no direction");
+    let faults = work(&scene_of(&text), Scope::Questions).expect_err("no direction");
     assert!(faults.to_string().contains("lies on the pivot"), "{faults}");
 }
 
