@@ -286,3 +286,15 @@ fn printed_lengths_are_distances_in_the_svg() {
     }
     assert!(found > 1000, "only {found} lengths were found");
 }
+
+/// The parts of the motion of a cylinder's ends are asked in words of a scene, and read off edges.
+#[test]
+fn parts_of_a_cylinder_can_be_asked() {
+    let text = templates::get("excavator").unwrap();
+    let scene = scene::read_asking(text, "vr_CB, vr_BC, an_CB, at_CB, ak_CB, v_CB, a_FE").unwrap().value;
+    let worked = work(&scene, Scope::Questions).unwrap().value;
+    assert_eq!(check_readings("excavator", &scene, &worked), 7);
+    check_names("excavator", &scene, &worked);
+    let faults = scene::read_asking(text, "vr_CD").unwrap_err().to_string();
+    assert!(faults.contains("sliding is between two links at one place"), "{faults}");
+}

@@ -146,14 +146,22 @@ fn of_a_link(c: &Context, word: &Word, symbol: &str, link: &str) -> Diagnostic {
     d.help(if all.is_empty() { both!("name a point", "请写一个点") } else { super::super::names::written(&all) })
 }
 
+fn are_ends_of_a_cylinder(c: &Context, a: PointId, b: PointId) -> bool {
+    c.raw.drivers.iter().any(|d| match &d.kind {
+        RawDriverKind::Cylinder { ends, .. } => c.names.pair_in(&ends.text, ends).is_ok_and(|(p, q)| (p, q) == (a, b) || (q, p) == (a, b)),
+        RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
+    })
+}
+
 fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> Result<Asked, Diagnostic> {
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     if of == to {
         return Err(fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", word.text)));
     }
     let sliding = matches!(symbol, "vr" | "ar" | "ak");
-    // One of the two may be the pin itself: vr_BB3 is the sliding of pin B on link 3.
-    if sliding && of.point != to.point {
+    // The ends of a cylinder slide along their line; elsewhere sliding is at one place. There one of the two may be the pin itself:
+    // vr_BB3 is the sliding of pin B on link 3.
+    if sliding && of.point != to.point && !are_ends_of_a_cylinder(c, of.point, to.point) {
         let d = fault(both!("`{}`: sliding is between two links at one place", "`{}`：相对滑动是同一位置上两构件之间的", word.text));
         return Err(d.help(both!(
             "name the place twice, each time with its link: {symbol}_{0}3{0}2",
