@@ -287,13 +287,13 @@
   const ends = () => [times[0], times[count - 1]];
   const start = data.driver.start === null ? 0 : data.driver.start;
 
-  const [turn, parts] = [data.driver.turn || 360, data.driver.parts || 10];
+  const [wholeTurn, fineness] = [data.driver.turn || 360, data.driver.parts || 10];
 
   function shownValue(t) {
     let v = start + t * data.driver.factor;
-    if (data.driver.turns) v = ((v % turn) + turn) % turn;
-    const digits = Math.round(v * parts) / parts;
-    const text = String(data.driver.turns && digits === turn ? 0 : digits).replace("-", "−");
+    if (data.driver.turns) v = ((v % wholeTurn) + wholeTurn) % wholeTurn;
+    const digits = Math.round(v * fineness) / fineness;
+    const text = String(data.driver.turns && digits === wholeTurn ? 0 : digits).replace("-", "−");
     return text + (data.driver.unit || (data.driver.turns ? "°" : " mm"));
   }
 
@@ -560,7 +560,7 @@
     $("notes").textContent = `${word(`scales${drawings.some((d) => d.scales) ? "_steps" : ""}${data.cut ? "_cut" : ""}`)} ${word("rates")}`;
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     grip.setAttribute("aria-label", word("handle"));
-    const values = data.full ? [start, start + turn] : ends().map((t) => start + t * data.driver.factor);
+    const values = data.full ? [start, start + wholeTurn] : ends().map((t) => start + t * data.driver.factor);
     grip.setAttribute("aria-valuemin", Math.round(values[0] * 10) / 10);
     grip.setAttribute("aria-valuemax", Math.round(values[1] * 10) / 10);
     toldLimit = null;
