@@ -44,7 +44,7 @@ pub fn run(a: Curves) -> Run {
     let (lang, notation) = choices(&input.scene, &a.common);
     let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
     input.notes.extend(files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?);
-    files::print(&format!("{}\n", a.output))?;
+    files::print_names(&format!("{}\n", a.output))?;
     input.notes.extend(table.notes);
     input.say_notes();
     Ok(ExitCode::SUCCESS)

@@ -45,7 +45,7 @@ pub fn run(a: args::Draw) -> Run {
         let file = pdf::pdf(&pages).map_err(|f| input.failed(f))?;
         files::write(Path::new(&a.output), &file.value)?;
         input.notes.extend(file.notes);
-        files::print(&format!("{}\n", a.output))?;
+        files::print_names(&format!("{}\n", a.output))?;
         input.say_notes();
         return Ok(verdict(&worked));
     }
@@ -64,7 +64,7 @@ pub fn run(a: args::Draw) -> Run {
         input.notes.extend(unknown.into_iter().filter(|n| !input.notes.contains(n)).collect::<Vec<_>>());
     }
     all.appear()?;
-    files::print(&written)?;
+    files::print_names(&written)?;
     input.say_notes();
     Ok(verdict(&worked))
 }

@@ -99,6 +99,11 @@ pub fn print(text: &str) -> Result<ExitCode, Failure> {
     print_with(|out| out.write_all(text.as_bytes())).map(|()| ExitCode::SUCCESS)
 }
 
+/// Prints names of files; a sign in them that a terminal would obey is shown, not sent.
+pub fn print_names(names: &str) -> Result<ExitCode, Failure> {
+    print(&diagnostics::visible(names))
+}
+
 /// Prints piece by piece.
 pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::stdout().lock();

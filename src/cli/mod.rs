@@ -295,7 +295,7 @@ fn lesson(a: args::Lesson) -> Run {
     input.notes.extend(notes);
     let path = a.output.unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
     files::write(std::path::Path::new(&path), value.as_bytes())?;
-    files::print(&format!("{path}\n"))?;
+    files::print_names(&format!("{path}\n"))?;
     input.say_notes();
     Ok(verdict(&worked))
 }

@@ -25,7 +25,7 @@ pub fn run(a: Path) -> Run {
     let Warned { value, notes } = figure(&input.scene, &worked, &options, &wanted).map_err(|f| input.failed(f))?;
     let output = a.output.unwrap_or_else(|| format!("{}-path.svg", files::stem(&input.name, "scene")));
     input.notes.extend(files::figure(&value, &output)?);
-    files::print(&format!("{output}\n"))?;
+    files::print_names(&format!("{output}\n"))?;
     input.notes.extend(notes);
     input.say_notes();
     Ok(ExitCode::SUCCESS)

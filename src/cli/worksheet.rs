@@ -38,7 +38,7 @@ pub fn run(a: args::Worksheet) -> Run {
     }
     all.add(out, &bytes)?;
     all.appear()?;
-    files::print(&format!("{names}{}\n", a.output))?;
+    files::print_names(&format!("{names}{}\n", a.output))?;
     input.say_notes();
     Ok(verdict(&worked))
 }
