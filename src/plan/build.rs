@@ -3,7 +3,7 @@
 use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
 use crate::mechanism::{Core, Demand, Entry, Hold, Leg, Level, Mechanism, Need, Strut};
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
 /// The plan of a scene's demand.
@@ -104,7 +104,8 @@ impl Builder<'_> {
 
     /// A pin gets a number when a moving link has a point of its own at the same place.
     fn number_of_pin(&self, p: PointId) -> Option<LinkId> {
-        let guides: Vec<_> = self.scene.guides.iter().filter(|g| g.pin == Some(p) && g.on != self.scene.ground).collect();
+        let runs = |(i, g): &(usize, &Guide)| g.pin == Some(p) && g.on != self.scene.ground && self.m.guide_holds(g, GuideId(*i));
+        let guides: Vec<_> = self.scene.guides.iter().enumerate().filter(runs).map(|(_, g)| g).collect();
         if guides.is_empty() {
             return None;
         }
@@ -377,9 +378,11 @@ impl Builder<'_> {
             Hold::Guide { guide, driver: None, .. } if self.scene.guides[guide.0].on == self.scene.ground => Method::SameLink,
             Hold::Distance { strut: Strut::Bar(_), .. } => Method::SameLink,
             Hold::Distance { strut: Strut::Cylinder(_), .. } => Method::Cylinder,
-            Hold::Distance { strut: Strut::Ram { .. }, .. } | Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. } => {
-                Method::Coincident
-            }
+            Hold::Distance { strut: Strut::Ram { .. }, .. }
+            | Hold::Guide { .. }
+            | Hold::Slot { .. }
+            | Hold::Glide { .. }
+            | Hold::Rolls { .. } => Method::Coincident,
         };
         let methods: Vec<Method> = holds.iter().map(method).collect();
         let told = [Method::Driven, Method::Coincident, Method::Cylinder].into_iter().find(|m| methods.contains(m));
@@ -497,11 +500,16 @@ impl Builder<'_> {
         for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
             self.known[slot(level)].clone_from(&base);
             self.pending.clone_from(&shared);
-            let s = self.intern(Spot::Special { group: g, legs: (i, j) }, None);
+            let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
+                Some(n) => nears[[i, j][n]],
+                None => self.intern(Spot::Special { group: g, legs: (i, j) }, None),
+            };
             let mut chains = Vec::new();
             for n in [i, j] {
                 let mut chain = self.chain(level, Some(link), &holds[n], None);
-                self.extend_to_special(level, &mut chain, link, s, nears[n]);
+                if nears[n] != s {
+                    self.extend_to_special(level, &mut chain, link, s, nears[n]);
+                }
                 chains.push(chain);
             }
             self.equation(level, s, chains, Method::Special);
@@ -532,4 +540,18 @@ impl Builder<'_> {
         self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
     }
+}
+
+/// Which of two legs rolls, where the other is a bar that carries both centres: the bar's line and the tangent at the contact cross in the
+/// point of contact itself.
+fn contact_on_bar(scene: &Scene, a: &Hold, b: &Hold) -> Option<usize> {
+    let (pair, bar, which) = match (*a, *b) {
+        (Hold::Rolls { pair, .. }, bar) => (pair, bar, 0),
+        (bar, Hold::Rolls { pair, .. }) => (pair, bar, 1),
+        _ => return None,
+    };
+    let (Hold::Distance { near, far, strut: Strut::Bar(_) }, [Some(p), Some(q)]) = (bar, scene.rolling[pair.0].centres()) else {
+        return None;
+    };
+    ((p, q) == (near, far) || (p, q) == (far, near)).then_some(which)
 }

@@ -16,6 +16,9 @@ impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
     pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+        if angle.is_none() && holds.iter().any(|h| matches!(h, Hold::Rolls { .. })) {
+            return self.poses_of_rolling(link, pivot, &holds);
+        }
         match (pivot, angle) {
             (Some(pin), Some((of, driver))) => {
                 if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
@@ -90,6 +93,11 @@ impl<N: Real> Assembly<'_, N> {
             unreachable!("an angle comes from a turning driver or a slider")
         };
         let Some(angle) = angle else {
+            // A wheel without a line of its own may stand at any angle.
+            let wheel = shape.frame == Frame::Loose && self.scene.rolling.iter().any(|r| r.links.contains(&link));
+            if wheel && self.instant.is_none() {
+                return Ok(Vec2::unit_x());
+            }
             return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
         };
         let own = match line {
@@ -275,7 +283,9 @@ impl<N: Real> Assembly<'_, N> {
                 };
                 TriadLeg::Line { near: Point::origin(), through, direction }
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => return Err(self.no_closure(link)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } | Hold::Rolls { .. } => {
+                return Err(self.no_closure(link));
+            }
         })
     }
 

@@ -19,6 +19,7 @@ mod links;
 pub mod newton;
 mod pins;
 mod proof;
+mod rolling;
 mod shape;
 pub mod toggle;
 pub(crate) mod triad;
@@ -171,6 +172,8 @@ pub struct Shapes<N = f64> {
     pub points: Vec<Vec<(PointId, Point<N>)>>,
     /// For each guide, its path in the carrying link.
     pub guides: Vec<Option<Path<N>>>,
+    /// For each rolling pair the sizes of its contours, see [`Rolling::sizes`](crate::scene::Rolling::sizes).
+    pub rolling: Vec<[N; 2]>,
 }
 
 impl<N: Real> Shapes<N> {
@@ -207,6 +210,7 @@ impl<N: Real> Configuration<N> {
             shapes: Shapes {
                 points: self.shapes.points.iter().map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
                 guides: guides(&self.shapes.guides),
+                rolling: self.shapes.rolling.iter().map(|r| r.map(Real::approx)).collect(),
             },
             closures: self.closures.clone(),
         }
