@@ -1,7 +1,7 @@
 //! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
 
 use super::assemble::Assembly;
-use super::{Configuration, Path, Pose, Shapes, rolling};
+use super::{Configuration, Path, Pose, Rolled, Shapes, rolling};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
@@ -58,7 +58,8 @@ impl<N: Real> Assembly<'_, N> {
     pub(super) fn into_configuration(self) -> Configuration<N> {
         let rolling = self.sizes();
         let shapes = Shapes { points: self.shapes.into_iter().map(|s| s.points).collect(), guides: self.guides, rolling };
-        complete(self.scene, self.m, shapes, self.poses, self.points, self.closures)
+        let before = self.meant.map_or(&[][..], |m| &m.rolled);
+        complete(self.scene, self.m, shapes, (self.poses, self.points), self.closures, before)
     }
 }
 
@@ -72,7 +73,7 @@ impl Assembly<'_, f64> {
             return Err(a.faults);
         }
         let shapes = Shapes { points: a.shapes.iter().map(|s| s.points.clone()).collect(), guides: a.guides.clone(), rolling: a.sizes() };
-        let configuration = complete(a.scene, a.m, shapes, a.poses.clone(), a.points.clone(), a.closures.clone());
+        let configuration = complete(a.scene, a.m, shapes, (a.poses.clone(), a.points.clone()), a.closures.clone(), &[]);
         a.check(&configuration);
         if a.faults.has_errors() { Err(a.faults) } else { Ok(Warned { value: configuration, notes: a.notes }) }
     }
@@ -285,14 +286,17 @@ fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     .at(span)
 }
 
-/// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.
+/// Poses of links and places of points, as far as they are known.
+type Placed<N> = (Vec<Option<Pose<N>>>, Vec<Option<Point<N>>>);
+
+/// A configuration from poses and pins, next to one in which the rolling pairs have rolled as far as `before` says: adds tracer points, guides in the plane, and the links that only follow.
 pub(super) fn complete<N: Real>(
     scene: &Scene,
     m: &Mechanism,
     shapes: Shapes<N>,
-    mut poses: Vec<Option<Pose<N>>>,
-    mut points: Vec<Option<Point<N>>>,
+    (mut poses, mut points): Placed<N>,
     closures: Vec<usize>,
+    before: &[Option<Rolled>],
 ) -> Configuration<N> {
     poses[scene.ground.0] = Some(Pose::ground());
     for (pose, carried) in poses.iter().zip(&shapes.points) {
@@ -325,5 +329,7 @@ pub(super) fn complete<N: Real>(
             None => poses[l],
         };
     }
-    Configuration { points, poses, guides, shapes, closures }
+    let mut at = Configuration { points, poses, guides, shapes, closures, rolled: Vec::new() };
+    at.rolled = rolling::counted(scene, &at, before);
+    at
 }

@@ -138,6 +138,7 @@ impl<N: Real> Assembly<'_, N> {
                 rolling: self.sizes().iter().map(|r| r.map(Real::approx)).collect(),
             },
             closures: self.closures.clone(),
+            rolled: Vec::new(),
         }
     }
 }

@@ -26,6 +26,7 @@ pub(crate) mod triad;
 
 pub use assemble::{later, recompute};
 pub use configure::configure;
+pub use rolling::Rolled;
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
@@ -163,6 +164,8 @@ pub struct Configuration<N = f64> {
     pub shapes: Shapes<N>,
     /// For each group, which of its closures was taken, in the order of the closed forms (0 where there is one).
     pub closures: Vec<usize>,
+    /// How far each rolling pair has rolled since the scene's instant.
+    pub rolled: Vec<Option<Rolled>>,
 }
 
 /// The rigid forms, in the links' own frames.
@@ -213,6 +216,7 @@ impl<N: Real> Configuration<N> {
                 rolling: self.shapes.rolling.iter().map(|r| r.map(Real::approx)).collect(),
             },
             closures: self.closures.clone(),
+            rolled: self.rolled.clone(),
         }
     }
 

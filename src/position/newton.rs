@@ -5,7 +5,7 @@
 //! constraint; their derivatives are taken by differences, which shares nothing with the analytic check, and for each unknown only in the
 //! equations of the constraints that touch its link or pin: the others are not changed by it.
 
-use super::rolling::{self, Rolled};
+use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Constraint, Group, Mechanism, Node};
@@ -35,7 +35,7 @@ pub struct System<'a> {
     locks: Vec<(GuideId, Vec2)>,
     /// Offset of each gliding link from its guide.
     glides: Vec<(GuideId, f64)>,
-    /// How each rolling pair stands at the start.
+    /// How far each rolling pair has rolled at the start.
     rolling: Vec<(RollingId, Rolled)>,
     /// Whether the pose is that of the scene's instant: see [`System::at_instant`].
     at_instant: bool,
@@ -78,8 +78,10 @@ impl<'a> System<'a> {
                     system.glides.push((g, offset));
                 }
                 Constraint::Roll(r) => {
-                    let seen = system.seen(r, &start.poses, &start.points);
-                    system.rolling.extend(seen.map(|s| (r, s)));
+                    // A rough start has no record: it is the instant itself.
+                    let begin = || system.seen(r, &start.poses, &start.points).map(Rolled::begin);
+                    let rolled = start.rolled.get(r.0).cloned().flatten().or_else(begin);
+                    system.rolling.extend(rolled.map(|s| (r, s)));
                 }
                 Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => {}
             }
@@ -98,7 +100,7 @@ impl<'a> System<'a> {
     }
 
     /// A rolling pair in a pose; `None` where it is not placed.
-    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<Rolled> {
+    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<Seen> {
         let pose = |l: LinkId| if l == self.scene.ground { Some(Pose::GROUND) } else { poses[l.0] };
         let place = |l: LinkId, p: PointId| {
             // A centre moves with its link, whose pose is what is varied.
@@ -213,7 +215,7 @@ impl<'a> System<'a> {
                 let then = self.rolling.iter().find(|(q, _)| *q == r);
                 let now = self.seen(r, poses, points);
                 told(match (then, now) {
-                    (Some((_, then)), Some(now)) => rolling::slip(&self.scene.rolling[r.0], self.shapes.rolling[r.0], then, &now),
+                    (Some((_, then)), Some(now)) => then.slip(&self.scene.rolling[r.0], self.shapes.rolling[r.0], &now),
                     (None, _) | (_, None) => 0.0,
                 });
             }
@@ -367,7 +369,7 @@ pub fn moved_to(
 ) -> Option<Configuration> {
     let system = System::new(scene, mechanism, &start.shapes, start, &placed(mechanism, start));
     let (poses, points) = system.solve_to(start, drivers, tolerance)?;
-    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points, start.closures.clone()))
+    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), (poses, points), start.closures.clone(), &start.rolled))
 }
 
 /// The groups that a configuration places.

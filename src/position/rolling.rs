@@ -13,6 +13,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Hold;
 use crate::number::Real;
 use crate::scene::{Contours, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
     /// The unit normal at a contact, from the first link's contour toward the second's centre of curvature (of a wheel inside a ring:
@@ -45,11 +46,49 @@ pub(super) fn contact<N: Real>(pair: &Rolling, sizes: [N; 2], points: &[Option<P
     }
 }
 
-/// How far the second link has rolled on the first between two poses of both (their frames, and the line from the first centre, or a point
-/// of the track, to the second), beyond what rolling without slip lets it; in the unit of the sizes.
-pub(super) struct Rolled {
-    pub axes: [Vec2; 2],
-    pub line: Vec2,
+/// How far a pair has rolled since the scene's instant: angles of more than a turn are told by counting on from pose to pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rolled {
+    /// The pair at the instant.
+    start: Seen,
+    /// By how much each link and the line of centres have turned since (rad), whole turns among them.
+    turned: [f64; 3],
+}
+
+/// A rolling pair in a pose: the axes of both links, and the line from the first centre to the second; of a track the way along it and
+/// the distance from it instead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Seen {
+    axes: [Vec2; 2],
+    line: Vec2,
+}
+
+impl Rolled {
+    /// At the instant.
+    pub(super) fn begin(start: Seen) -> Rolled {
+        Rolled { start, turned: [0.0; 3] }
+    }
+
+    /// In a pose next to this one: nothing has turned by half a turn or more between the two.
+    pub(super) fn on(&self, now: &Seen) -> Rolled {
+        let wrapped = [
+            now.axes[0].divide_by(self.start.axes[0]).angle(),
+            now.axes[1].divide_by(self.start.axes[1]).angle(),
+            now.line.divide_by(self.start.line).angle(),
+        ];
+        // Angles since the instant, not sums of steps: nothing adds up over many turns.
+        let turned = std::array::from_fn(|i| wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU));
+        Rolled { start: self.start, turned }
+    }
+
+    /// By how much a pose next to this one misses rolling without slip, as an angle of the second link.
+    pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
+        let [a, b, line] = self.on(now).turned;
+        match pair.contours {
+            Contours::Circles { .. } => (b - line) + (a - line) * (r1 / r2),
+            Contours::Track { .. } => (now.line.x - self.start.line.x) / r2 + (b - a),
+        }
+    }
 }
 
 /// What a pose says of a rolling pair; the line of a track is that from the track's origin, in the frame of its link.
@@ -58,7 +97,7 @@ pub(super) fn seen(
     shapes: &Shapes,
     pose: &dyn Fn(LinkId) -> Option<Pose>,
     place: &dyn Fn(LinkId, PointId) -> Option<Point>,
-) -> Option<Rolled> {
+) -> Option<Seen> {
     let [a, b] = pair.links;
     let axes = [pose(a)?.axis, pose(b)?.axis];
     let line = match pair.contours {
@@ -71,19 +110,22 @@ pub(super) fn seen(
             Path::Arc { .. } => return None,
         },
     };
-    Some(Rolled { axes, line })
+    Some(Seen { axes, line })
 }
 
-/// By how much the pose `now` misses what rolling without slip makes of `then`, as an angle of the second link.
-pub(super) fn slip(pair: &Rolling, [r1, r2]: [f64; 2], then: &Rolled, now: &Rolled) -> f64 {
-    let turned = |i: usize| now.axes[i].divide_by(then.axes[i]).angle();
-    match pair.contours {
-        Contours::Circles { .. } => {
-            let line = now.line.divide_by(then.line).angle();
-            (turned(1) - line) + (turned(0) - line) * (r1 / r2)
-        }
-        Contours::Track { .. } => (now.line.x - then.line.x) / r2 + (turned(1) - turned(0)),
+/// The records of all pairs in a pose that comes next to one with the records `before`; at the instant there are none before.
+pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<Rolled>]) -> Vec<Option<Rolled>> {
+    if scene.rolling.is_empty() {
+        return Vec::new();
     }
+    let c = c.approx();
+    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
+    let place = |_: LinkId, p: PointId| c.points[p.0];
+    let all = scene.rolling.iter().enumerate().map(|(r, pair)| {
+        let now = seen(pair, &c.shapes, &pose, &place)?;
+        Some(before.get(r).and_then(Option::as_ref).map_or_else(|| Rolled::begin(now), |b| b.on(&now)))
+    });
+    all.collect()
 }
 
 impl<N: Real> Assembly<'_, N> {
@@ -128,8 +170,12 @@ impl<N: Real> Assembly<'_, N> {
         let other_axis = self.poses[other.0]?.axis;
         if let Some(then) = self.instant {
             let (before, was) = (then.points[centres[1].0]? - then.points[centres[0].0]?, then.poses[other.0]?.axis);
-            let turned = line.divide_by(before).angle();
-            let rolled = turned - (other_axis.divide_by(was).angle() - turned) * (its / mine);
+            // Whole turns are those of the pose that is meant, which is next to this one.
+            let meant = self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned);
+            let whole = |wrapped: N, near: f64| wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi());
+            let line = whole(line.divide_by(before).angle(), meant[2]);
+            let its_turn = whole(other_axis.divide_by(was).angle(), meant[1 - own]);
+            let rolled = line - (its_turn - line) * (its / mine);
             return then.poses[link.0]?.axis.rotate_by(Vec2::from_angle(rolled)).unit();
         }
         // ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, with the angles of the links' lines.
