@@ -8,12 +8,12 @@ use super::printed::with_printed;
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::digits;
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
 use crate::number::decimal::{Certain, Enclosure};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::position::Configuration;
-use crate::quantity;
 use crate::scene::{Asked, Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 use crate::{motion, position};
@@ -121,7 +121,7 @@ impl Number {
     /// not even one is certain.
     pub fn text(&self, digits: usize) -> Option<(String, usize)> {
         let (e, digits) = self.scientific(digits)?;
-        Some((quantity::plain(&e), digits))
+        Some((digits::plain(&e), digits))
     }
 
     /// The same in e notation.
@@ -144,7 +144,7 @@ impl Number {
         let (e, digits) = self.scientific(digits)?;
         let (mantissa, exponent) = e.split_once('e')?;
         let exponent: i32 = exponent.parse().ok()?;
-        Some((quantity::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
+        Some((digits::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
     }
 
     /// −1, 0 or 1.

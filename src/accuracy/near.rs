@@ -8,9 +8,9 @@ use super::written::{Regular, regular};
 use crate::analytic::{Near, Solution};
 use crate::answer::{Value, level_of};
 use crate::diag::{Diagnostic, both};
+use crate::digits::significant;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
-use crate::quantity::significant;
 use crate::scene::Scene;
 
 /// How many digits text answers print unless more are asked for; where fewer are kept, a warning is due.

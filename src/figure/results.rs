@@ -4,11 +4,11 @@
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::answer::{Value, level_of};
 use crate::construct::ShownAs;
+use crate::digits::{direction_degrees, inked, significant};
 use crate::mechanism::Level;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::{direction_degrees, inked, significant};
 use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
 use crate::report::drafting::{self, Amount};
 use crate::report::phrase::{Phrase, fill};

@@ -8,10 +8,10 @@ use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusa
 use crate::answer::{Value, level_of};
 use crate::construct::Measured;
 use crate::diag::{Diagnostic, Severity};
+use crate::digits::{direction_degrees, shortest, significant};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::{direction_degrees, shortest, significant};
 use crate::scene::{Book, Find, Kind, Lang, Scene};
 use crate::worked::{Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};

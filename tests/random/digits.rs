@@ -89,7 +89,7 @@ impl Tally {
                             (Value::Vector(v), "magnitude") => Some(v.norm()),
                             _ => None,
                         };
-                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::quantity::significant(x, certain) != text));
+                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::digits::significant(x, certain) != text));
                     }
                 }
             }

@@ -3,10 +3,10 @@
 use hodograph::accuracy::ladder::Part;
 use hodograph::accuracy::{certify, truth};
 use hodograph::answer::Value;
+use hodograph::digits::significant;
 use hodograph::geom::Point;
 use hodograph::number::{Real, within};
 use hodograph::position::newton::{driver_values, moved};
-use hodograph::quantity::significant;
 use hodograph::scene::{self, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
