@@ -59,8 +59,8 @@
 //! digits   -
 //! trig       scene*
 //! number     trig scene*
-//! scene      diag json digits trig number
 //! geom       number
+//! scene      diag json digits trig number geom
 //! mechanism  diag scene
 //! position   diag digits number scene geom mechanism
 //! answer     number scene geom mechanism position
@@ -69,7 +69,7 @@
 //! construct  diag digits number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
-//! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! worked     diag scene mechanism position answer plan construct analytic accuracy
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
 //! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*

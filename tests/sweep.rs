@@ -89,6 +89,7 @@ fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
         match evaluate(&there, &at, &solution, &f.what)? {
             Value::Scalar(s) => row.push(s),
             Value::Vector(v) => row.extend([v.x, v.y, v.norm()]),
+            Value::Point(p) => row.extend([p.x, p.y]),
         }
     }
     Some((row, solution.condition))

@@ -13,6 +13,7 @@ mod keys;
 mod lang;
 pub mod model;
 mod names;
+pub mod quantity;
 mod raw;
 mod resolve;
 pub mod schema;
@@ -27,6 +28,7 @@ mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
+pub use quantity::{Asked, Axis};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

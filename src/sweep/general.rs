@@ -55,6 +55,7 @@ impl<'a> General<'a> {
             match value {
                 Value::Scalar(s) => row.push(s),
                 Value::Vector(v) => row.extend([v.x, v.y, v.norm()]),
+                Value::Point(p) => row.extend([p.x, p.y]),
             }
         }
         match row.iter().all(|v| v.is_finite()) {

@@ -3,6 +3,7 @@
 use crate::figure::results::symbol;
 use crate::figure::sheet::driver_symbol;
 use crate::plan::notation::Notation;
+use crate::scene::quantity::Of;
 use crate::scene::{Asked, Kind, Scene};
 use crate::sweep::{Placed, Table, zoom};
 use std::f64::consts::TAU;
@@ -109,11 +110,10 @@ fn order(what: &Asked) -> usize {
 
 /// The link whose motion it is: of a pin's links the first that moves.
 fn link(scene: &Scene, what: &Asked) -> Option<usize> {
-    let link = match *what {
-        Asked::LinkAngle(l) | Asked::Omega(l) | Asked::Alpha(l) => Some(l),
-        Asked::Velocity(p) | Asked::Acceleration(p) => p.link.or_else(|| scene.mover(p.point)),
-        Asked::Coordinate(p, _) => scene.mover(p),
-        _ => None,
+    let link = match what.of() {
+        Of::Link(l) => Some(l),
+        Of::Point(p) => p.link.or_else(|| scene.mover(p.point)),
+        Of::Points(..) | Of::Links(..) | Of::Line(..) => None,
     };
     link.map(|l| l.0)
 }

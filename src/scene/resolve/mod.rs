@@ -77,7 +77,7 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
-pub(super) use find::begins_a_question;
+pub(super) use find::{Question, begins_a_question};
 
 /// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
