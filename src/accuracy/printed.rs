@@ -50,7 +50,7 @@ impl Part {
 ///
 /// # Errors
 /// A value that the numbers at hand do not tell.
-pub(super) fn with_printed<N: Certain>(
+pub(crate) fn with_printed<N: Certain>(
     book: &Book,
     what: &Asked,
     value: Value<N>,

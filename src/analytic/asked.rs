@@ -47,18 +47,15 @@ impl Solution {
         let vector = |p: &OnLink| self.vector(level, p.point, p.link);
         match what.meaning() {
             Some(Meaning::Vector(p)) => vector(&p).map(Value::Vector),
-            Some(Meaning::Relative(Split::Whole, a, b)) => Some(Value::Vector(vector(&a)? - vector(&b)?)),
-            Some(Meaning::Relative(Split::Sliding, a, b)) if level == Level::Velocity => {
-                self.sliding_velocity(scene, at, &a, &b).map(Value::Vector)
-            }
-            Some(Meaning::Relative(part, a, b)) => {
-                let parts = self.parts(scene, at, &a, &b)?;
-                Some(Value::Vector(match part {
-                    Split::Along => parts.normal,
-                    Split::Across => parts.tangential,
-                    Split::Sliding => parts.sliding[1],
-                    Split::Coriolis => parts.coriolis,
-                    Split::Whole => vector(&a)? - vector(&b)?,
+            Some(Meaning::Relative(split, a, b)) => {
+                let parts = || self.parts(scene, at, &a, &b);
+                Some(Value::Vector(match (split, level) {
+                    (Split::Whole, _) => vector(&a)? - vector(&b)?,
+                    (Split::Along, _) => parts()?.normal,
+                    (Split::Across, _) => parts()?.tangential,
+                    (Split::Sliding, Level::Acceleration) => parts()?.sliding[1],
+                    (Split::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
+                    (Split::Coriolis, _) => parts()?.coriolis,
                 }))
             }
             Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),

@@ -242,11 +242,6 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-    let value = |v: Value| match v {
-        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
-        Value::Scalar(s) => json!({"value": s}),
-        Value::Point(p) => json!({"x": p.x, "y": p.y}),
-    };
     let answers: Vec<Json> = lines(worked, certified)
         .into_iter()
         .map(|line| {
@@ -297,6 +292,15 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         all["drafting"] = drafting::json(scene, worked, d);
     }
     all
+}
+
+/// The SI numbers of a value.
+fn value(v: Value) -> Json {
+    match v {
+        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
+        Value::Scalar(s) => json!({"value": s}),
+        Value::Point(p) => json!({"x": p.x, "y": p.y}),
+    }
 }
 
 /// The value in the unit that the scene asks for, with its name; null where it asks for none.
@@ -390,3 +394,6 @@ pub fn diagnostic(d: &Diagnostic) -> Json {
         "span": d.span.map(|s| [s.start, s.end]),
     })
 }
+
+#[cfg(test)]
+mod tests;

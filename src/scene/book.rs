@@ -4,6 +4,7 @@
 //! either is written. All values of the program stay SI; what is printed goes through [`Book`] once, at the end.
 
 use super::expr::{self, Expr, ExprKind, Op};
+use super::quantity::Level;
 use super::units::{Dim, UNITS, Unit, Wanted, radians};
 use crate::number::Real;
 
@@ -49,6 +50,15 @@ impl Kind {
             Kind::Acceleration => "m/s²",
             Kind::Omega => "rad/s",
             Kind::Alpha => "rad/s²",
+        }
+    }
+
+    /// Which derivative of a place or an angle it is.
+    pub const fn level(self) -> Level {
+        match self {
+            Kind::Length | Kind::Angle => Level::Position,
+            Kind::Velocity | Kind::Omega => Level::Velocity,
+            Kind::Acceleration | Kind::Alpha => Level::Acceleration,
         }
     }
 

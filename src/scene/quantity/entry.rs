@@ -96,7 +96,7 @@ pub struct Entry {
 impl Entry {
     /// A line of the table; its level is that of its kind, and its letter its symbol. `name`: in English, in Chinese.
     pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: Form, name: [&'static str; 2]) -> Entry {
-        let level = Level::of_kind(kind);
+        let level = kind.level();
         Entry {
             symbol,
             example,

@@ -39,15 +39,6 @@ impl Level {
             Level::Acceleration => Kind::Alpha,
         }
     }
-
-    /// The level of a kind: the other way round.
-    pub(super) const fn of_kind(kind: Kind) -> Level {
-        match kind {
-            Kind::Length | Kind::Angle => Level::Position,
-            Kind::Velocity | Kind::Omega => Level::Velocity,
-            Kind::Acceleration | Kind::Alpha => Level::Acceleration,
-        }
-    }
 }
 
 /// A derivative by time.

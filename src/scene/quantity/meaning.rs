@@ -46,59 +46,57 @@ impl Meaning {
 }
 
 fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnLink, b: &OnLink) -> Option<Value<N>> {
-    use Level::{Acceleration, Velocity};
+    use Level::{Acceleration, Position, Velocity};
+    let joint = joined(known.scene(), a, b);
     let whole = |level| Some(known.vector(level, a)? - known.vector(level, b)?);
-    if split == Split::Whole {
-        return whole(level).map(Value::Vector);
-    }
-    let joint = joined(known.scene(), a, b)?;
-    let along = || (known.point(a.point)? - known.point(b.point)?).unit();
-    // The line of two points, as the unit vector along it, its length, and the velocity of the one against the other.
-    let line = || {
-        let d = known.point(a.point)? - known.point(b.point)?;
-        Some((d.unit()?, d.norm(), whole(Velocity)?))
+    let line = || Some(known.point(a.point)? - known.point(b.point)?);
+    // Along the line of two points: the unit vector, the length, and the velocity of the one against the other, along and square to it.
+    let split_velocity = || {
+        let (d, v) = (line()?, whole(Velocity)?);
+        let u = d.unit()?;
+        Some((u, d.norm(), u.dot(v), u.cross(v)))
     };
     let two = N::from_f64(2.0);
-    let coriolis = || match joint {
+    let coriolis = || match joint? {
         Joined::Guide(g) => Some(whole(Velocity)?.perp() * (two * known.turning(Velocity, known.scene().guides[g.0].on)?)),
         // v_r along the line, ω that of the line.
         Joined::Cylinder(_) => {
-            let (u, l, v) = line()?;
-            Some(u.perp() * (two * u.dot(v) * u.cross(v) / l))
+            let (u, l, along, across) = split_velocity()?;
+            Some(u.perp() * (two * along * across / l))
         }
         Joined::Link(_) => None,
     };
     Some(Value::Vector(match (split, level, joint) {
         (Split::Whole, level, _) => whole(level)?,
-        (Split::Along, _, Joined::Link(_)) => {
-            let u = along()?;
+        (Split::Along, _, Some(Joined::Link(_))) => {
+            let u = line()?.unit()?;
             u * u.dot(whole(Acceleration)?)
         }
-        (Split::Along, _, Joined::Cylinder(_)) => {
-            let (u, l, v) = line()?;
-            let across = u.cross(v);
+        (Split::Along, _, Some(Joined::Cylinder(_))) => {
+            let (u, l, _, across) = split_velocity()?;
             u * -(across * across / l)
         }
-        (Split::Across, _, Joined::Link(_)) => {
-            let u = along()?.perp();
+        (Split::Across, _, Some(Joined::Link(_))) => {
+            let u = line()?.unit()?.perp();
             u * u.dot(whole(Acceleration)?)
         }
-        (Split::Across, _, Joined::Cylinder(_)) => {
-            let u = along()?.perp();
+        (Split::Across, _, Some(Joined::Cylinder(_))) => {
+            let u = line()?.unit()?.perp();
             u * u.dot(whole(Acceleration)?) - coriolis()?
         }
-        (Split::Sliding, Acceleration, Joined::Guide(_)) => whole(Acceleration)? - coriolis()?,
-        (Split::Sliding, Acceleration, Joined::Cylinder(_)) => {
-            let (u, l, v) = line()?;
-            let across = u.cross(v);
+        (Split::Sliding, Acceleration, Some(Joined::Guide(_))) => whole(Acceleration)? - coriolis()?,
+        (Split::Sliding, Acceleration, Some(Joined::Cylinder(_))) => {
+            let (u, l, _, across) = split_velocity()?;
             u * (u.dot(whole(Acceleration)?) + across * across / l)
         }
-        (Split::Sliding, _, Joined::Guide(_)) => whole(Velocity)?,
-        (Split::Sliding, _, Joined::Cylinder(_)) => {
-            let (u, _, v) = line()?;
-            u * u.dot(v)
+        (Split::Sliding, Position | Velocity, Some(Joined::Guide(_))) => whole(Velocity)?,
+        (Split::Sliding, Position | Velocity, Some(Joined::Cylinder(_))) => {
+            let (u, _, along, _) = split_velocity()?;
+            u * along
         }
         (Split::Coriolis, _, _) => coriolis()?,
-        (Split::Along | Split::Across, _, Joined::Guide(_)) | (Split::Sliding, _, Joined::Link(_)) => return None,
+        (Split::Along | Split::Across, _, Some(Joined::Guide(_)) | None) | (Split::Sliding, _, Some(Joined::Link(_)) | None) => {
+            return None;
+        }
     }))
 }

@@ -16,6 +16,8 @@ mod place;
 mod point;
 pub mod relative;
 pub mod sliding;
+#[cfg(test)]
+mod tests;
 mod turning;
 mod value;
 

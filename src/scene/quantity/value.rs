@@ -55,6 +55,15 @@ impl Value {
         }
     }
 
+    /// Its numbers in a table, as [`Form::columns`] names them.
+    pub fn columns(&self) -> Vec<f64> {
+        match *self {
+            Value::Vector(v) => vec![v.x, v.y, v.norm()],
+            Value::Scalar(s) => vec![s],
+            Value::Point(p) => vec![p.x, p.y],
+        }
+    }
+
     /// How far two values of one form are apart; `None` where their forms differ.
     pub fn apart(&self, other: &Value) -> Option<f64> {
         match (self, other) {
