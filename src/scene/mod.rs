@@ -16,6 +16,7 @@ mod names;
 pub mod quantity;
 mod raw;
 mod resolve;
+pub mod rolling;
 pub mod schema;
 pub mod statement;
 pub mod templates;
@@ -29,6 +30,7 @@ mod written;
 pub use book::{Book, Kind};
 pub use model::*;
 pub use quantity::{Asked, Axis};
+pub use rolling::{Contours, Rolling, RollingId, Sizes};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

@@ -25,7 +25,7 @@ fn everything(c: &Context) -> Vec<Find> {
     let mut ask = |name: &str, span, what: Asked| out.push(Find { what, text: format!("{}_{name}", what.entry().symbol), span });
     for (i, p) in points.iter().enumerate() {
         let id = PointId(i);
-        if !c.carries(c.ground, id) {
+        if !c.carries(c.ground, id) && !c.contacts.contains(&id) {
             let on = OnLink { point: id, link: None };
             Rate::ALL.into_iter().for_each(|rate| ask(&p.name, p.span, PointMotion { rate, of: on }.into()));
         }
@@ -38,7 +38,7 @@ fn everything(c: &Context) -> Vec<Find> {
             .drivers
             .iter()
             .any(|d| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == l.name)));
-        if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder) {
+        if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder || c.rolls(id)) {
             Rate::ALL.into_iter().for_each(|rate| ask(&l.name, l.span, Turning { rate, of: id, against: None }.into()));
         }
     }
