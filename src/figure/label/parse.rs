@@ -42,9 +42,9 @@ impl Parser<'_> {
         self.faults.push(Diagnostic::error("label-syntax", both!("label `{}`: {}", "标注 `{}`：{}", self.source, what)).help(help));
     }
 
-    fn take_while(&mut self, mut keep: impl FnMut(char) -> bool) -> String {
+    fn take_while(&mut self, keep: impl Fn(char) -> bool) -> String {
         let start = self.at;
-        while self.peek().is_some_and(&mut keep) {
+        while self.peek().is_some_and(&keep) {
             self.at += 1;
         }
         self.chars[start..self.at].iter().collect()
@@ -180,13 +180,9 @@ impl Parser<'_> {
     }
 
     fn unit(&mut self, row: &mut Vec<Node>) {
-        // A bracket that the unit did not open closes what stands around the number: `(2 mm, 3 mm)`.
-        let mut open = 0;
+        let is_unit = |c: char| c.is_ascii_alphanumeric() || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³');
         loop {
-            let text = self.take_while(|c| {
-                open += i32::from(c == '(') - i32::from(c == ')');
-                open >= 0 && (c.is_ascii_alphanumeric() || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³'))
-            });
+            let text = self.take_while(is_unit);
             if !text.is_empty() {
                 row.push(Node::new(text, Slant::Upright, Role::Ordinary));
             }
