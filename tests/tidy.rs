@@ -52,6 +52,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("src/scene/eval.rs", "expressions in any kind of number"),
     ("src/scene/exact.rs", "given values in any kind of number"),
     ("src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
+    ("src/position/rolling.rs", "phases in any kind of number; `sin_cos` of the inputs"),
     ("src/position/shape.rs", "shapes of links in any kind of number; `sin_cos` of the inputs"),
     ("src/accuracy/truth.rs", "differences in longer numbers"),
     ("src/accuracy/ladder.rs", "directions in intervals"),
