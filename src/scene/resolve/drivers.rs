@@ -154,9 +154,8 @@ fn slide(
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
             // The centre of a wheel runs along its track.
-            let wheel = |g: &Guide| {
-                g.pin.is_some_and(|p| c.point_name(p) == word.text) && g.rolling.is_some_and(|r| !rolling.rolling[r.0].toothed)
-            };
+            let wheel =
+                |g: &Guide| g.pin.is_some_and(|p| c.point_name(p) == word.text) && g.rolling.is_some_and(|r| !rolling.rolling[r.0].toothed);
             if let Some(i) = rolling.guides.iter().position(wheel) {
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
