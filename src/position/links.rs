@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
@@ -228,9 +228,9 @@ impl<N: Real> Assembly<'_, N> {
         if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?))) {
             return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
         }
-        // A rack, or a driven carriage, that has no point of its own is laid anywhere along its guide.
-        let rolls = |h: &Hold| matches!(h, Hold::Rolls { .. } | Hold::Glide { driver: Some(_), .. });
-        if shape.points.is_empty() && holds.iter().any(rolls) {
+        // A driven carriage that has no point of its own is laid anywhere along its guide.
+        let driven = |h: &Hold| matches!(h, Hold::Glide { driver: Some(_), .. });
+        if shape.points.is_empty() && holds.iter().any(driven) {
             return Ok(vec![Pose { origin: Point::origin(), axis }]);
         }
         // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
@@ -244,6 +244,18 @@ impl<N: Real> Assembly<'_, N> {
             return Ok(vec![Pose { origin, axis }]);
         }
         let [a, b] = holds else { return Err(self.no_closure(link)) };
+        if let Some((pair, kept)) = rolling_beside(a, b) {
+            let line = self.triad_leg(link, kept)?.locus(axis);
+            let Some(rolled) = self.origin_of_rack(link, axis, pair) else {
+                // At the instant a rack stands anywhere along its guide.
+                return match (line, self.instant) {
+                    (Locus::Line { through, .. }, None) => Ok(vec![Pose { origin: through, axis }]),
+                    _ => Err(self.no_closure(link)),
+                };
+            };
+            let origins = kernel::meet(line, rolled).map_err(|_| self.no_closure(link))?;
+            return Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect());
+        }
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
@@ -348,5 +360,13 @@ impl<N: Real> Assembly<'_, N> {
             .help(both!("change a length of the group or the driver's position", "请改变该杆组的某一长度或原动件的位置")));
         }
         Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
+    }
+}
+
+/// Of two holds the rolling pair, where one of them rolls, and the other hold.
+fn rolling_beside<'a>(a: &'a Hold, b: &'a Hold) -> Option<(RollingId, &'a Hold)> {
+    match (a, b) {
+        (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => Some((*pair, other)),
+        _ => None,
     }
 }
