@@ -159,10 +159,12 @@ fn slide(
             if let Some(i) = rolling.guides.iter().position(wheel) {
                 return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
             }
-            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().map(|w| w.text.as_str());
+            let wheels = c.raw.rolling.iter().filter(|p| !p.toothed).filter_map(|p| p.sides[1].centre.as_ref());
+            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().chain(wheels).map(|w| w.text.as_str());
+            let nothing = runners.clone().next().is_none();
             let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))
                 .at(word.span);
-            faults.push(if c.raw.guides.is_empty() {
+            faults.push(if nothing {
                 d.help(both!("add \"guides\"", "请加上 \"guides\""))
             } else {
                 d.help(suggest(&word.text, runners, both!("there are", "有")))
