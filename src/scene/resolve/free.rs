@@ -1,6 +1,7 @@
 //! Centres of gears that nothing places. A train told by its numbers of teeth has angular velocities without having a size or a direction:
 //! where only these are asked, the centres are laid along the x axis, as a book draws them.
 
+use super::super::quantity::Meaning;
 use super::super::rolling::{Contours, Sizes};
 use super::*;
 
@@ -12,21 +13,7 @@ pub(super) fn centres(
     lengths: &[Length],
     faults: &mut Faults,
 ) {
-    let turning_only = |f: &Find| match f.what {
-        Asked::Omega(_) | Asked::Alpha(_) | Asked::RelativeOmega(..) | Asked::RelativeAlpha(..) => true,
-        Asked::Coordinate(..)
-        | Asked::LinkAngle(_)
-        | Asked::Distance(..)
-        | Asked::Velocity(_)
-        | Asked::Acceleration(_)
-        | Asked::RelativeVelocity(..)
-        | Asked::RelativeAcceleration(..)
-        | Asked::NormalAcceleration(..)
-        | Asked::TangentialAcceleration(..)
-        | Asked::SlidingVelocity(..)
-        | Asked::SlidingAcceleration(..)
-        | Asked::Coriolis(..) => false,
-    };
+    let turning_only = |f: &Find| matches!(f.what.meaning(), Some(Meaning::Turning(..)));
     if find.is_empty() || !find.iter().all(turning_only) {
         return;
     }
