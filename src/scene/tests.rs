@@ -1,6 +1,7 @@
 //! Whole scenes, good and bad: what the reader makes of them, and what it says.
 
 mod meant;
+mod rolling;
 
 use super::*;
 use crate::scene::quantity::Of;
@@ -283,7 +284,7 @@ fn what_is_said_about_bad_scenes() {
         ("sketch", with("sketch", r#"{"C": [3, 2]}"#)),
         ("text", with("title", "{}")),
     ];
-    let said: String = cases.iter().map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
+    let said: String = cases.iter().chain(&rolling::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
     // A golden text: review the difference, then write what is printed here into the file.
     let expected = include_str!("bad_scenes.txt");
     assert!(said == expected, "src/scene/bad_scenes.txt should now read:\n<<<\n{said}>>>");

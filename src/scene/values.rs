@@ -177,7 +177,7 @@ impl<'a> Values<'a> {
             Ok((_, value, _)) => {
                 let text = &quantity.text;
                 let message = both!("a number is wanted here, `{text}` is {}", "此处需要数值，`{text}` 是{}", value.dim.describe());
-                Some(Diagnostic::error("dimension", message).at(quantity.span))
+                Some(Diagnostic::error("dimension", message).at(quantity.span).help(both!("write it without a unit", "请不带单位")))
             }
             Err(fault) => fault,
         };

@@ -72,9 +72,13 @@ fn pair(
     if let Some(q) = &raw.phase
         && [a, b].iter().all(|side| stands(c, side.link, places))
     {
-        let message = both!("`phase` is given, but the coordinates say how both wheels stand", "给了 `phase`，而坐标已确定两轮的位置");
+        let message = both!(
+            "`phase` is given, but coordinates or a driver say how both wheels stand",
+            "给了 `phase`，而坐标或原动件已确定两轮的位置"
+        );
         let d = Diagnostic::error("phase", message).at(q.span);
-        faults.push(d.help(both!("leave the phase or the coordinates of one wheel's points away", "请去掉 phase，或去掉一轮上点的坐标")));
+        faults
+            .push(d.help(both!("leave the phase away, or what says how one of them stands", "请去掉 phase，或去掉确定其中一轮位置的数据")));
         return None;
     }
     let id = RollingId(out.rolling.len());
@@ -198,11 +202,11 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
     for (key, given) in [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span))] {
         if let Some(span) = given {
             let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
-            faults.push(
-                Diagnostic::error("rolling", message)
-                    .at(span)
-                    .help(both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")),
-            );
+            faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.toothed {
+                both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
+            } else {
+                both!("leave it away, or the \"track\" if it is straight", "请去掉；若轨道是直线，请去掉 \"track\"")
+            }));
         }
     }
     let hollow = raw.sides.iter().position(|s| s.hollow);
