@@ -427,7 +427,7 @@ fn the_description_shows_what_can_be_read() {
     let schema: serde_json::Value = serde_json::from_str(schema::schema()).unwrap();
     let validator = jsonschema::validator_for(&schema).unwrap();
     let base: serde_json::Value = serde_json::from_str(blocks[0]).unwrap();
-    let sections = blocks[1..].iter().flat_map(|b| if b.starts_with("\"guides\"") { vec![*b] } else { b.lines().collect() });
+    let sections = blocks[1..].iter().flat_map(|b| if b.contains("[\n") { vec![*b] } else { b.lines().collect() });
     for section in sections {
         let part: serde_json::Value = serde_json::from_str(&format!("{{{section}}}")).unwrap_or_else(|e| panic!("{section}: {e}"));
         let mut scene = base.clone();

@@ -2,7 +2,7 @@
 
 use super::super::keys;
 use super::super::raw::*;
-use super::{quantity, words};
+use super::{quantity, through, words};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::json::fields::{Fields, list, word};
 use crate::json::{Kind, Node, Word};
@@ -19,6 +19,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let (module, angle, phase) = (value("module"), value("angle"), value("phase"));
     let mut values = |key: &str| f.get(key).map(|n| quantities(n, key, faults));
     let (radii, teeth) = (values("radii"), values("teeth"));
+    let through = through(&f, faults);
     if faults.list.len() > before {
         return None;
     }
@@ -85,7 +86,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
             return None;
         }
     };
-    Some(RawRolling { sides, sizes, toothed: true, line, angle, at, phase, span: node.span })
+    Some(RawRolling { sides, sizes, toothed: true, line, through, angle, at, phase, span: node.span })
 }
 
 /// A wheel that rolls without slip on a straight or round track.
@@ -99,6 +100,7 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let (on, line, track, at) = (name("on"), name("line"), name("track"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, track_radius, phase) = (value("angle"), value("track_radius"), value("phase"));
+    let through = through(&f, faults);
     let inside = f.get("inside").map(|n| match n.kind {
         Kind::Bool(inside) => inside,
         Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
@@ -140,7 +142,7 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     }
     let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
     let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
-    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, angle, at, phase, span: node.span })
+    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, through, angle, at, phase, span: node.span })
 }
 
 fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {

@@ -194,12 +194,22 @@ fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &
             return None;
         }
     };
-    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through: Through::Pin, direction, offset: None }))
+    // The wheel's centre runs beside the track, at the distance of its radius.
+    let (through, offset) = match &raw.through {
+        Some(given) => (guides::through(c, on, given, faults)?, Some(radius.clone())),
+        None => (Through::Pin, None),
+    };
+    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
 }
 
 /// Two circles: the second centre runs on a circle about the first.
 fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faults) -> Option<(Contours, GuidePath)> {
-    for (key, given) in [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span))] {
+    let through = raw.through.as_ref().map(|t| match t {
+        RawThrough::At(_, span) => *span,
+        RawThrough::Point(word) => word.span,
+    });
+    let of_a_line = [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span)), ("through", through)];
+    for (key, given) in of_a_line {
         if let Some(span) = given {
             let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
             faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.toothed {

@@ -50,6 +50,10 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
     let straight = r#""track": null, "track_radius": null, "inside": null"#;
     let on_line = |more: &str| format!("{straight}, {more}");
     let of_lines = ["\"line\": \"AB\"", "\"line\": \"O\"", "\"angle\": \"0 mm\"", "\"angle\": 0, \"phase\": 0"].map(on_line);
+    let through =
+        ["\"angle\": 0, \"through\": \"A\"", "\"angle\": 0, \"through\": [1]", "\"angle\": 0, \"on\": \"3\", \"through\": [1, 1]"]
+            .map(on_line);
+    let through: Vec<&str> = through.iter().map(String::as_str).chain(["\"through\": \"O\""]).collect();
     let of_lines: Vec<&str> = of_lines.iter().map(String::as_str).chain([straight]).collect();
     let rack = |more: &str| format!(r#""rack": "3", "centres": ["A"], "teeth": null, "phase": null, {more}"#);
     let racks = [
@@ -127,6 +131,7 @@ pub(super) fn bad() -> Vec<(&'static str, String)> {
             wheels(&[r#""track_radius": null"#, r#""track": null"#, r#""track": null, "track_radius": null"#, r#""angle": 0"#]),
         ),
         ("straight tracks", wheels(&of_lines)),
+        ("tracks through", wheels(&through)),
         ("wheels in a list of two kinds", WHEEL.replace("PAIRS", "3, \"4\", {}")),
         ("wheels in no list", WHEEL.replace("[PAIRS]", "\"4\"")),
         ("a wheel that is driven", wheels(&[""]).replace(r#""link": "2", "omega": "2 rad/s""#, r#""slide": "A", "velocity": "1 m/s""#)),
@@ -161,4 +166,17 @@ fn free_centres_are_told() {
     let scene = read(&arm).unwrap().value;
     assert!(scene.points.iter().filter(|p| matches!(p.place, Place::At(_))).count() == 1);
     assert!((scene.lengths[0].value.value - 0.0205).abs() < 1e-15);
+}
+
+/// A track through a point keeps the wheel's centre at its radius, to the left.
+#[test]
+fn a_track_runs_through_its_point() {
+    let source = wheels(&[r#""track": null, "track_radius": null, "inside": null, "angle": 0, "through": [0, 1]"#]);
+    let scene = read(&source).unwrap().value;
+    let GuidePath::Line { through: Through::At([_, y]), offset: Some(offset), .. } = &scene.guides[0].path else {
+        panic!("{:?}", scene.guides[0].path)
+    };
+    assert_eq!((y.value, offset.value), (1.0, 0.2));
+    let anywhere = read(source.replace(r#","through":[0,1]"#, "")).unwrap().value;
+    assert!(matches!(anywhere.guides[0].path, GuidePath::Line { through: Through::Pin, offset: None, .. }), "{source}");
 }
