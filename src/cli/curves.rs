@@ -57,10 +57,12 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    // A train that stands nowhere has no angles either.
+    let somewhere = input.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
         match find.what.meaning() {
-            Some(Meaning::Turning(l, None)) if has_line(scene, l) => words.push(format!("phi_{}", scene.link_name(l))),
+            Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => words.push(format!("phi_{}", scene.link_name(l))),
             Some(Meaning::Vector(p)) if p.link.is_none() => {
                 words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
