@@ -114,8 +114,11 @@ impl Assembly<'_, f64> {
     pub(super) fn check(&mut self, c: &Configuration) {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            // Of a rolling pair the sizes are checked as such.
-            let (Some(p), Some(path), None) = (guide.pin, c.guides[g], guide.rolling) else { continue };
+            let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            // Of two circles that roll the sizes are checked as such.
+            if guide.rolling.is_some() && matches!(path, Path::Arc { .. }) {
+                continue;
+            }
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),

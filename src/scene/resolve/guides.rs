@@ -150,7 +150,7 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     Some(GuidePath::Line { through, direction, offset })
 }
 
-fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
+pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
     match raw {
         RawThrough::At(xy, span) => {
             let xy = c.values.two_lengths(xy, faults);
