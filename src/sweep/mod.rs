@@ -38,6 +38,8 @@ mod suspect;
 pub mod table;
 pub mod track;
 mod tracked;
+mod train;
+pub mod turns;
 pub mod vary;
 mod walked;
 pub mod zoom;
