@@ -58,6 +58,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("src/accuracy/ladder.rs", "directions in intervals"),
     ("src/accuracy/steps.rs", "angles of crossings in intervals"),
     ("src/sweep/reading.rs", "directions over lanes, by libm"),
+    ("src/sweep/turns.rs", "directions over lanes, by libm"),
 ];
 
 fn root() -> &'static Path {

@@ -155,7 +155,7 @@ impl<'a> Sweep<'a> {
 
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
 fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
-    let off = 1e-3 * Probe::of(program.clone(), placed, driver).reach();
+    let off = 1e-3 * limit::reach(placed, driver);
     let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
     let (parts, _) = branches(program.clone(), placed, driver, &sides);
     let rows = run_parts(&parts, placed, driver, &sides, Width::One);

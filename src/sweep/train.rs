@@ -173,6 +173,12 @@ impl Train {
         all.map(|(_, ratio)| ratio.exact.map_or(0, |(_, q)| q as u64)).fold(1, together)
     }
 
+    /// How many times as fast as what moves it the fastest wheel turns; at least 1.
+    pub fn fastest(&self) -> f64 {
+        let all = self.links.iter().flatten().flatten().filter(|(s, _)| !matches!(s, Source::Way(_)));
+        all.map(|(_, ratio)| ratio.value.abs()).fold(1.0, f64::max)
+    }
+
     fn seen(&self, m: &Mechanism, g: usize, l: LinkId) -> Seen {
         match m.groups[g].links.iter().position(|k| *k == l) {
             Some(i) => Seen::Unknown(i),
