@@ -2,7 +2,7 @@
 
 use super::phrase::tr;
 use crate::diag::{Both, both};
-use crate::quantity::significant;
+use crate::digits::significant;
 use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
 use crate::sweep::limit::{Event, Kind as EventKind};

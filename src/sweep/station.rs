@@ -157,13 +157,14 @@ pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 
 }
 
 /// Where a driver stands at the instant (rad or m). Of an angle of more than a turn only the part of a turn counts: the pose is the
-/// same, and the way from it is counted in turns of the stations, not in those that a scene has written.
+/// same, and the way from it is counted in turns of the stations, not in those that a scene has written; unless wheels stand elsewhere on
+/// every turn.
 pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
     let written = match &scene.drivers[driver].kind {
         DriverKind::Turn { angle: Some(angle), .. } => Some(angle.value),
         DriverKind::Turn { angle: None, .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
     };
-    match written {
+    match written.filter(|_| scene.rolling.is_empty()) {
         // The remainder of floating-point numbers is exact.
         Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
         Some(Angle::Rad(r)) if r.abs() > TAU => libm::atan2(libm::sin(r), libm::cos(r)),
