@@ -42,6 +42,8 @@ mod train;
 pub mod turns;
 pub mod vary;
 mod walked;
+#[cfg(test)]
+mod rolling_tests;
 pub mod zoom;
 
 use pieces::never;
