@@ -99,7 +99,12 @@ fn train(n: usize) -> Scene {
         links.push_str(&format!(", \"g{k}\": [\"D{k}\", \"C{k}\"]"));
         points.push_str(&format!(", \"D{k}\": [{}, 0], \"C{k}\": [{}, 10]", 60 * k, 60 * k + 15));
         let before = if k == 1 { "g0".to_owned() } else { format!("g{}", k - 1) };
-        gears.push(format!("{{\"links\": [\"{before}\", \"g{k}\"], \"centres\": [\"D{}\", \"D{k}\"], \"teeth\": [{}, {}]}}", k - 1, 20 + k % 3, 21 + k % 5));
+        gears.push(format!(
+            "{{\"links\": [\"{before}\", \"g{k}\"], \"centres\": [\"D{}\", \"D{k}\"], \"teeth\": [{}, {}]}}",
+            k - 1,
+            20 + k % 3,
+            21 + k % 5
+        ));
         ground.push(format!("\"D{k}\""));
         find.extend([format!("\"v_C{k}\""), format!("\"a_C{k}\"")]);
     }

@@ -107,8 +107,13 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         notes.push(Diagnostic::note(
             "lesson-turns",
             match (sweep.full, turns) {
-                (true, _) => both!("the lesson shows {turns} turns of the driver: then all wheels stand as before", "演示原动件的 {turns} 转：此后各轮回到原位"),
-                (false, 0) => both!("the lesson shows one turn of the driver: the wheels never stand as before", "演示原动件的一转：各轮不再回到原位"),
+                (true, _) => both!(
+                    "the lesson shows {turns} turns of the driver: then all wheels stand as before",
+                    "演示原动件的 {turns} 转：此后各轮回到原位"
+                ),
+                (false, 0) => {
+                    both!("the lesson shows one turn of the driver: the wheels never stand as before", "演示原动件的一转：各轮不再回到原位")
+                }
                 (false, _) => both!(
                     "the lesson shows one turn of the driver: the wheels stand as before after {turns}",
                     "演示原动件的一转：{turns} 转后各轮才回到原位"

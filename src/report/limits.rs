@@ -142,8 +142,13 @@ impl<'a> Words<'a> {
         let Limits { turns, seen, .. } = self.limits;
         let both = match (*turns, *seen) {
             (1, _) => return None,
-            (0, _) => both!("the wheels never stand as before; extreme positions are those of one turn", "各轮不再回到原位；极限位置取自一转"),
-            (n, 1) => both!("the wheels stand as before after {n} turns; extreme positions are those of one", "{n} 转后各轮回到原位；极限位置取自一转"),
+            (0, _) => {
+                both!("the wheels never stand as before; extreme positions are those of one turn", "各轮不再回到原位；极限位置取自一转")
+            }
+            (n, 1) => both!(
+                "the wheels stand as before after {n} turns; extreme positions are those of one",
+                "{n} 转后各轮回到原位；极限位置取自一转"
+            ),
             (n, _) => both!("the wheels stand as before after {n} turns", "{n} 转后各轮回到原位"),
         };
         let Both { en, zh } = both;

@@ -127,7 +127,14 @@ fn compiled_is_what_newton_finds() {
 #[test]
 fn compiled_rates_are_differences() {
     let pairs = [("mesh", "phi_3", "omega_3"), ("gear on a coupler", "omega_5", "alpha_5"), ("disc in a groove", "omega_4", "alpha_4")];
-    let points = [("mesh", "C"), ("planet", "B"), ("gear on a coupler", "E"), ("two planets on one arm", "B"), ("rack and pinion", "B"), ("wheel that drives itself", "M")];
+    let points = [
+        ("mesh", "C"),
+        ("planet", "B"),
+        ("gear on a coupler", "E"),
+        ("two planets on one arm", "B"),
+        ("rack and pinion", "B"),
+        ("wheel that drives itself", "M"),
+    ];
     let mut asked: Vec<(&str, String, String)> = pairs.iter().map(|(n, a, b)| (*n, (*a).to_owned(), (*b).to_owned())).collect();
     for (n, p) in points {
         asked.push((n, format!("v_{p}"), format!("a_{p}")));
@@ -142,7 +149,8 @@ fn compiled_rates_are_differences() {
             for part in [0.07, 0.31, 0.83] {
                 let (x, h) = (now + part * reach, 1e-4);
                 let table = run(placed, 0, &Stations::of_values(vec![x - h, x, x + h], 1.0), Width::One).unwrap();
-                let (a, b) = (&table.columns[1].values, &table.columns.iter().find(|c| c.name.split('.').next() == Some(&rate)).unwrap().values);
+                let (a, b) =
+                    (&table.columns[1].values, &table.columns.iter().find(|c| c.name.split('.').next() == Some(&rate)).unwrap().values);
                 let turn = a[2] - a[0];
                 let slope = (turn - TAU * libm::rint(turn / TAU) * f64::from(of.starts_with("phi"))) * omega / (2.0 * h);
                 assert!((slope - b[1]).abs() < 1e-5 * (1.0 + b[1].abs()), "{name}: {of} changes by {slope}, {rate} = {}", b[1]);
@@ -168,16 +176,29 @@ fn random_trains_are_what_newton_finds() {
             points.push(format!("\"C{k}\": [{},{}]", x + 5 + below(20), y + 3));
             links.push(format!("\"{link}\": [\"P{k}\",\"C{k}\"]"));
             ground.push(format!("\"P{k}\""));
-            gears.push(format!("{{\"links\": [\"{}\",\"{link}\"], \"centres\": [\"P{}\",\"P{k}\"], \"teeth\": [{},{}]}}", link - 1, k - 1, 12 + below(40), 12 + below(40)));
+            gears.push(format!(
+                "{{\"links\": [\"{}\",\"{link}\"], \"centres\": [\"P{}\",\"P{k}\"], \"teeth\": [{},{}]}}",
+                link - 1,
+                k - 1,
+                12 + below(40),
+                12 + below(40)
+            ));
             find.extend([format!("\"v_C{k}\""), format!("\"a_C{k}\""), format!("\"omega_{link}\"")]);
         }
         let (base, driven) = if planets { ("\"P0\"".to_owned(), ", \"99\": [") } else { (ground.join(","), "") };
         // On an arm that drives, about a first wheel that stands.
         let arm = if planets { format!("{driven}{}]", ground.join(",")) } else { String::new() };
-        let drivers = if planets { r#"[{"link": "99", "omega": "2 rad/s"}, {"link": "2", "omega": "0 rad/s"}]"# } else { r#"[{"link": "2", "omega": "2 rad/s"}]"# };
+        let drivers = if planets {
+            r#"[{"link": "99", "omega": "2 rad/s"}, {"link": "2", "omega": "0 rad/s"}]"#
+        } else {
+            r#"[{"link": "2", "omega": "2 rad/s"}]"#
+        };
         let text = format!(
             "{{\"units\": {{\"length\": \"mm\", \"angle\": \"deg\"}}, \"links\": {{\"1\": [{base}], {}{arm}}}, \"ground\": \"1\", \"points\": {{{}}}, \"gears\": [{}], \"driver\": {drivers}, \"find\": [{}]}}",
-            links.join(", "), points.join(", "), gears.join(", "), find.join(", ")
+            links.join(", "),
+            points.join(", "),
+            gears.join(", "),
+            find.join(", ")
         );
         with(&text, |placed| {
             let now = super::station::position_now(placed.scene, &placed.at, 0);
@@ -193,7 +214,8 @@ fn ten_thousand_turns_lose_nothing() {
     with(FAST, |placed| {
         for turn in [0i64, 1, 9_999, -10_000] {
             let from = 360 * turn;
-            let table = run(placed, 0, &Stations::turned(Angle::Deg(from as f64), Angle::Deg((from + 360) as f64), 120), Width::Widest).unwrap();
+            let table =
+                run(placed, 0, &Stations::turned(Angle::Deg(from as f64), Angle::Deg((from + 360) as f64), 120), Width::Widest).unwrap();
             let phi = &table.columns[1].values;
             for (i, phi) in phi.iter().enumerate() {
                 // −21/40 of the way, and the half turn by which the pair's phase begins: the angle at 0 is 0.
@@ -222,7 +244,10 @@ fn limits_are_found_beyond_one_turn() {
     let found = limits(&scene, &m, 0).unwrap();
     let ends: Vec<f64> = found.range.ends.iter().flatten().map(|e| e.value.to_degrees()).collect();
     // Where |BD| = BC + CD, with OQ turned by φ/4 and QB by −φ/2.
-    assert!(ends.len() == 2 && (ends[0] + 659.536_744_354_043_7).abs() < 1e-9 && (ends[1] - 241.225_814_241_048_6).abs() < 1e-9, "{ends:?}");
+    assert!(
+        ends.len() == 2 && (ends[0] + 659.536_744_354_043_7).abs() < 1e-9 && (ends[1] - 241.225_814_241_048_6).abs() < 1e-9,
+        "{ends:?}"
+    );
     let scene = read(FAST).unwrap().value;
     let m = Mechanism::new(&scene).unwrap().value;
     let found = limits(&scene, &m, 0).unwrap();

@@ -54,7 +54,10 @@ impl Ratio {
     }
 
     pub fn plus(self, o: Ratio) -> Ratio {
-        let exact = self.exact.zip(o.exact).and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?, b.checked_mul(d)?));
+        let exact = self
+            .exact
+            .zip(o.exact)
+            .and_then(|((a, b), (c, d))| fraction(a.checked_mul(d)?.checked_add(c.checked_mul(b)?)?, b.checked_mul(d)?));
         Ratio::with(exact, self.value + o.value)
     }
 
@@ -223,11 +226,16 @@ impl Train {
                         }
                         e.add(self.seen(m, g, b), Ratio::ONE);
                         e.add(self.seen(m, g, a), Ratio::of(-1, 1));
-                        e.add(Seen::Known(vec![(Source::Way(r), Ratio { value: 1.0 / at.shapes.rolling[r.0][1], exact: None })]), Ratio::ONE);
+                        e.add(
+                            Seen::Known(vec![(Source::Way(r), Ratio { value: 1.0 / at.shapes.rolling[r.0][1], exact: None })]),
+                            Ratio::ONE,
+                        );
                     }
                 }
             }
-            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Glide(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => return None,
+            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Glide(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => {
+                return None;
+            }
         }
         Some(e)
     }

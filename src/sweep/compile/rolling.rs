@@ -90,7 +90,8 @@ impl Compiler<'_> {
         let constraints = || group.constraints.iter().map(|&c| self.m.constraints[c]);
         let pinned: Vec<(PointId, LinkId)> =
             constraints().filter_map(|c| if let Constraint::Pinned(p, l) = c { Some((p, l)) } else { None }).collect();
-        let others = constraints().all(|c| matches!(c, Constraint::Pinned(..) | Constraint::Roll(_) | Constraint::Lock(_) | Constraint::Turn(_)));
+        let others =
+            constraints().all(|c| matches!(c, Constraint::Pinned(..) | Constraint::Roll(_) | Constraint::Lock(_) | Constraint::Turn(_)));
         let rolls = constraints().any(|c| matches!(c, Constraint::Roll(_)));
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
         if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
