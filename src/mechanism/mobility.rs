@@ -3,7 +3,8 @@
 
 use super::{Constraint, Node, Passive, ends, weight};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{DriverKind, PointId, Scene};
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
 ///
@@ -38,68 +39,123 @@ impl Nodes {
             Node::Pin(p) => self.links + p.0,
         }
     }
+
+    fn at(&self, index: usize) -> Node {
+        match index.checked_sub(self.links) {
+            None => Node::Link(LinkId(index)),
+            Some(p) => Node::Pin(PointId(p)),
+        }
+    }
+}
+
+/// A matching of as many equations as possible with the freedoms of the nodes.
+pub(super) struct Matched {
+    nodes: Nodes,
+    /// One entry per scalar equation: its constraint and the ends of that.
+    units: Vec<(usize, Node, Node)>,
+    owner: Vec<Option<usize>>,
+    held: Vec<Vec<usize>>,
+    capacity: Vec<usize>,
+    /// Equations for which no freedom is left.
+    homeless: Vec<usize>,
+}
+
+impl Matched {
+    /// Matches equations with freedoms, in the order of the constraints.
+    pub fn new(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> Matched {
+        let nodes = Nodes { links: scene.links.len() };
+        let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
+        for (l, p) in passive.iter().enumerate() {
+            if l != scene.ground.0 && p.is_none() {
+                capacity[l] = 3;
+            }
+        }
+        for p in pins {
+            capacity[nodes.links + p.0] = 2;
+        }
+        let units: Vec<(usize, Node, Node)> = constraints
+            .iter()
+            .enumerate()
+            .flat_map(|(i, &c)| {
+                let (a, b) = ends(scene, c);
+                std::iter::repeat_n((i, a, b), weight(c))
+            })
+            .collect();
+        let (owner, held) = (vec![None; units.len()], vec![Vec::new(); capacity.len()]);
+        let mut m = Matched { nodes, owner, held, capacity, homeless: Vec::new(), units };
+        for u in 0..m.units.len() {
+            if augment(u, &m.units, &m.nodes, &m.capacity, &mut m.owner, &mut m.held) {
+                continue;
+            }
+            m.homeless.push(u);
+        }
+        m
+    }
+
+    /// How many equations have no home.
+    pub fn homeless(&self) -> usize {
+        self.homeless.len()
+    }
+
+    /// How many freedoms no equation takes.
+    pub fn free(&self) -> usize {
+        self.capacity.iter().zip(&self.held).map(|(c, h)| c - h.len()).sum()
+    }
+
+    /// For each equation without a home the constraints that depend on one another with it: those that hold the nodes on which it
+    /// could have been placed, and so on. Dropping any of them gives it a home.
+    pub fn circuits(&self) -> impl Iterator<Item = BTreeSet<usize>> + '_ {
+        self.homeless.iter().map(|u| self.circuit(*u))
+    }
+
+    fn circuit(&self, homeless: usize) -> BTreeSet<usize> {
+        let mut seen = vec![false; self.capacity.len()];
+        let mut found = BTreeSet::new();
+        let mut stack = vec![homeless];
+        while let Some(u) = stack.pop() {
+            let (constraint, a, b) = self.units[u];
+            found.insert(constraint);
+            for n in [a, b].map(|n| self.nodes.index(n)) {
+                if self.capacity[n] > 0 && !std::mem::replace(&mut seen[n], true) {
+                    stack.extend(&self.held[n]);
+                }
+            }
+        }
+        found
+    }
+
+    /// The assignment, where it is perfect.
+    fn assignment(self) -> Assignment {
+        let nodes = self.nodes;
+        let equations = self.units.into_iter().zip(self.owner);
+        let told = equations.filter_map(|((c, a, b), o)| Some(if nodes.index(a) == o? { (c, a, b) } else { (c, b, a) }));
+        Assignment { equations: told.collect() }
+    }
 }
 
 /// Assigns every equation to a node.
 ///
 /// # Errors
 /// Names the links that stay free, or the pairs that say too much.
-pub(crate) fn assign(
+pub(super) fn assign(
     scene: &Scene,
     passive: &[Option<Passive>],
     pins: &[PointId],
     constraints: &[Constraint],
 ) -> Result<Assignment, Faults> {
-    let nodes = Nodes { links: scene.links.len() };
-    let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
-    for (l, p) in passive.iter().enumerate() {
-        if l != scene.ground.0 && p.is_none() {
-            capacity[l] = 3;
-        }
-    }
-    for p in pins {
-        capacity[nodes.links + p.0] = 2;
-    }
-    // One entry per scalar equation.
-    let units: Vec<(usize, Node, Node)> = constraints
-        .iter()
-        .enumerate()
-        .flat_map(|(i, &c)| {
-            let (a, b) = ends(scene, c);
-            std::iter::repeat_n((i, a, b), weight(c))
-        })
-        .collect();
-    let mut owner: Vec<Option<usize>> = vec![None; units.len()];
-    let mut held: Vec<Vec<usize>> = vec![Vec::new(); capacity.len()];
-    let mut homeless = Vec::new();
-    for u in 0..units.len() {
-        if !augment(u, &units, &nodes, &capacity, &mut owner, &mut held) {
-            homeless.push(u);
-        }
-    }
+    let m = Matched::new(scene, passive, pins, constraints);
     let mut faults = Faults::default();
-    let free: Vec<Node> = (0..capacity.len())
-        .filter(|&n| held[n].len() < capacity[n])
-        .map(|n| if n < nodes.links { Node::Link(crate::scene::LinkId(n)) } else { Node::Pin(PointId(n - nodes.links)) })
-        .collect();
+    let free: Vec<Node> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
     if !free.is_empty() {
-        faults.push(too_free(scene, &capacity, &held, &free));
+        faults.push(too_free(scene, m.free(), &free));
     }
-    if !homeless.is_empty() {
-        faults.push(too_tight(scene, constraints, &units, &homeless));
+    if !m.homeless.is_empty() {
+        faults.push(too_tight(scene, constraints, &m.units, &m.homeless));
     }
     if faults.has_errors() {
         return Err(faults);
     }
-    let equations = units
-        .iter()
-        .zip(&owner)
-        .map(|(&(c, a, b), o)| {
-            let o = o.expect("every equation has a home when none is homeless");
-            if nodes.index(a) == o { (c, a, b) } else { (c, b, a) }
-        })
-        .collect();
-    Ok(Assignment { equations })
+    Ok(m.assignment())
 }
 
 /// Finds a home for equation `u`, moving others along a shortest alternating path.
@@ -158,8 +214,7 @@ fn describe(scene: &Scene, n: Node) -> Both {
     }
 }
 
-fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node]) -> Diagnostic {
-    let missing: usize = capacity.iter().zip(held).map(|(c, h)| c - h.len()).sum();
+fn too_free(scene: &Scene, missing: usize, free: &[Node]) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
     let drivers = scene.drivers.len();
     let span = match free[0] {

@@ -9,6 +9,7 @@ mod groups;
 mod joined;
 mod leg;
 mod mobility;
+mod redundant;
 
 pub(crate) use demand::nodes_of;
 pub use demand::{Demand, Level, Need, level_of};
@@ -16,6 +17,9 @@ pub use groups::{Core, Group};
 pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
+pub use redundant::{Opened, Redundant};
+
+use redundant::Opening;
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
@@ -56,6 +60,8 @@ pub enum Passive {
     Block(GuideId),
     /// Barrel or rod: turns with the line of the cylinder (index of the driver).
     Cylinder(usize),
+    /// A link that only repeats what the others fix, known by two of its pins: turns with their line. See [`Redundant`].
+    Held(PointId, PointId),
 }
 
 /// The mechanism: the scene's topology, worked out.
@@ -75,6 +81,9 @@ pub struct Mechanism {
     pub group_of_link: Vec<Option<usize>>,
     /// The group of each pin.
     pub group_of_pin: Vec<Option<usize>>,
+    /// The pairs that only repeat what the others fix, in the order in which they were opened. Whether they do is decided by lengths:
+    /// [`crate::position::redundant`].
+    pub redundant: Vec<Redundant>,
     /// For each link, whether it is ground or keeps its direction for topological reasons (locked to ground by sliding pairs).
     pub never_turns: Vec<bool>,
 }
@@ -92,22 +101,11 @@ impl Mechanism {
         if faults.has_errors() {
             return Err(faults);
         }
-        let pins = find_pins(scene, &passive);
-        let constraints = find_constraints(scene, &passive, &pins);
-        let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
-        let mobility = mobility::count(scene);
-        let never_turns = find_never_turning(scene);
-        let mut mechanism = Mechanism {
-            constraints,
-            pins,
-            passive,
-            mobility,
-            groups: Vec::new(),
-            group_of_link: vec![None; scene.links.len()],
-            group_of_pin: vec![None; scene.points.len()],
-            never_turns,
-        };
-        groups::find(scene, &mut mechanism, &assignment);
+        let mut opening = Opening { passive, redundant: Vec::new() };
+        if opening.matched(scene).homeless() > 0 {
+            opening = redundant::open(scene, &opening).unwrap_or(opening);
+        }
+        let mechanism = Mechanism::opened(scene, opening)?;
         let mut notes = Vec::new();
         for g in &mechanism.groups {
             if matches!(g.core, Core::Higher) {
@@ -125,14 +123,46 @@ impl Mechanism {
         Ok(Warned { value: mechanism, notes })
     }
 
+    /// The mechanism without what is opened.
+    fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
+        let (pins, constraints) = opening.pins_and_constraints(scene);
+        let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
+        let mut mechanism = Mechanism {
+            constraints,
+            pins,
+            passive: opening.passive,
+            mobility: mobility::count(scene),
+            groups: Vec::new(),
+            group_of_link: vec![None; scene.links.len()],
+            group_of_pin: vec![None; scene.points.len()],
+            redundant: opening.redundant,
+            never_turns: find_never_turning(scene),
+        };
+        groups::find(scene, &mut mechanism, &assignment);
+        Ok(mechanism)
+    }
+
     /// The two nodes that a constraint joins.
     pub fn ends(&self, scene: &Scene, c: Constraint) -> (Node, Node) {
         ends(scene, c)
     }
 
-    /// Whether a link is fixed, or follows others without constraining them.
+    /// Whether a link is a part of a pair, a block, a barrel or a rod, and has no form of its own.
     pub fn is_passive(&self, l: LinkId) -> bool {
-        self.passive[l.0].is_some()
+        matches!(self.passive[l.0], Some(Passive::Block(_) | Passive::Cylinder(_)))
+    }
+
+    /// Whether a pair of the scene is opened because it only repeats what the others fix.
+    pub fn is_opened(&self, what: &Opened) -> bool {
+        self.redundant.iter().any(|r| r.opened == *what)
+    }
+
+    /// The pins by which a link is known that only repeats what the others fix.
+    pub fn held(&self, l: LinkId) -> Option<(PointId, PointId)> {
+        match self.passive[l.0] {
+            Some(Passive::Held(a, b)) => Some((a, b)),
+            Some(Passive::Block(_) | Passive::Cylinder(_)) | None => None,
+        }
     }
 
     /// The link whose turning a link shares for topological reasons: the carrier of its straight guide for a block, itself
@@ -282,14 +312,16 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
     }
 }
 
-fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {
+fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
     let mut is_pin = vec![false; scene.points.len()];
     for (p, pin) in is_pin.iter_mut().enumerate() {
-        let on = scene.carriers(PointId(p)).filter(|l| passive[l.0].is_none()).count();
+        let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
         *pin = on >= 2;
     }
-    for g in &scene.guides {
-        if let Some(p) = g.pin {
+    for (i, g) in scene.guides.iter().enumerate() {
+        if let Some(p) = g.pin
+            && opening.keeps(&Opened::Guide(GuideId(i)))
+        {
             is_pin[p.0] = true;
         }
     }
@@ -302,15 +334,19 @@ fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {
     (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
 }
 
-fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]) -> Vec<Constraint> {
+fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
+    let passive = &opening.passive;
     let mut out = Vec::new();
     for &p in pins {
-        for l in scene.carriers(p).filter(|l| passive[l.0].is_none()) {
+        for l in scene.carriers(p).filter(|l| passive[l.0].is_none() && opening.keeps(&Opened::Pin(p, *l))) {
             out.push(Constraint::Pinned(p, l));
         }
     }
     for (i, g) in scene.guides.iter().enumerate() {
         let id = GuideId(i);
+        if !opening.keeps(&Opened::Guide(id)) {
+            continue;
+        }
         if let Some(p) = g.pin {
             out.push(Constraint::Slot(p, id));
         }

@@ -4,7 +4,7 @@ use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Shapes};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::geom::Point;
-use crate::mechanism::{Mechanism, Passive};
+use crate::mechanism::{Mechanism, Opened, Passive};
 use crate::number::Real;
 use crate::quantity::significant;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
@@ -99,6 +99,9 @@ impl Assembly<'_, f64> {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
             let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            if self.m.is_opened(&Opened::Guide(GuideId(g))) {
+                continue;
+            }
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
@@ -145,7 +148,8 @@ impl Assembly<'_, f64> {
         }
         for (l, shape) in self.shapes.iter().enumerate() {
             let Some(pose) = c.poses[l] else { continue };
-            for (p, local) in &shape.points {
+            let opened = |p: PointId| self.m.is_opened(&Opened::Link(LinkId(l))) || self.m.is_opened(&Opened::Pin(p, LinkId(l)));
+            for (p, local) in shape.points.iter().filter(|(p, _)| !opened(*p)) {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
                 if off > same_place(extent, at) {
@@ -302,8 +306,18 @@ pub(super) fn complete<N: Real>(
                 }
                 _ => None,
             },
+            Some(Passive::Held(a, b)) => {
+                let shape = |p| shapes.local(LinkId(l), p);
+                let lies = |(((la, lb), wa), wb)| Pose::from_point_and_direction(la, lb - la, wa, wb - wa);
+                shape(a).zip(shape(b)).zip(points[a.0]).zip(points[b.0]).and_then(lies)
+            }
             None => poses[l],
         };
+        if let (Some(Passive::Held(..)), Some(pose)) = (passive, poses[l]) {
+            for (p, local) in &shapes.points[l] {
+                points[p.0].get_or_insert(pose.to_world(*local));
+            }
+        }
     }
     Configuration { points, poses, guides, shapes, closures }
 }

@@ -433,6 +433,7 @@ impl<'a> Compiler<'a> {
                 DriverKind::Cylinder { a, b, .. } => (Spot::Pin(a), Spot::Pin(b)),
                 _ => return Err(self.lost(l)),
             },
+            Passive::Held(a, b) => (Spot::Pin(a), Spot::Pin(b)),
         };
         let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
             let (from, to) = (c.spot(from, level)?, c.spot(to, level)?);
@@ -457,6 +458,7 @@ impl<'a> Compiler<'a> {
                 DriverKind::Cylinder { a, .. } => Spot::Pin(a),
                 _ => return Err(self.lost(l)),
             },
+            Some(Passive::Held(a, _)) => Spot::Pin(a),
             None => Spot::Own(l),
         };
         let (from, to) = (self.spot(base, Level::Position)?, self.point(p, Level::Position)?);
