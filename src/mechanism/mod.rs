@@ -318,10 +318,8 @@ fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
         let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
         *pin = on >= 2;
     }
-    for (i, g) in scene.guides.iter().enumerate() {
-        if let Some(p) = g.pin
-            && opening.keeps(&Opened::Guide(GuideId(i)))
-        {
+    for g in &scene.guides {
+        if let Some(p) = g.pin {
             is_pin[p.0] = true;
         }
     }

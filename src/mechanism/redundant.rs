@@ -157,7 +157,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
         all.push(Candidate { opened: Opened::Guide(GuideId(g)), pins: Vec::new(), equations, span: guide.span });
     }
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0) {
-        for &p in &link.points {
+        for &p in link.points.iter().rev() {
             let other = |k: &LinkId| {
                 k.0 != l
                     && closed.passive[k.0].is_none()

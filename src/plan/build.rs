@@ -2,7 +2,7 @@
 
 use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Core, Demand, Entry, Hold, Leg, Level, Mechanism, Need, Strut};
+use crate::mechanism::{Core, Demand, Entry, Hold, Leg, Level, Mechanism, Need, Opened, Strut};
 use crate::scene::{LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
@@ -137,7 +137,8 @@ impl Builder<'_> {
 
     /// The first two known points of a link at a level: its own points come first, then coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
-        let carried = self.scene.links[l.0].points.iter().filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
+        let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
+        let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
         let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }

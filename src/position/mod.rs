@@ -19,6 +19,8 @@ mod links;
 pub mod newton;
 mod pins;
 mod proof;
+pub mod redundant;
+mod repeats;
 mod shape;
 pub mod toggle;
 pub(crate) mod triad;
