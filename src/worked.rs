@@ -13,7 +13,7 @@ use crate::answer::{Value, level_of};
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::mechanism::{Demand, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
@@ -151,6 +151,14 @@ fn blur_of(pose: &Solution) -> f64 {
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     let mut demand = Demand::of(scene, &mechanism);
+    // What only repeats the others is checked by its pins as far as the motion is asked for.
+    for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {
+        let deepest = demand.level;
+        for level in Level::RATES.into_iter().filter(|level| *level <= deepest) {
+            demand.add(scene, &mechanism, Need::Point(a, None), level);
+            demand.add(scene, &mechanism, Need::Point(b, None), level);
+        }
+    }
     if scope == Scope::Figure {
         demand = demand.with_all_positions();
     }

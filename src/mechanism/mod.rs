@@ -10,6 +10,7 @@ mod joined;
 mod leg;
 mod mobility;
 mod redundant;
+mod survey;
 
 pub(crate) use demand::nodes_of;
 pub use demand::{Demand, Level, Need, level_of};
@@ -18,6 +19,7 @@ pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 pub use redundant::{Opened, Redundant};
+pub use survey::{Counts, ForDrivers, Local, Survey};
 
 use redundant::Opening;
 

@@ -12,7 +12,7 @@ use super::finish::complete;
 use super::newton::{self, DriverValues, System};
 use super::repeats::{Reason, reason};
 use super::{Configuration, Path, configure, recompute};
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults};
 use crate::mechanism::{Constraint, Core, Demand, Group, Level, Mechanism, Need, Opened};
 use crate::number::{Ball, Dd, Real};
 use crate::scene::{DriverKind, LinkId, PointId, Scene};
@@ -50,6 +50,11 @@ pub struct Checked {
 }
 
 impl Checked {
+    /// What it is, in words.
+    pub fn what(&self, scene: &Scene, m: &Mechanism) -> Both {
+        super::repeats::opened_words(scene, &m.redundant[self.index].opened).0
+    }
+
     /// What is said of it.
     pub fn diagnostic(&self, scene: &Scene, m: &Mechanism) -> Diagnostic {
         super::repeats::diagnostic(scene, m, self)

@@ -122,7 +122,9 @@ impl Reason {
         let name = |p: &PointId| scene.point_name(*p);
         match self {
             Reason::ParallelCranks(cranks) => {
-                let names: Vec<Both> = cranks.iter().rev().map(|c| Both::same(line(scene, *c))).collect();
+                // Its own stands first in the list, and is named last.
+                let others = cranks.iter().skip(1).chain(cranks.first());
+                let names: Vec<Both> = others.map(|c| Both::same(line(scene, *c))).collect();
                 both!("equal parallel cranks {}", "等长平行曲柄 {}", Both::listed(&names))
             }
             Reason::ParallelGuides(g) => {
@@ -215,7 +217,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             };
             Diagnostic::note(
                 "virtual",
-                both!("{} only repeats what the others fix: {}; {}", "{}为虚约束：{}；{}", what, why, bound),
+                both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound),
             )
             .at(span)
         }
@@ -223,7 +225,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             "almost-virtual",
             both!(
                 "{} nearly repeats what the others fix: left open, it is off by {off} {}; it is taken for a virtual constraint",
-                "{}近似为虚约束：去掉后{1}偏差 {off}；按虚约束处理",
+                "{} 近似为虚约束：去掉后{1}偏差 {off}；按虚约束处理",
                 what,
                 when
             ),
@@ -244,7 +246,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             "shaky",
             both!(
                 "{} locks the mechanism: it holds in this pose and to first order about it only, and is off by {off} {}",
-                "{}使机构卡死：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
+                "{} 使机构卡死：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
                 what,
                 when
             ),
@@ -255,7 +257,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
             "locked",
             both!(
                 "{} locks the mechanism: {} would have to give {off} {}",
-                "{}使机构卡死：{2}，{1}须让出 {off}",
+                "{} 使机构卡死：{2}，{1}须让出 {off}",
                 what,
                 joint(scene, m, opened),
                 when

@@ -15,13 +15,14 @@ mod slides;
 mod special;
 
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Opened;
 use crate::plan::notation::Notation;
 use crate::position::Path;
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use crate::worked::Worked;
 
 use super::drawing::{Drawing, Part};
-use super::item::{Colour, Shape, Stroke};
+use super::item::{Colour, Item, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
@@ -181,6 +182,11 @@ impl<'a> Draft<'a> {
         Some((at, path.tangent_at(at)))
     }
 
+    /// Items of a pair, dashed where it only repeats what the others fix.
+    fn as_opened(&self, what: Opened, items: Vec<Item>) -> Vec<Item> {
+        if self.worked.mechanism.is_opened(&what) { sym::dashed(items) } else { items }
+    }
+
     fn is_pin(&self, p: PointId) -> bool {
         self.worked.mechanism.pins.contains(&p)
     }
@@ -276,7 +282,7 @@ impl<'a> Draft<'a> {
             if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
                 continue;
             }
-            let items = sym::plate(self.style, plate);
+            let items = self.as_opened(Opened::Link(LinkId(l)), sym::plate(self.style, plate));
             self.d.of_link(Some(l));
             self.d.draw(&self.link_id(l), "", items);
         }
@@ -292,7 +298,9 @@ impl<'a> Draft<'a> {
                 self.gaps(l, *bar);
                 self.d.of_link(Some(l));
                 let aside = self.aside(LinkId(l), k);
-                self.d.draw(&id, "", sym::link(self.style, &[bar.0 + aside, bar.1 + aside]));
+                let items = sym::link(self.style, &[bar.0 + aside, bar.1 + aside]);
+                let items = self.as_opened(Opened::Link(LinkId(l)), items);
+                self.d.draw(&id, "", items);
             }
             self.d.of_link(Some(l));
             for (corner, one, other) in &form.corners {

@@ -3,6 +3,7 @@
 use crate::figure::item::{Dash, Shape};
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2, cross_lines};
+use crate::mechanism::Opened;
 use crate::position::Path;
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Through};
 
@@ -73,6 +74,7 @@ impl Draft<'_> {
         let [back, on] = self.travel(g);
         let middle = at + direction * ((back + on) / 2.0);
         let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
+        let items = self.as_opened(Opened::Guide(g), items);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
 
