@@ -8,7 +8,7 @@
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
 
 use super::redundant::Redundant;
-use super::{Mechanism, Passive};
+use super::Mechanism;
 use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
 /// A link whose only pair is the pin about which it turns: its turning moves nothing else.
@@ -258,14 +258,4 @@ fn is_block(scene: &Scene, l: LinkId) -> bool {
 fn scene_name<'a>(scene: &'a Scene, l: LinkId, local: &[Local]) -> &'a str {
     let kept = scene.links.iter().filter(|k| !local.iter().any(|i| !i.bare && i.link == k.name));
     kept.map(|k| k.name.as_str()).nth(l.0).unwrap_or_default()
-}
-
-impl Mechanism {
-    /// Whether a link is a numbered block, barrel or rod, or follows because it repeats others.
-    pub fn follows(&self, l: LinkId) -> bool {
-        match self.passive[l.0] {
-            Some(Passive::Block(_) | Passive::Cylinder(_) | Passive::Held(..)) => true,
-            None => false,
-        }
-    }
 }

@@ -5,6 +5,7 @@
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
 //! Links and points without a place are left out.
 
+mod apart;
 mod directions;
 mod form;
 mod letters;
@@ -26,6 +27,8 @@ use super::item::{Colour, Item, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 use form::Form;
+
+pub use apart::{Piece, apart};
 pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
@@ -100,6 +103,8 @@ struct Draft<'a> {
     course: &'a Course,
     /// Whether it belongs to a construction: links are numbered, special points and directions named.
     constructed: bool,
+    /// What is shown of a mechanism that is drawn apart; `None`: all of it.
+    only: Option<apart::Only>,
 }
 
 impl<'a> Draft<'a> {
@@ -118,6 +123,7 @@ impl<'a> Draft<'a> {
             hatched,
             course,
             constructed: true,
+            only: None,
         };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft.parted = draft.parted();
@@ -199,7 +205,7 @@ impl<'a> Draft<'a> {
     fn is_fixed_pivot(&self, p: PointId) -> bool {
         let cylinder_end = |k: &DriverKind| matches!(k, DriverKind::Cylinder { a, b, .. } if *a == p || *b == p);
         let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || self.scene.drivers.iter().any(|d| cylinder_end(&d.kind));
-        self.on_ground(p) && joined
+        self.on_ground(p) && joined && self.shows(self.scene.ground)
     }
 
     /// Whether a point of the ground is named by a guide: then it is shown as a dot.
@@ -340,7 +346,7 @@ impl<'a> Draft<'a> {
     /// Supports, pins and dots, over everything else.
     fn joints(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
-            let Some(at) = self.point(p) else { continue };
+            let Some(at) = self.point(p).filter(|_| self.shows_point(p)) else { continue };
             let name = self.scene.point_name(p).to_owned();
             if self.is_fixed_pivot(p) {
                 let items = sym::fixed_pivot(self.style, at, self.support_side(p));

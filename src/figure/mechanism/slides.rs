@@ -34,7 +34,7 @@ impl Draft<'_> {
     pub(super) fn ground_guides(&mut self) {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
-            if guide.on != self.scene.ground {
+            if guide.on != self.scene.ground || !self.shows_runner(g) {
                 continue;
             }
             let (pin, slider) = (guide.pin, guide.slider);
@@ -188,6 +188,9 @@ impl Draft<'_> {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
             let (Some(_), Some(slider)) = (guide.pin, guide.slider) else { continue };
+            if !self.shows(slider) {
+                continue;
+            }
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
             let Some((at, tangent)) = self.runner(g) else { continue };
             let items = sym::block(self.style, at, tangent.angle(), through);
@@ -202,6 +205,9 @@ impl Draft<'_> {
     pub(super) fn cylinders(&mut self) {
         for k in 0..self.scene.drivers.len() {
             let DriverKind::Cylinder { a, b, links, .. } = &self.scene.drivers[k].kind else { continue };
+            if !self.shows_driver(k) {
+                continue;
+            }
             let (links, name) = (links.clone(), format!("cylinder-{}{}", self.scene.point_name(*a), self.scene.point_name(*b)));
             let (Some(base), Some(tip)) = (self.point(*a), self.point(*b)) else { continue };
             let length = base.distance(tip);
