@@ -38,11 +38,11 @@ pub fn figure(scene: &Scene, worked: &Worked, style: &Style, notation: &Notation
             }
             Piece::Repeats => tr(lang, "virtual constraint", "虚约束").to_owned(),
         };
-        let mut part = with_name(drawing.finish(), &name, style);
+        let (mut part, baseline) = with_name(drawing.finish(), &name, style);
         // A pair between two parts is shown in both, under names of their own.
         let of = named.len();
         part.items.iter_mut().for_each(|i| i.id = format!("part-{of}-{}", i.id));
-        named.push(part);
+        named.push((part, baseline));
     }
     let heading = tr(lang, "Groups drawn apart", "拆杆组");
     let (mut items, width_mm, height_mm) = rows(named);
@@ -76,37 +76,39 @@ fn group_name(g: &Group, lang: Lang) -> String {
     }
 }
 
-fn with_name(part: Part, name: &str, style: &Style) -> Part {
+/// The part with its name below, and the baseline of that.
+fn with_name(part: Part, name: &str, style: &Style) -> (Part, f64) {
     let label = Label::text(name).in_fonts(&style.fonts);
     let at = Point::new(part.bounds.centre().x, part.bounds.min.y - NAME_MM);
     let shape = Shape::Label { at, label, size_mm: style.small_mm, anchor: Anchor::Middle, colour: Colour::BLACK };
     let mut items = part.items;
     items.push(Item::new("caption", shape).with_id("caption"));
-    Part::of(items)
+    (Part::of(items), at.y)
 }
 
 /// The parts side by side, their names on one line, in as many rows as it takes; and the size of the figure.
-fn rows(parts: Vec<Part>) -> (Vec<Item>, f64, f64) {
-    let mut lines: Vec<Vec<Part>> = Vec::new();
+fn rows(parts: Vec<(Part, f64)>) -> (Vec<Item>, f64, f64) {
+    let mut lines: Vec<Vec<(Part, f64)>> = Vec::new();
     let mut width = f64::INFINITY;
     for part in parts {
-        let wider = width + GAP_MM + part.bounds.width_mm();
+        let own = part.0.bounds.width_mm();
+        let wider = width + GAP_MM + own;
         if wider > WIDE_MM {
             lines.push(Vec::new());
-            width = part.bounds.width_mm();
+            width = own;
         } else {
             width = wider;
         }
         lines.last_mut().expect("a line was begun").push(part);
     }
-    let width_of = |line: &Vec<Part>| line.iter().map(|p| p.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
+    let width_of = |line: &Vec<(Part, f64)>| line.iter().map(|p| p.0.bounds.width_mm() + GAP_MM).sum::<f64>() - GAP_MM;
     let widest = lines.iter().map(width_of).fold(0.0, f64::max);
     let (mut items, mut y) = (Vec::new(), MARGIN_MM);
     for line in lines.into_iter().rev() {
         let mut x = MARGIN_MM + (widest - width_of(&line)) / 2.0;
-        let height = line.iter().map(|p| p.bounds.height_mm()).fold(0.0, f64::max);
-        for mut part in line {
-            let by: Vec2 = Point::new(x, y) - part.bounds.min;
+        let height = line.iter().map(|(p, baseline)| p.bounds.max.y - baseline).fold(0.0, f64::max);
+        for (mut part, baseline) in line {
+            let by: Vec2 = Point::new(x, y) - Point::new(part.bounds.min.x, baseline);
             part.translate(by);
             x += part.bounds.width_mm() + GAP_MM;
             items.extend(part.items);

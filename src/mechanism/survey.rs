@@ -7,7 +7,7 @@
 //! # Source
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
 
-use super::redundant::Redundant;
+use super::redundant::{Opened, Redundant};
 use super::Mechanism;
 use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
@@ -84,8 +84,6 @@ pub struct Survey {
     pub compound: Vec<(PointId, usize)>,
     /// Links that turn about their pin by themselves.
     pub local: Vec<Local>,
-    /// The same without local freedoms and without what only repeats others, every higher pair replaced by a link with two lower pairs.
-    pub substituted: Counts,
     /// For each choice of drivers for which the mechanism moves as they say; the file's own first.
     pub choices: Vec<ForDrivers>,
 }
@@ -116,9 +114,14 @@ impl Survey {
                 choices.extend(Mechanism::new(&one).ok().map(|m| ForDrivers { scene: one, given: false, mechanism: m.value }));
             }
         }
-        let repeated = choices.first().map_or(&[][..], |c| &c.mechanism.redundant);
-        let substituted = substituted(scene, counts, &local, repeated);
-        Survey { counts, compound, local, substituted, choices }
+        Survey { counts, compound, local, choices }
+    }
+
+    /// The counts without local freedoms and without those pairs of [`Survey::redundant`] that `repeat` others, every higher pair
+    /// replaced by a link with two lower pairs 高副低代.
+    pub fn substituted(&self, repeat: impl Fn(usize) -> bool) -> Counts {
+        let repeated: Vec<&Redundant> = self.redundant().iter().enumerate().filter(|(i, _)| repeat(*i)).map(|(_, r)| r).collect();
+        substituted(self.choices.first().map(|c| &c.scene), self.counts, &self.local, &repeated)
     }
 
     /// What only repeats others, as far as topology can tell.
@@ -149,23 +152,18 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
     (counts, compound, local)
 }
 
-/// Whether a link hangs on one pin and nothing else touches it: a roller about its own pin.
+/// Whether a link hangs on one pin of others and nothing else touches it: a roller about its own pin. It has no further point, as the
+/// last arm of an open chain has, and does not stand on the ground, where it may be driven.
 fn is_idle(scene: &Scene, l: LinkId) -> bool {
-    let pins = scene.links[l.0].points.iter().filter(|p| scene.carriers(**p).count() > 1 || in_guide(scene, **p)).count();
+    let [pin] = scene.links[l.0].points[..] else { return false };
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
     let driven = scene.drivers.iter().any(|d| match &d.kind {
         DriverKind::Turn { link, against, .. } => *link == l || *against == l,
         DriverKind::Slide { .. } => false,
-        DriverKind::Cylinder { a, b, links, .. } => links.contains(&l) || [a, b].iter().any(|p| scene.links[l.0].points.contains(p)),
+        DriverKind::Cylinder { a, b, links, .. } => links.contains(&l) || [*a, *b].contains(&pin),
     });
-    l != scene.ground && pins == 1 && !slides && !driven && !scene.links[l.0].points.iter().any(|p| in_guide(scene, *p))
-        // The last arm of an open chain is no roller: what stands on ground alone is a body that may be driven.
-        && !scene.links[l.0].points.iter().any(|p| scene.links[scene.ground.0].points.contains(p))
-        && scene.links[l.0].points.len() == 1
-}
-
-fn in_guide(scene: &Scene, p: PointId) -> bool {
-    scene.guides.iter().any(|g| g.pin == Some(p))
+    let grounded = scene.links[scene.ground.0].points.contains(&pin);
+    l != scene.ground && !grounded && scene.carriers(pin).count() > 1 && !slides && !driven
 }
 
 /// The same scene without some links, on which nothing hangs.
@@ -223,39 +221,31 @@ fn sets(all: &[Driver], count: usize) -> Vec<Vec<Driver>> {
     found.into_iter().map(|set| set.into_iter().map(|i| all[i].clone()).collect()).collect()
 }
 
-/// Without what moves or says nothing, each higher pair replaced by a link with two lower pairs 高副低代.
-fn substituted(scene: &Scene, counts: Counts, local: &[Local], repeated: &[Redundant]) -> Counts {
+/// The scene is the one without idle links, in which the pairs are told.
+fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated: &[&Redundant]) -> Counts {
     let Counts { mut moving, mut lower, mut higher } = counts;
-    for l in local.iter().filter(|l| !l.bare) {
-        (moving, lower) = (moving - 1, lower - usize::from(!l.pin.is_empty()));
+    for _ in local.iter().filter(|l| !l.bare) {
+        (moving, lower) = (moving - 1, lower - 1);
     }
     for r in repeated {
-        match &r.opened {
-            super::Opened::Link(l) => {
-                let link = scene.links.iter().position(|k| k.name == scene_name(scene, *l, local)).map(LinkId).unwrap_or(*l);
+        let Some(scene) = scene else { continue };
+        match r.opened {
+            Opened::Link(l) => {
                 moving -= 1;
-                lower -= scene.links[link.0].points.iter().filter(|p| scene.carriers(**p).count() > 1).count();
+                lower -= scene.links[l.0].points.iter().filter(|p| scene.carriers(**p).count() > 1).count();
             }
-            super::Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => {
-                // With its block: the guide and the pin.
-                (moving, lower) = (moving - 1, lower - 2);
-            }
-            super::Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
-            super::Opened::Guide(_) => higher -= 1,
-            super::Opened::Pin(..) => lower -= 1,
+            // With its block: the guide and the pin.
+            Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => (moving, lower) = (moving - 1, lower - 2),
+            Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
+            Opened::Guide(_) => higher -= 1,
+            Opened::Pin(..) => lower -= 1,
         }
     }
     // The body of a bare pin becomes one of the two blocks.
-    let bare = local.iter().filter(|l| l.bare).count();
-    Counts { moving: moving + higher - bare.min(higher), lower: lower + 2 * higher - bare.min(higher), higher: 0 }
+    let bare = local.iter().filter(|l| l.bare).count().min(higher);
+    Counts { moving: moving + higher - bare, lower: lower + 2 * higher - bare, higher: 0 }
 }
 
 fn is_block(scene: &Scene, l: LinkId) -> bool {
     scene.links[l.0].points.len() == 1 && !scene.guides.iter().any(|g| g.on == l)
-}
-
-/// The name of a link of the scene without its idle links.
-fn scene_name<'a>(scene: &'a Scene, l: LinkId, local: &[Local]) -> &'a str {
-    let kept = scene.links.iter().filter(|k| !local.iter().any(|i| !i.bare && i.link == k.name));
-    kept.map(|k| k.name.as_str()).nth(l.0).unwrap_or_default()
 }

@@ -116,7 +116,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
         let f = survey.counts.freedom(sure + open, survey.local.len());
         line(say(both!("F = {f} if what may repeat others does", "若可能的虚约束成立，则 F = {f}")));
     }
-    let s = survey.substituted;
+    let s = survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks));
     if s != survey.counts {
         let f = s.freedom(0, 0);
         let (n, p) = (s.moving, s.lower);
@@ -125,10 +125,11 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
             "去掉局部自由度和虚约束并高副低代后：n = {n}，p_l = {p}，F = 3·{n} − 2·{p} = {f}"
         )));
     }
-    if survey.choices.is_empty() {
+    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    if locked || survey.choices.is_empty() {
         line(tr(lang, "no choice of drivers on ground moves it as they say", "机架上没有能使其具有确定运动的原动件").into());
     }
-    for choice in &survey.choices {
+    for choice in survey.choices.iter().filter(|_| !locked) {
         line(String::new());
         line(choice_words(choice, lang));
         for (i, g) in choice.from_the_far_end().enumerate() {
@@ -171,7 +172,8 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         let pins: Vec<&str> = g.pins.iter().map(|p| choice.scene.point_name(*p)).collect();
         json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
     };
-    let choices: Vec<Json> = survey.choices.iter().map(|c| {
+    let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
+    let choices: Vec<Json> = survey.choices.iter().filter(|_| !locked).map(|c| {
         let groups: Vec<Json> = c.from_the_far_end().map(|g| group(c, g)).collect();
         json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
     }).collect();
@@ -185,7 +187,7 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         "compound": compound,
         "local": idle,
         "virtual": repeats,
-        "substituted": counts(&survey.substituted),
+        "substituted": counts(&survey.substituted(|i| checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))),
         "choices": choices,
     })
 }

@@ -8,7 +8,7 @@ use crate::figure::drawing::Drawing;
 use crate::figure::style::Style;
 use crate::mechanism::{Constraint, Group, Opened, Passive};
 use crate::plan::notation::Notation;
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 /// What is shown of a mechanism.
@@ -44,9 +44,13 @@ pub fn apart<'a>(style: &Style, scene: &Scene, worked: &'a Worked, notation: &No
     };
     let nothing = || Only { links: vec![false; scene.links.len()], drivers: vec![false; scene.drivers.len()], pins: Vec::new() };
     let mut driven = nothing();
-    driven.links[scene.ground.0] = true;
     m.groups.iter().filter(|g| g.class().is_none() && !g.is_carried()).for_each(|g| driven.add(scene, worked, g));
-    let mut parts = vec![(Piece::Driven, draw(driven))];
+    let mut parts = Vec::new();
+    // Cylinders drive within their groups.
+    if driven.drivers.contains(&true) {
+        driven.links[scene.ground.0] = true;
+        parts.push((Piece::Driven, draw(driven)));
+    }
     for g in m.groups.iter().filter(|g| g.class().is_some()) {
         let mut only = nothing();
         only.add(scene, worked, g);
@@ -74,6 +78,11 @@ impl Only {
             self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| g.pins.contains(&p));
         }
         for c in g.constraints.iter().map(|c| m.constraints[*c]) {
+            if let Constraint::Cylinder(d) = c
+                && let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind
+            {
+                self.pins.extend([a, b]);
+            }
             let driver = match c {
                 Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
                 Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) => None,

@@ -205,7 +205,7 @@ impl<'a> Draft<'a> {
     fn is_fixed_pivot(&self, p: PointId) -> bool {
         let cylinder_end = |k: &DriverKind| matches!(k, DriverKind::Cylinder { a, b, .. } if *a == p || *b == p);
         let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || self.scene.drivers.iter().any(|d| cylinder_end(&d.kind));
-        self.on_ground(p) && joined && self.shows(self.scene.ground)
+        self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
     /// Whether a point of the ground is named by a guide: then it is shown as a dot.
