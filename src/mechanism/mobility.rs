@@ -133,6 +133,11 @@ impl Matched {
     }
 }
 
+/// Whether every equation can be assigned to a node: no pair says what others say already.
+pub(super) fn all_have_a_home(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
+    Matched::new(scene, passive, pins, constraints).homeless.is_empty()
+}
+
 /// Assigns every equation to a node.
 ///
 /// # Errors
@@ -147,7 +152,7 @@ pub(super) fn assign(
     let mut faults = Faults::default();
     let free: Vec<Node> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
     if !free.is_empty() {
-        faults.push(too_free(scene, m.free(), &free));
+        faults.push(too_free(scene, constraints, m.free(), &free));
     }
     if !m.homeless.is_empty() {
         faults.push(too_tight(scene, constraints, &m.units, &m.homeless));
@@ -214,7 +219,7 @@ fn describe(scene: &Scene, n: Node) -> Both {
     }
 }
 
-fn too_free(scene: &Scene, missing: usize, free: &[Node]) -> Diagnostic {
+fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[Node]) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
     let drivers = scene.drivers.len();
     let span = match free[0] {
@@ -226,7 +231,7 @@ fn too_free(scene: &Scene, missing: usize, free: &[Node]) -> Diagnostic {
         both!(
             "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
             "自由度 F = {}：{drivers} 个原动件{1:.0}和各运动副还余下 {missing} 个自由度{2:.0}，在{3}",
-            count(scene).freedom,
+            count(scene, constraints).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
             Both::join(&names, ", ", "、")
@@ -279,7 +284,7 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
             "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
-            count(scene).freedom,
+            count(scene, constraints).freedom,
             scene.drivers.len(),
             if scene.drivers.len() == 1 { "" } else { "s" },
             Both::join(&names, ", ", "、")
@@ -309,6 +314,16 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
             let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();
             (both!("slider {slider} on link {}", "构件 {} 上的滑块 {slider}", scene.link_name(guide.on)), guide.span)
         }
+        Constraint::Roll(r) => {
+            let pair = &scene.rolling[r.0];
+            let [a, b] = pair.links.map(|l| scene.link_name(l));
+            let what = if pair.toothed {
+                both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副")
+            } else {
+                both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动")
+            };
+            (what, pair.span)
+        }
         Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => {
             let text = match &scene.drivers[d].kind {
                 DriverKind::Turn { link, .. } => both!("the driver of link {}", "构件 {} 的原动件", scene.link_name(*link)),
@@ -327,7 +342,10 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
 
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
-pub(crate) fn count(scene: &Scene) -> Mobility {
+///
+/// A wheel that rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more where nothing but its flanks
+/// holds the distance of the centres, which the constraints say.
+pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     let mut moving = scene.links.len() - 1;
     let mut lower = 0;
     let mut on_pin = vec![0usize; scene.points.len()];
@@ -351,7 +369,14 @@ pub(crate) fn count(scene: &Scene) -> Mobility {
             }
         }
     }
-    for g in &scene.guides {
+    for pair in &scene.rolling {
+        let own = pair.guide.filter(|g| constraints.iter().any(|c| matches!(c, Constraint::Slot(_, h) if h == g)));
+        match (pair.toothed, own) {
+            (false, _) => lower += 1,
+            (true, own) => higher += 1 + usize::from(own.is_some()),
+        }
+    }
+    for g in scene.guides.iter().filter(|g| g.rolling.is_none()) {
         if g.slider.is_some() {
             lower += 1;
         } else {

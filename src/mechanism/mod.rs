@@ -24,7 +24,7 @@ pub use survey::{Counts, ForDrivers, Local, Survey};
 use redundant::Opening;
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -52,6 +52,8 @@ pub enum Constraint {
     Slide(usize, GuideId),
     /// A cylinder: the distance of two pins.
     Cylinder(usize),
+    /// Two links roll on one another without slip: one equation.
+    Roll(RollingId),
 }
 
 /// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
@@ -130,10 +132,10 @@ impl Mechanism {
         let (pins, constraints) = opening.pins_and_constraints(scene);
         let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
         let mut mechanism = Mechanism {
+            mobility: mobility::count(scene, &constraints),
             constraints,
             pins,
             passive: opening.passive,
-            mobility: mobility::count(scene),
             groups: Vec::new(),
             group_of_link: vec![None; scene.links.len()],
             group_of_pin: vec![None; scene.points.len()],
@@ -142,6 +144,15 @@ impl Mechanism {
         };
         groups::find(scene, &mut mechanism, &assignment);
         Ok(mechanism)
+    }
+
+    /// Whether a guide holds: one between gears may only say what other pairs say.
+    pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
+        self.keeps(id) && (guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id))))
+    }
+
+    fn keeps(&self, guide: GuideId) -> bool {
+        !self.is_opened(&Opened::Guide(guide))
     }
 
     /// The two nodes that a constraint joins.
@@ -223,6 +234,10 @@ pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {
             DriverKind::Cylinder { a, b, .. } => (Node::Pin(a), Node::Pin(b)),
             _ => unreachable!("a cylinder constraint is made from a cylinder"),
         },
+        Constraint::Roll(r) => {
+            let [a, b] = scene.rolling[r.0].links;
+            (Node::Link(a), Node::Link(b))
+        }
     }
 }
 
@@ -255,6 +270,7 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
             && scene.guides[g].pin == Some(link.points[0])
             && !carries
             && !turned
+            && !scene.rolling.iter().any(|r| r.links.contains(&id))
         {
             passive[i] = Some(Passive::Block(GuideId(g)));
         }
@@ -347,7 +363,9 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
         if !opening.keeps(&Opened::Guide(id)) {
             continue;
         }
-        if let Some(p) = g.pin {
+        if let Some(p) = g.pin
+            && !is_optional(scene, g)
+        {
             out.push(Constraint::Slot(p, id));
         }
         if let Some(s) = g.slider
@@ -366,7 +384,28 @@ fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<C
             DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
         });
     }
+    let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| opening.keeps(&Opened::Rolling(*r)));
+    out.extend(rolling.map(Constraint::Roll));
     out
+}
+
+/// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
+/// of their centres is, if anything holds it, not theirs.
+fn is_optional(scene: &Scene, guide: &Guide) -> bool {
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed)
+}
+
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
+fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+    let passive = &opening.passive;
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
+        let Some(pin) = guide.pin else { continue };
+        constraints.push(Constraint::Slot(pin, GuideId(g)));
+        if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
+            constraints.pop();
+        }
+    }
+    constraints
 }
 
 /// Ground, and every link joined to a never-turning link by a slider that keeps its direction.

@@ -8,9 +8,9 @@
 //! A circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
 
 use super::mobility::Matched;
-use super::{Constraint, Core, Mechanism, Passive, find_constraints, find_pins};
+use super::{Constraint, Core, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 use std::cmp::Reverse;
 
 /// What is opened.
@@ -20,6 +20,8 @@ pub enum Opened {
     Link(LinkId),
     /// A guide: its runner is held by others.
     Guide(GuideId),
+    /// A rolling pair or a mesh: no slip follows from others.
+    Rolling(RollingId),
     /// The second of two pins that join the same two links: both lie on one axis.
     Pin(PointId, LinkId),
 }
@@ -49,6 +51,7 @@ impl Opening {
     pub fn pins_and_constraints(&self, scene: &Scene) -> (Vec<PointId>, Vec<Constraint>) {
         let pins = find_pins(scene, self);
         let constraints = find_constraints(scene, self, &pins);
+        let constraints = touching(scene, self, &pins, constraints);
         (pins, constraints)
     }
 
@@ -148,7 +151,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide.0 == g));
-    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, _)| !driven(*g)) {
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && guide.rolling.is_none()) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
             (Some(_), _) => 2,
@@ -168,13 +171,16 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
             }
         }
     }
+    for (r, pair) in scene.rolling.iter().enumerate() {
+        all.push(Candidate { opened: Opened::Rolling(RollingId(r)), pins: Vec::new(), equations: 1, span: pair.span });
+    }
     all.sort_by_key(|c| Reverse(c.span.start));
     all
 }
 
 /// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.
 fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<Candidate> {
-    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
+    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
     let driven = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == l || against == l));
     let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
     // Two equations for each pin, and three freedoms go with the link.

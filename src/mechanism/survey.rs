@@ -7,7 +7,7 @@
 //! # Source
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
 
-use super::redundant::{Opened, Redundant};
+use super::redundant::{Opened, Opening, Redundant};
 use super::Mechanism;
 use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
@@ -132,10 +132,11 @@ impl Survey {
 
 /// Links and pairs as they stand. A bare pin in two slots is a body of its own, whose turning is a local freedom.
 fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
-    let mobility = super::mobility::count(scene);
+    let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new() };
+    let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
     let bare = |p: PointId| scene.carriers(p).next().is_none();
     let mut local: Vec<Local> = Vec::new();
-    for p in scene.guides.iter().filter(|g| g.slider.is_none()).filter_map(|g| g.pin).filter(|p| bare(*p)) {
+    for p in scene.guides.iter().filter(|g| g.slider.is_none() && g.rolling.is_none()).filter_map(|g| g.pin).filter(|p| bare(*p)) {
         let pin = scene.point_name(p).to_owned();
         if !local.iter().any(|l| l.pin == pin) {
             local.push(Local { link: pin.clone(), pin, bare: true });
@@ -156,7 +157,7 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
 /// last arm of an open chain has, and does not stand on the ground, where it may be driven.
 fn is_idle(scene: &Scene, l: LinkId) -> bool {
     let [pin] = scene.links[l.0].points[..] else { return false };
-    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
+    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
     let driven = scene.drivers.iter().any(|d| match &d.kind {
         DriverKind::Turn { link, against, .. } => *link == l || *against == l,
         DriverKind::Slide { .. } => false,
@@ -176,6 +177,9 @@ fn without(scene: &Scene, links: &[LinkId]) -> Scene {
     for g in &mut rest.guides {
         (g.on, g.slider) = (place(g.on), g.slider.map(place));
     }
+    for r in &mut rest.rolling {
+        r.links = r.links.map(place);
+    }
     for d in &mut rest.drivers {
         match &mut d.kind {
             DriverKind::Turn { link, against, .. } => (*link, *against) = (place(*link), place(*against)),
@@ -194,7 +198,7 @@ fn possible(scene: &Scene) -> Vec<Driver> {
     let drive = |kind| Driver { kind, rate: Given { value: 0.0, radius: 0.0, text: "0".into(), span }, acceleration: None, span };
     let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && scene.links[l.0].points.iter().any(on_ground));
     let turns = cranks.map(|link| DriverKind::Turn { link, against: scene.ground, line: None, against_line: None, angle: None });
-    let guides = (0..scene.guides.len()).map(GuideId).filter(|g| scene.guides[g.0].on == scene.ground);
+    let guides = (0..scene.guides.len()).map(GuideId).filter(|g| scene.guides[g.0].on == scene.ground && scene.guides[g.0].rolling.is_none());
     let slides = guides.map(|guide| DriverKind::Slide { guide, position: None });
     turns.chain(slides).map(drive).collect()
 }
@@ -238,6 +242,8 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
             Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => (moving, lower) = (moving - 1, lower - 2),
             Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
             Opened::Guide(_) => higher -= 1,
+            Opened::Rolling(r) if scene.rolling[r.0].toothed => higher -= 1,
+            Opened::Rolling(_) => lower -= 1,
             Opened::Pin(..) => lower -= 1,
         }
     }

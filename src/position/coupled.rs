@@ -140,7 +140,12 @@ impl<N: Real> Coupled<'_, N> {
                 let DriverKind::Cylinder { a: from, b: to, .. } = a.scene.drivers[d].kind else { return None };
                 Some(then.points[from.0]?.distance(then.points[to.0]?) + self.by(d))
             }
-            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Turn(_) => None,
+            Constraint::Pinned(..)
+            | Constraint::Slot(..)
+            | Constraint::Lock(_)
+            | Constraint::Glide(_)
+            | Constraint::Turn(_)
+            | Constraint::Roll(_) => None,
         }
     }
 
@@ -229,6 +234,8 @@ impl<N: Real> Coupled<'_, N> {
                     self.add_turn(&mut row, link, target.dot(axis));
                     list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
                 }
+                // Lengths and drivers do not tell how far one link has rolled on the other.
+                Constraint::Roll(_) => return None,
                 Constraint::Lock(g) => {
                     let guide = &a.scene.guides[g.0];
                     let slider = guide.slider?;

@@ -10,7 +10,8 @@ use super::assemble::Assembly;
 use super::coupled::Aside;
 use super::finish::complete;
 use super::newton::{self, DriverValues, System};
-use super::repeats::{Reason, reason};
+pub use super::repeats::{Reason, opened_words};
+use super::repeats::reason;
 use super::{Configuration, Path, configure, recompute};
 use crate::diag::{Both, Diagnostic, Faults};
 use crate::mechanism::{Constraint, Core, Demand, Group, Level, Mechanism, Need, Opened};
@@ -158,6 +159,11 @@ fn demand(scene: &Scene, m: &Mechanism, opened: &Opened) -> Demand {
             guide.pin.map(|p| Need::Point(p, None)).into_iter().chain(links.map(Need::Turning)).collect::<Vec<_>>()
         }
         Opened::Pin(p, l) => vec![Need::Point(*p, None), Need::Turning(*l)],
+        Opened::Rolling(r) => {
+            let pair = &scene.rolling[r.0];
+            let links = pair.links.into_iter().filter(|l| *l != scene.ground).map(Need::Turning);
+            links.chain(pair.centres().into_iter().flatten().map(|p| Need::Point(p, None))).collect()
+        }
     };
     for need in needs {
         demand.add(scene, m, need, Level::Position);
@@ -220,6 +226,7 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
                 out.extend([d.x, d.y]);
             }
         }
+        Opened::Rolling(r) => out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64)),
     }
     out
 }
@@ -240,7 +247,7 @@ impl<'a> Way<'a> {
         let constraints = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c]);
         let driver = |c: Constraint| match c {
             Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) => None,
+            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
         };
         let driver = constraints.into_iter().filter_map(driver).min();
         Way { scene, m, at, driver, held: newton::driver_values(scene, at) }
@@ -302,6 +309,10 @@ fn proved(
     stations: &[(f64, Configuration)],
     opened: &Opened,
 ) -> Option<Vec<Vec<(f64, f64)>>> {
+    // How far a pair has rolled is counted in `f64`.
+    if matches!(opened, Opened::Rolling(_)) {
+        return None;
+    }
     type N = Ball<Dd>;
     let now = recompute::<N>(scene, m, demand, at).ok()?;
     let mut assembly = Assembly::<N>::new(scene, m, demand, Some(at));
@@ -328,7 +339,7 @@ fn proved(
         let (mut poses, mut points) = (vec![None; scene.links.len()], vec![None; scene.points.len()]);
         trial.poses.into_iter().for_each(|(l, pose)| poses[l.0] = Some(pose));
         trial.points.into_iter().for_each(|(p, at)| points[p.0] = Some(at));
-        let there = complete(scene, m, now.shapes.clone(), poses, points, now.closures.clone());
+        let there = complete(scene, m, now.shapes.clone(), (poses, points), now.closures.clone(), &[]);
         bounded(off(scene, m, opened, &there, &now))
     };
     stations.iter().map(one).collect()

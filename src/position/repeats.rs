@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::mechanism::{Mechanism, Opened};
 use crate::quantity::significant;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,6 +21,8 @@ pub enum Reason {
     SameCircle([PointId; 2], PointId, PointId),
     /// The same of the guide of one of the ends.
     SameLine([PointId; 2], PointId, PointId),
+    /// Another link meshes with the same links from the same carrier: its name.
+    RepeatedPlanets(String),
     /// None of these: it was found to hold in several positions.
     Found,
 }
@@ -44,6 +46,7 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
             let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
             parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides).or_else(line)
         }
+        Opened::Rolling(r) => repeated_planets(scene, *r),
         Opened::Pin(p, l) => {
             let other = |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
             scene.links[l.0].points.iter().find(other).map(|q| Reason::CoaxialPins(*p, *q))
@@ -111,6 +114,27 @@ fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Optio
     })
 }
 
+/// A planet like that of a rolling pair: on the same carrier, rolling on the same links.
+fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
+    let partners = |l: LinkId| {
+        let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
+        all.sort_unstable();
+        all
+    };
+    let carriers = |l: LinkId| {
+        let on = |p: &PointId| scene.carriers(*p).filter(|k| *k != l).collect::<Vec<_>>();
+        let mut all: Vec<LinkId> = scene.links[l.0].points.iter().flat_map(on).collect();
+        all.sort_unstable();
+        all
+    };
+    let like = |l: LinkId| {
+        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1;
+        (0..scene.links.len()).map(LinkId).find(same)
+    };
+    let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
+    Some(Reason::RepeatedPlanets(scene.link_name(planet).to_owned()))
+}
+
 /// Its name, as the figures have it.
 fn line(scene: &Scene, (a, b): (PointId, PointId)) -> String {
     format!("{}{}", scene.point_name(a), scene.point_name(b))
@@ -146,13 +170,14 @@ impl Reason {
                     ),
                 }
             }
+            Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
             Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
         }
     }
 }
 
 /// What is opened, and where it stands in the file.
-pub(super) fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
+pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     match opened {
         Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
         Opened::Guide(g) => {
@@ -160,6 +185,15 @@ pub(super) fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let (on, runner) = (scene.link_name(guide.on), guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))));
             let runner = runner.unwrap_or_default();
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
+        }
+        Opened::Rolling(r) => {
+            let pair = &scene.rolling[r.0];
+            let [a, b] = pair.links.map(|l| scene.link_name(l));
+            let words = match pair.toothed {
+                true => both!("the mesh of links {a} and {b}", "构件 {a} 与 {b} 的啮合"),
+                false => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
+            };
+            (words, pair.span)
         }
         Opened::Pin(p, l) => {
             (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
@@ -183,7 +217,7 @@ fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
             Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect(),
             _ => match m.redundant[checked.index].opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
-                Opened::Guide(_) | Opened::Pin(..) => Vec::new(),
+                Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
             },
         };
     };
@@ -278,6 +312,7 @@ fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
         }),
         Opened::Guide(g) => scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin),
         Opened::Pin(p, _) => pin(*p),
+        Opened::Rolling(r) => pin(scene.rolling[r.0].at),
     }
 }
 
@@ -289,6 +324,7 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             scene.link_name(*l)
         ),
         Opened::Guide(_) => both!("leave the guide out, or make it parallel to the other", "请去掉该导路，或使其与另一导路平行"),
+        Opened::Rolling(_) => both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比"),
         Opened::Pin(p, _) => both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p)),
     }
 }

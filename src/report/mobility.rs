@@ -3,8 +3,8 @@
 use super::phrase::tr;
 use super::plan::group_words;
 use crate::diag::{Both, both};
-use crate::mechanism::{Counts, ForDrivers, Group, Local, Opened, Survey};
-use crate::position::redundant::{Checked, Verdict};
+use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
+use crate::position::redundant::{Checked, Verdict, opened_words};
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 
@@ -37,15 +37,7 @@ fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
 fn repeats_words(survey: &Survey, i: usize, checked: Option<&Checked>) -> Both {
     let Some(first) = survey.choices.first() else { return Both::default() };
     let (scene, m) = (&first.scene, &first.mechanism);
-    let what = match &m.redundant[i].opened {
-        Opened::Link(l) => both!("link {}", "构件 {}", scene.link_name(*l)),
-        Opened::Guide(g) => {
-            let guide = &scene.guides[g.0];
-            let runner = guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))).unwrap_or_default();
-            both!("the guide of {runner} on link {}", "构件 {} 上 {runner} 的导路", scene.link_name(guide.on))
-        }
-        Opened::Pin(p, l) => both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)),
-    };
+    let (what, _) = opened_words(scene, &m.redundant[i].opened);
     match checked {
         Some(c) if known(checked) == Known::Repeats => both!("{}: {}", "{}：{}", what, c.reason.words(scene, c.positions)),
         Some(c) => {

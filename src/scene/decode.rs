@@ -1,5 +1,7 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
+mod rolling;
+
 use super::keys;
 use super::model::Lang;
 use super::raw::*;
@@ -58,6 +60,12 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     }
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
+    }
+    for node in items(f.get("gears"), "\"gears\"", faults) {
+        raw.rolling.extend(rolling::gear(node, faults));
+    }
+    for node in items(f.get("rolling"), "\"rolling\"", faults) {
+        raw.rolling.extend(rolling::wheel(node, faults));
     }
     let drivers = match topology {
         true => f.get("driver"),
@@ -332,7 +340,7 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
     let Kind::Object(members) = &root.kind else { return None };
     match &members.iter().find(|(key, _)| key.text == "language")?.1.kind {
         Kind::Text(name) => Lang::named(name),
-        Kind::Number(_) | Kind::Bool | Kind::Null | Kind::Array(_) | Kind::Object(_) => None,
+        Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => None,
     }
 }
 
