@@ -3,8 +3,6 @@
 use super::draw::style_of;
 use super::{Input, Run, args, choices, files};
 use crate::figure::groups;
-use crate::mechanism::Survey;
-use crate::position::redundant::{Checked, look};
 use crate::report::mobility as report;
 use crate::scene::{self, Scene};
 use crate::worked::{Scope, work};
@@ -15,8 +13,7 @@ pub fn run(a: args::Mobility) -> Run {
     let style = style_of(&a.look)?;
     let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
     let (lang, notation) = choices(&input.scene, &a.common);
-    let survey = Survey::of(&input.scene);
-    let checked = checked(&survey);
+    let (survey, checked) = report::surveyed(&input.scene);
     if let Some(path) = &a.output {
         // A drawing needs the pose: what is missing for it is told as everywhere.
         let whole = scene::read(&input.source).map_err(|f| input.failed(f))?;
@@ -33,11 +30,4 @@ pub fn run(a: args::Mobility) -> Run {
     }
     input.say_notes();
     Ok(ExitCode::SUCCESS)
-}
-
-/// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
-fn checked(survey: &Survey) -> Vec<Option<Checked>> {
-    let Some(first) = survey.choices.first() else { return Vec::new() };
-    let one = |(i, r): (usize, &crate::mechanism::Redundant)| look(&first.scene, &first.mechanism, i, &r.opened).ok();
-    survey.redundant().iter().enumerate().map(one).collect()
 }

@@ -5,13 +5,14 @@
 //! class of groups are taken, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
 //! [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
 //!
-//! A circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
+//! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
 
 use super::mobility::Matched;
 use super::{Constraint, Core, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 use std::cmp::Reverse;
+use std::collections::BTreeSet;
 
 /// What is opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -91,7 +92,9 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     let matched = closed.matched(scene);
     let (pins, constraints) = closed.pins_and_constraints(scene);
     let drives = |c: &usize| matches!(constraints[*c], Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_));
-    if matched.free() > 0 || matched.circuits().any(|c| c.into_iter().filter(drives).count() > 1) {
+    let many = |c: BTreeSet<usize>| c.into_iter().filter(drives).count() > 1;
+    let moves = super::mobility::count(scene, &constraints).freedom > 0;
+    if matched.free() > 0 || moves && matched.circuits().any(many) {
         return None;
     }
     let candidates = candidates(scene, closed, &pins);

@@ -92,8 +92,13 @@ pub struct Survey {
 const MOST_CHOICES: usize = 100;
 
 impl Survey {
-    /// Counts a scene.
+    /// Counts a scene, and tries as many drivers as the count leaves freedoms, at least one.
     pub fn of(scene: &Scene) -> Survey {
+        Survey::driven_by(scene, 1)
+    }
+
+    /// The same with so many drivers at least.
+    pub fn driven_by(scene: &Scene, least: usize) -> Survey {
         let (counts, compound, mut local) = counted(scene);
         let idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
         local.extend(idle.iter().map(|l| {
@@ -102,7 +107,7 @@ impl Survey {
             Local { link: link.name.clone(), pin: pin.map_or_else(String::new, |p| scene.point_name(*p).into()), bare: false }
         }));
         let rest = without(scene, &idle);
-        let own = usize::try_from(counts.freedom(0, local.len())).unwrap_or(0).max(1);
+        let own = usize::try_from(counts.freedom(0, local.len())).unwrap_or(0).max(least);
         let wanted = if rest.drivers.is_empty() { own } else { rest.drivers.len().max(own) };
         let mut choices: Vec<ForDrivers> = Vec::new();
         if !rest.drivers.is_empty() {

@@ -4,7 +4,7 @@ use super::phrase::tr;
 use super::plan::group_words;
 use crate::diag::{Both, both};
 use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
-use crate::position::redundant::{Checked, Verdict, opened_words};
+use crate::position::redundant::{Checked, Verdict, look, opened_words};
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 
@@ -31,6 +31,34 @@ fn repeated(survey: &Survey, checked: &[Option<Checked>]) -> (usize, usize) {
         all.map(|(r, _)| r.equations).sum()
     };
     (of(Known::Repeats), of(Known::Open))
+}
+
+/// What is counted, and what lengths say of it. Where pairs repeat others the count does not tell how many drivers there may be: as long as
+/// one more moves what repeats along, it is one of the freedoms.
+pub fn surveyed(scene: &Scene) -> (Survey, Vec<Option<Checked>>) {
+    let mut survey = Survey::of(scene);
+    let mut found = checked(&survey);
+    while scene.drivers.is_empty() && !found.is_empty() {
+        let drivers = survey.choices.first().map_or(0, |c| c.scene.drivers.len());
+        let more = Survey::driven_by(scene, drivers + 1);
+        let verdicts = checked(&more);
+        if more.choices.is_empty() || freedom(&more, &verdicts) != drivers as i64 + 1 {
+            break;
+        }
+        (survey, found) = (more, verdicts);
+    }
+    (survey, found)
+}
+
+/// What lengths say of each pair that only repeats others as far as topology can tell; `None` where they are missing.
+fn checked(survey: &Survey) -> Vec<Option<Checked>> {
+    let Some(first) = survey.choices.first() else { return Vec::new() };
+    survey.redundant().iter().enumerate().map(|(i, r)| look(&first.scene, &first.mechanism, i, &r.opened).ok()).collect()
+}
+
+/// F, as far as it is known.
+fn freedom(survey: &Survey, checked: &[Option<Checked>]) -> i64 {
+    survey.counts.freedom(repeated(survey, checked).0, survey.local.len())
 }
 
 /// Why a pair repeats others, or what is known of it.
