@@ -127,6 +127,11 @@ impl Demand {
         self
     }
 
+    /// Whether the place of a pin is called for.
+    pub fn places(&self, m: &Mechanism, pin: PointId) -> bool {
+        m.group_of_pin[pin.0].is_some_and(|g| self.groups[g].is_some())
+    }
+
     /// Whether a group is needed at a level.
     pub fn wants(&self, group: usize, level: Level) -> bool {
         self.groups[group].is_some_and(|l| l >= level)

@@ -199,6 +199,17 @@ impl Mechanism {
         }
     }
 
+    /// The two pins with whose line a link turns: the ends of its cylinder, or those by which it is known where it only repeats others.
+    pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
+        match (self.passive[l.0]?, self.held(l)) {
+            (Passive::Cylinder(d), _) => match scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => Some((a, b)),
+                DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
+            },
+            (Passive::Held(..) | Passive::Block(_), held) => held,
+        }
+    }
+
     /// The group that places a node; ground and what only follows has none.
     pub fn group_of(&self, n: Node) -> Option<usize> {
         match n {

@@ -95,11 +95,8 @@ impl<'a, N: Real> Assembly<'a, N> {
         let wanted = |l: LinkId| {
             l == scene.ground
                 || m.group_of_link[l.0].is_some_and(|g| demand.groups[g].is_some())
-                || match m.passive[l.0] {
-                    Some(Passive::Block(_)) => true,
-                    Some(Passive::Held(a, b)) => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.groups[g].is_some())),
-                    Some(Passive::Cylinder(_)) | None => false,
-                }
+                || m.passive[l.0].is_some_and(|p| matches!(p, Passive::Block(_)))
+                || m.held(l).is_some_and(|(a, b)| demand.places(m, a) && demand.places(m, b))
         };
         let shapes: Vec<LinkShape<N>> = (0..scene.links.len())
             .map(LinkId)
