@@ -67,7 +67,9 @@ fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, 
         let equal = |p: PointId, q: PointId| {
             p != q && joins(p, &at_a) && joins(q, &at_b) && between(p, q).is_some_and(|d| (d - own).norm() <= near * own.norm())
         };
-        cranks.extend(points.iter().flat_map(|p| points.iter().map(move |q| (*p, *q))).find(|(p, q)| equal(*p, *q)));
+        // Named as its link names it.
+        let pairs = points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
+        cranks.extend(pairs.into_iter().find(|(p, q)| equal(*p, *q) || equal(*q, *p)));
     }
     (cranks.len() > 1).then_some(Reason::ParallelCranks(cranks))
 }
