@@ -6,6 +6,7 @@ use crate::analytic::SingularKind;
 use crate::construct::conditions;
 use crate::diag::Both;
 use crate::mechanism::{Core, Level};
+use crate::plan::names::name_label;
 use crate::plan::text::{point_label, vertex_name};
 use crate::position::redundant::Checked;
 use crate::quantity::{shortest, significant};
@@ -41,7 +42,7 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     let of = |text: &'_ Both| if zh { text.zh.clone() } else { text.en.clone() };
     let conditions = conditions(scene, &worked.mechanism, &worked.configuration, &worked.plan, &worked.construction);
     let checked = conditions.iter().filter(|c| c.index == repeats.index).map(|c| {
-        let (a, b) = (scene.point_name(c.pins.0), scene.point_name(c.pins.1));
+        let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
         let (v, n, line) = (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
         let mm = format!("{:.2}", c.off_mm);
         match c.level {
