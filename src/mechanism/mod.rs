@@ -6,16 +6,14 @@
 
 mod demand;
 mod groups;
-mod joined;
 mod leg;
 mod mobility;
 mod redundant;
 mod survey;
 
+pub use demand::Demand;
 pub(crate) use demand::nodes_of;
-pub use demand::{Demand, Level, Need, level_of};
 pub use groups::{Core, Group};
-pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 pub use redundant::{Opened, Redundant};
@@ -23,8 +21,10 @@ pub use survey::{Counts, ForDrivers, Local, Survey};
 
 use redundant::Opening;
 
+pub use crate::scene::quantity::{Joined, Level, Need, joined};
+
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -101,7 +101,7 @@ impl Mechanism {
         let passive = find_passive(scene);
         let mut faults = curved_sliders(scene, &passive);
         cylinder_parts(scene, &passive, &mut faults);
-        faults.list.extend(joined::check(scene).list);
+        faults.list.extend(quantity::undefined(scene).list);
         if faults.has_errors() {
             return Err(faults);
         }

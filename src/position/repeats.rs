@@ -4,7 +4,7 @@ use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::mechanism::{Mechanism, Opened};
-use crate::quantity::significant;
+use crate::digits::significant;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.

@@ -17,10 +17,12 @@ use crate::scene::{Contours, DriverKind, LinkId, PointId, Rolling, RollingId, Sc
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
-    /// The unit normal at a contact, from the first link's contour toward the second's centre of curvature (of a wheel inside a ring:
-    /// toward the wheel's centre where that lies beyond the ring's, else away from it); `None` where it is not placed.
+    /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
+    /// `None` where the pair is not placed.
     pub fn normal(&self, scene: &Scene, pair: RollingId) -> Option<Vec2<N>> {
-        normal(&scene.rolling[pair.0], &self.points, &self.guides)
+        let (r, [r1, r2]) = (&scene.rolling[pair.0], self.shapes.rolling[pair.0]);
+        let n = normal(r, &self.points, &self.guides)?;
+        Some(if (r1 + r2).approx() < 0.0 { -n } else { n })
     }
 }
 
