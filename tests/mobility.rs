@@ -76,7 +76,7 @@ fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
     let i = scene.find.iter().position(|f| f.text == find).unwrap();
     match worked.results.iter().find(|r| r.find == i).unwrap().computed {
         Value::Scalar(s) => s,
-        Value::Vector(v) => panic!("{find} = {v:?}"),
+        other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
     }
 }
 

@@ -6,7 +6,7 @@ use crate::analytic::SingularKind;
 use crate::construct::conditions;
 use crate::diag::Both;
 use crate::digits::{shortest, significant};
-use crate::mechanism::{Core, Level};
+use crate::mechanism::{Core, Level, Opened};
 use crate::plan::names::name_label;
 use crate::plan::text::{point_label, vertex_name};
 use crate::position::redundant::Checked;
@@ -51,7 +51,11 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
         }
     });
     let checked: Vec<String> = checked.collect();
-    let said = fill(words.repeats, &[("", &of(&what)), ("why", &of(&why))]);
+    let said = match worked.mechanism.redundant[repeats.index].opened {
+        Opened::Link(_) | Opened::Guide(_) => words.repeats,
+        Opened::Rolling(_) | Opened::Pin(..) => words.repeats_alike,
+    };
+    let said = fill(said, &[("", &of(&what)), ("why", &of(&why))]);
     [said, checked.join(words.semicolon)].into_iter().filter(|line| !line.is_empty()).collect()
 }
 

@@ -74,6 +74,8 @@ pub struct Words {
     pub no_vectors: &'static str,
     /// What only repeats what others fix; `{}` is it, `{why}` the reason.
     pub repeats: &'static str,
+    /// The same of a pair that is not drawn dashed: a mesh, a second pin in one place.
+    pub repeats_alike: &'static str,
     /// A condition of velocities; `{v}` is the vector, `{}` the line, `{mm}` by how much it is missed.
     pub along_velocity: &'static str,
     /// The same of accelerations; `{a}` is the normal one, `{w}` the velocity.
@@ -120,6 +122,7 @@ const EN: Words = Words {
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
     other_motion: "The other motion: {}.",
     repeats: "Dashed: {} only repeats what the others fix ({why}).",
+    repeats_alike: "Virtual constraint: {} only repeats what the others fix ({why}).",
     along_velocity: "${v} \\perp {}$: {mm} mm off",
     along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
     no_vectors: "all vectors are zero, no scale",
@@ -162,6 +165,7 @@ const ZH: Words = Words {
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
     other_motion: "另一种运动：{}。",
     repeats: "虚线：{} 为虚约束（{why}）。",
+    repeats_alike: "{} 为虚约束（{why}）。",
     along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
     along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
     no_vectors: "各矢量均为零，不需比例尺",

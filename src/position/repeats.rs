@@ -325,7 +325,10 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             "请去掉构件 {0}，或将其一端改为槽，或使其与连接同样两构件的另一构件等长且平行",
             scene.link_name(*l)
         ),
-        Opened::Guide(_) => both!("leave the guide out, or make it parallel to the other", "请去掉该导路，或使其与另一导路平行"),
+        Opened::Guide(_) => both!(
+            "leave the guide out; of two guides of one slider the second is parallel to the first",
+            "请去掉该导路；同一滑块的两条导路应相互平行"
+        ),
         Opened::Rolling(_) => both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比"),
         Opened::Pin(p, _) => both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p)),
     }

@@ -122,6 +122,7 @@ impl Draft<'_> {
     /// The part, from back to front.
     fn pieces_of_it(&mut self) {
         self.ground_guides();
+        self.wheels();
         self.plates(true);
         self.carriers();
         self.blocks();
