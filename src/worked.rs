@@ -13,8 +13,9 @@ use crate::answer::Value;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
-use crate::mechanism::{Core, Demand, Group, Level, Mechanism};
+use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
+use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
 use crate::scene::{Find, LinkId, PointId, Scene};
 
@@ -47,6 +48,8 @@ pub struct Worked {
     pub results: Vec<Outcome>,
     /// The questions that have none.
     pub unanswered: Vec<Unanswered>,
+    /// What only repeats what the others fix, looked at in several positions; empty for [`work_placed`].
+    pub redundant: Vec<position::redundant::Checked>,
     /// Crossings under less than 10°, with what helps.
     pub bad_angles: Vec<BadAngle>,
     /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
@@ -149,9 +152,19 @@ fn blur_of(pose: &Solution) -> f64 {
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     let mut demand = Demand::of(scene, &mechanism);
+    // What only repeats the others is checked by its pins as far as the motion is asked for.
+    for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {
+        let deepest = demand.level;
+        for level in Level::RATES.into_iter().filter(|level| *level <= deepest) {
+            demand.add(scene, &mechanism, Need::Point(a, None), level);
+            demand.add(scene, &mechanism, Need::Point(b, None), level);
+        }
+    }
     if scope == Scope::Figure {
         demand = demand.with_all_positions();
     }
+    let redundant = position::redundant::check(scene, &mechanism)?;
+    notes.extend(redundant.iter().map(|r| r.diagnostic(scene, &mechanism)));
     let placed = position::configure(scene, &mechanism, &demand)?;
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
@@ -161,6 +174,13 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
     notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     worked.bad_angles = bad_angles;
+    // What repeats the others only nearly makes two mechanisms of one: the drawing and the loop equations hold different pairs of it.
+    let nearly = redundant.iter().filter(|r| r.verdict == Verdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
+    let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
+    for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0) {
+        *a = a.no_better_than(blur);
+    }
+    worked.redundant = redundant;
     Ok(Warned { value: worked, notes })
 }
 
@@ -201,6 +221,9 @@ fn higher_groups(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagn
     };
     groups.map(note).collect()
 }
+
+/// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
+const NEARLY: f64 = 64.0;
 
 /// What is known of the digits that double precision keeps next to a singular pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -363,6 +386,7 @@ fn stages(
         solution,
         results,
         unanswered,
+        redundant: Vec::new(),
         bad_angles: Vec::new(),
         drafting: None,
     };

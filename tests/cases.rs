@@ -4,6 +4,8 @@
 use hodograph::accuracy::ladder::{Certified, Part, certify};
 use hodograph::answer::Value;
 use hodograph::geom::Vec2;
+use hodograph::mechanism::Counts;
+use hodograph::report::mobility;
 use hodograph::scene;
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
@@ -72,6 +74,9 @@ fn reference_cases() {
         let id = path.file_stem().unwrap().to_string_lossy().into_owned();
         let text = std::fs::read_to_string(&path).unwrap();
         let case: Json = serde_json::from_str(&text).unwrap();
+        if case["expect"].as_array().unwrap().iter().all(|e| e["find"].is_null()) {
+            continue;
+        }
         let scene = match scene::read(case["scene"].to_string()) {
             Ok(s) => s.value,
             Err(f) => {
@@ -95,7 +100,7 @@ fn reference_cases() {
         for r in worked.results.iter().filter(|r| r.agreement.is_some_and(|a| !a.holds())) {
             failures.push(format!("{id}: {} drawing and analysis disagree: {:?}", scene.find[r.find].text, r.agreement));
         }
-        for e in case["expect"].as_array().unwrap() {
+        for e in case["expect"].as_array().unwrap().iter().filter(|e| !e["find"].is_null()) {
             let find = e["find"].as_str().unwrap();
             let Some(i) = scene.find.iter().position(|f| f.text == find) else {
                 failures.push(format!("{id}: {find} is not asked for"));
@@ -178,6 +183,39 @@ struct Told {
     values: usize,
     elsewhere: usize,
     not_yet: usize,
+}
+
+/// What is counted: of a scene (`count`, a place in the JSON of `hodograph mobility`), or from counts alone (`of`).
+#[test]
+fn freedoms_are_counted() {
+    let (mut failures, mut counted) = (Vec::new(), 0);
+    for path in files() {
+        let id = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let case: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        let mut found: Option<Json> = None;
+        for e in case["expect"].as_array().unwrap().iter().filter(|e| e["find"].is_null()) {
+            let got = match (e["count"].as_str(), &e["of"]) {
+                (Some(place), _) => {
+                    let all = found.get_or_insert_with(|| {
+                        let scene = scene::read_topology(case["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
+                        let (survey, checked) = mobility::surveyed(&scene);
+                        mobility::json(&scene, &survey, &checked)
+                    });
+                    all.pointer(place).and_then(Json::as_i64)
+                }
+                (None, of) => {
+                    let n = |key: &str| of[key].as_u64().unwrap_or_else(|| panic!("{id}: no {key}")) as usize;
+                    Some(Counts { moving: n("n"), lower: n("p_l"), higher: n("p_h") }.freedom(n("repeated"), n("local")))
+                }
+            };
+            counted += 1;
+            if got != Some(number(&e["exact"]) as i64) {
+                failures.push(format!("{id}: {} is {}, counted {got:?}", e["name"], e["exact"]));
+            }
+        }
+    }
+    assert!(counted > 30, "only {counted} counts in tests/cases");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
 /// The folder holds what the documents say it holds: an empty one, a lost file or a lost expectation is a fault.

@@ -2,7 +2,7 @@
 
 use super::between::body_of;
 use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Demand, Level, Mechanism, Need};
+use crate::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
@@ -151,7 +151,8 @@ impl Builder<'_> {
 
     /// The first two known points of a link at a level: its own points come first, then coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
-        let carried = self.scene.links[l.0].points.iter().filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
+        let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
+        let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
         let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
@@ -192,8 +193,8 @@ impl Builder<'_> {
             _ => {}
         }
         let group = match body {
-            // A block has no group: its turning is read off after that of its pin and of the link that carries it.
-            Body::Link(l) if self.m.is_passive(l) => {
+            // What only follows has no group: its turning is read off after those of its pins and of the link that carries it.
+            Body::Link(l) if self.m.passive[l.0].is_some() => {
                 let nodes = crate::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
@@ -269,7 +270,7 @@ impl Builder<'_> {
             [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);
-                self.source_of_curved_block(level, link);
+                self.source_of_follower(level, link);
                 if !self.turning_is_known(level, body) {
                     // The link belongs to a group that is not drawn.
                     return;
@@ -320,10 +321,17 @@ impl Builder<'_> {
         body_of(self.scene, self.m, l)
     }
 
-    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would: that is its source.
-    fn source_of_curved_block(&mut self, level: Level, l: LinkId) {
-        let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) else { return };
-        let (of, to) = (self.pin(pin), self.coincident(centre, on));
+    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would, and a link that only repeats what others
+    /// fix with two of its pins: that is its source.
+    fn source_of_follower(&mut self, level: Level, l: LinkId) {
+        let (of, to) = if let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) {
+            (self.pin(pin), self.coincident(centre, on))
+        } else if let Some((a, b)) = self.m.held(l) {
+            (self.pin(b), self.pin(a))
+        } else {
+            return;
+        };
+        self.ensure(level, of);
         self.ensure(level, to);
         self.source(level, Body::Link(l), Rate::Measured { of, to });
     }
@@ -352,7 +360,7 @@ impl Builder<'_> {
                 }
                 Need::Turning(l) => {
                     let body = self.body(l);
-                    self.source_of_curved_block(level, l);
+                    self.source_of_follower(level, l);
                     self.need_rate_at(level, body);
                 }
             }

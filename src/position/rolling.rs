@@ -131,6 +131,22 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     all.collect()
 }
 
+/// By how much a pair has slipped since the instant (m of its second contour); `None` where it is not placed.
+pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Option<f64> {
+    let pair = &scene.rolling[r.0];
+    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
+    let now = seen(pair, &c.shapes, &pose, &|_, p| c.points[p.0])?;
+    let turned = c.rolled.get(r.0)?.as_ref()?.slip(pair, c.shapes.rolling[r.0], &now);
+    let second_m = match pair.contours {
+        Contours::Circles { centres: [a, b], .. } => {
+            let [r1, r2] = c.shapes.rolling[r.0];
+            c.points[a.0]?.distance(c.points[b.0]?) * (r2 / (r1 + r2)).abs()
+        }
+        Contours::Track { .. } => c.shapes.rolling[r.0][1],
+    };
+    Some(turned * second_m)
+}
+
 /// An angle that is known but for whole turns, near to one that is known roughly.
 fn whole<N: Real>(wrapped: N, near: f64) -> N {
     wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())

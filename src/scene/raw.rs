@@ -125,6 +125,8 @@ pub(super) struct RawPaper {
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
+    /// Whether links and pairs are enough: neither a driver, nor its rate, nor the direction of a guide is missed.
+    pub topology: bool,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,

@@ -10,7 +10,10 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resol
             RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
             _ => (Wanted::Velocity, Wanted::Acceleration),
         };
-        let rate = raw.rate.as_ref().and_then(|q| c.values.si(q, rate, faults));
+        let rate = match &raw.rate {
+            Some(q) => c.values.si(q, rate, faults),
+            None => c.raw.topology.then(|| zero(raw.span)),
+        };
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
             None => Some(None),
