@@ -28,6 +28,7 @@
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
 //!   templates, schema; in which unit a number is printed ([`scene::book`]).
+//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
 //!   questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
@@ -59,8 +60,9 @@
 //! quantity   -
 //! trig       scene*
 //! number     trig scene*
-//! scene      diag json quantity trig number
 //! geom       number
+//! cam        geom
+//! scene      diag json quantity trig number cam
 //! mechanism  diag scene
 //! position   diag quantity number scene geom mechanism
 //! answer     number scene geom mechanism position
@@ -94,6 +96,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod cam;
 pub mod cli;
 pub mod construct;
 pub mod diag;
