@@ -1,8 +1,8 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
-use super::keys;
 use super::model::Lang;
 use super::raw::*;
+use super::{cams, keys};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::json::fields::{Fields, What, list, object, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
@@ -57,6 +57,9 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
     }
+    for node in items(f.get("cams"), "\"cams\"", faults) {
+        raw.cams.extend(cams::decode::cam(node, faults));
+    }
     let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
     match drivers {
         Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
@@ -97,7 +100,7 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Fault
 }
 
 /// The items of an optional list, within the limit.
-fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
     within(items, MAX_ENTRIES, &what, faults, |n| n.span)
@@ -331,7 +334,7 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
 }
 
 /// A number or an expression in quotation marks.
-fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
+pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
         Kind::Text(_) => (word(node, what, faults)?.text, false),
@@ -341,7 +344,7 @@ fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<R
 }
 
 /// Two quantities, such as coordinates.
-fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {
         [a, b] => {

@@ -9,6 +9,7 @@ use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
+pub use super::cams::{Cam, Follows, Turning};
 pub use super::lang::Lang;
 
 /// Index into [`Scene::points`].
@@ -395,8 +396,10 @@ pub struct Scene {
     pub links: Vec<Link>,
     /// The fixed link.
     pub ground: LinkId,
-    /// Sliding pairs.
+    /// Sliding pairs; those that stand for the contact of a cam among them.
     pub guides: Vec<Guide>,
+    /// Disc cams.
+    pub cams: Vec<Cam>,
     /// Given distances.
     pub lengths: Vec<Length>,
     /// Drivers.

@@ -1,5 +1,6 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
+use super::cams::raw::RawCam;
 use crate::diag::Span;
 use crate::json::Word;
 
@@ -100,6 +101,7 @@ pub(super) struct RawScene {
     pub points: Vec<(Word, RawPlace)>,
     pub lengths: Vec<(Word, RawQuantity)>,
     pub guides: Vec<RawGuide>,
+    pub cams: Vec<RawCam>,
     pub drivers: Vec<RawDriver>,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,
     pub sides: Vec<(Word, Word)>,
