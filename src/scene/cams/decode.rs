@@ -151,14 +151,14 @@ fn stage(node: &Node, faults: &mut Faults) -> Option<RawStage> {
     };
     let value = f.get(kind).and_then(|n| quantity(n, format!("\"{kind}\"").as_str(), faults));
     if *kind == "dwell" {
-        return Some(RawStage { way: RawWay::Dwell, over: value?, span: node.span });
+        return Some(RawStage { way: RawWay::Dwell, over: value? });
     }
     let over = f.need("over", "\"120 deg\"", faults).and_then(|n| quantity(n, "\"over\"", faults));
     let law = f.need("law", "\"cycloidal\"", faults).and_then(|n| word(n, "\"law\"", faults));
     let law = law.and_then(|w| known_law(w, faults));
     let (value, over, law): (RawQuantity, RawQuantity, Word) = (value?, over?, law?);
     let way = if *kind == "rise" { RawWay::Rise(value, law) } else { RawWay::Return(value, law) };
-    Some(RawStage { way, over, span: node.span })
+    Some(RawStage { way, over })
 }
 
 fn known_law(said: Word, faults: &mut Faults) -> Option<Word> {

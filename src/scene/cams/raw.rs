@@ -76,5 +76,4 @@ pub(in crate::scene) enum RawWay {
 pub(in crate::scene) struct RawStage {
     pub way: RawWay,
     pub over: RawQuantity,
-    pub span: Span,
 }
