@@ -74,12 +74,12 @@
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
 //! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
-//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! report     diag cam quantity scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
+//! figure     diag cam json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
 //! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be

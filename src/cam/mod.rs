@@ -16,7 +16,7 @@ pub mod survey;
 #[cfg(test)]
 mod tests;
 
-pub use disc::{Disc, Follower, Motion, Station, Touch};
+pub use disc::{Disc, Follower, Motion, Station, Touch, round};
 pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};

@@ -5,6 +5,7 @@
 
 mod args;
 mod batch;
+mod cam;
 mod curves;
 mod draw;
 mod files;
@@ -63,6 +64,7 @@ pub fn main() -> ExitCode {
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
+        Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
