@@ -353,8 +353,11 @@ fn between([mut low, mut high]: [f64; 2], of: &dyn Fn(f64) -> Option<usize>, out
 /// Angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.
 pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, Side)> {
     let tau = std::f64::consts::TAU;
-    let even = (0..steps).map(|k| (tau * k as f64 / steps as f64, Side::After));
-    let joints = disc.corners().into_iter().flat_map(|phi| [(phi, Side::Before), (phi, Side::After)]);
+    let corners = disc.corners();
+    // A step that meets a joint but for rounding is the joint.
+    let apart = |phi: f64| corners.iter().all(|c| (c - phi).abs() > 1e-7);
+    let even = (0..steps).map(|k| tau * k as f64 / steps as f64).filter(|phi| *phi == 0.0 || apart(*phi)).map(|phi| (phi, Side::After));
+    let joints = corners.iter().flat_map(|phi| [(*phi, Side::Before), (*phi, Side::After)]);
     let mut all: Vec<(f64, Side)> = even.chain(joints).chain([(tau, Side::Before)]).collect();
     all.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1 == Side::After).cmp(&(b.1 == Side::After))));
     all.dedup_by(|a, b| a.1 == b.1 && (a.0 - b.0).abs() < 1e-9);

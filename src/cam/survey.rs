@@ -110,14 +110,9 @@ impl Survey {
         };
         let stroke = extreme(0, 1.0).1 - rest;
         let jumps = jumps(disc, [v_most, a_most]);
-        let pressure = [1.0, -1.0].map(|way| {
-            let moving = |s: &Station| way * s.q.0[1] > JUMP * v_most;
-            if matches!(disc.touch, Touch::Flat { .. }) {
-                return None;
-            }
-            let (phi, _) = best(&spans, |phi, side| disc.station(phi, side).filter(moving).map(|s| s.pressure.abs()))?;
-            let value = [Side::After, Side::Before].into_iter().filter_map(|side| disc.station(phi, side)).filter(moving).next()?;
-            Some((phi, value.pressure))
+        let pressure = [1.0, -1.0].map(|way| match disc.touch {
+            Touch::Flat { .. } => None,
+            Touch::Point { .. } => greatest_pressure(disc, &spans, way, JUMP * v_most),
         });
         let least_rho = least_convex(disc, &spans);
         let hollow = best(&spans, |phi, side| disc.station(phi, side).map(|s| s.rho_pitch).filter(|r| *r < 0.0));
@@ -259,6 +254,18 @@ fn golden([mut a, mut b]: [f64; 2], f: impl Fn(f64) -> f64) -> Extreme {
     let at = if bend < 0.0 { m + 0.5 * h * (low - high) / bend } else { m };
     let value = f(at);
     if value >= here { (at, value) } else { (m, here) }
+}
+
+/// The pressure angle of the greatest magnitude as the follower goes one way; where it sets out and where it arrives belong to its way.
+fn greatest_pressure(disc: &Disc, spans: &[[f64; 2]], way: f64, rest: f64) -> Option<Extreme> {
+    let rate = |s: &Station| way * s.q.0[1];
+    let moves = |span: &&[f64; 2]| sampled(**span).filter_map(|(phi, side)| disc.station(phi, side)).any(|s| rate(&s) > rest);
+    let moving: Vec<[f64; 2]> = spans.iter().filter(moves).copied().collect();
+    let there = |phi: f64, side: Side| disc.station(phi, side).filter(|s| rate(s) >= -rest);
+    let (phi, most) = best(&moving, |phi, side| there(phi, side).map(|s| s.pressure.abs()))?;
+    // At a joint the side is that on which it is so great.
+    let sides = [Side::After, Side::Before].into_iter().filter_map(|side| there(phi, side));
+    sides.map(|s| s.pressure).min_by(|a, b| (a.abs() - most).abs().total_cmp(&(b.abs() - most).abs())).map(|angle| (phi, angle))
 }
 
 /// The least convex radius.

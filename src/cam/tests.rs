@@ -43,6 +43,10 @@ fn offset_roller_by_a_law() {
     let survey = Survey::of(&disc);
     let start = disc.station(0.0, Side::After).unwrap();
     near(start.pressure.abs().to_degrees(), 14.477_512_185_929_9, "pressure at the start");
+    let (phi, most) = survey.pressure[0].unwrap();
+    assert_eq!((phi, most), (0.0, start.pressure), "the greatest of the rise, because of the offset");
+    near(survey.least_rho.unwrap().1, 37.257_387_229_340_7, "least convex radius");
+    assert!((survey.least_rho.unwrap().0.to_degrees() - 83.217_655_123_592_9).abs() < 1e-3);
     near(survey.stroke, 20.0, "stroke");
     let angles = [(1, false), (0, true), (-1, false), (0, false)].map(|(way, out)| survey.angle(way, out).to_degrees());
     assert!(angles.iter().zip([120.0, 60.0, 120.0, 60.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{angles:?}");

@@ -67,6 +67,11 @@ impl Report<'_> {
         self.scene.book.text(kind, &significant(self.scene.book.value(kind, value), DIGITS))
     }
 
+    /// The letter of the lift (0), its rate (1) and the rate of that (2); all count outward.
+    fn symbol(&self, order: usize) -> &'static str {
+        if self.swings() { ["ψ", "ω", "α"][order] } else { ["s", "v", "a"][order] }
+    }
+
     /// What is read at the instant.
     fn now(&self) -> Option<(Station, [f64; 3])> {
         let station = self.disc().station(self.turning.phi, self.turning.side)?;
@@ -123,11 +128,12 @@ impl Report<'_> {
             }
         }
         let w = self.omega();
-        for (name, order, list) in [("v", 1, s.velocity), ("a", 2, s.acceleration)] {
+        for (order, list) in [(1, s.velocity), (2, s.acceleration)] {
             let [low, high] = list;
             let factor = if order == 1 { w } else { w * w };
             line(format!(
-                "  {name}: {} {} φ = {}, {} {} φ = {}",
+                "  {}: {} {} φ = {}, {} {} φ = {}",
+                self.symbol(order),
                 self.rate(order, high.1 * factor),
                 tr(lang, "at", "于"),
                 degrees(high.0),
@@ -155,15 +161,18 @@ impl Report<'_> {
         }
         if let Some((station, [lift, v, a])) = self.now() {
             line(format!(
-                "  {} φ = {}: s = {}, v = {}, a = {}",
+                "  {} φ = {}: {} = {}, {} = {}, {} = {}",
                 tr(lang, "at the instant", "图示位置"),
                 degrees(in_turn(self.turning.phi)),
+                self.symbol(0),
                 self.lift(lift),
+                self.symbol(1),
                 self.rate(1, v),
+                self.symbol(2),
                 self.rate(2, a)
             ));
             let alpha = match self.disc().touch {
-                Touch::Point { .. } => format!("α = {}, ", degrees(station.pressure)),
+                Touch::Point { .. } => format!("{} {}, ", tr(lang, "pressure angle", "压力角"), degrees(station.pressure)),
                 Touch::Flat { .. } => String::new(),
             };
             let pitch = if station.rho_pitch == station.rho {
@@ -192,7 +201,7 @@ impl Report<'_> {
             Shock::Rigid => (1, w, tr(lang, "rigid shock", "刚性冲击")),
             Shock::Soft => (2, w * w, tr(lang, "soft shock", "柔性冲击")),
         };
-        let symbol = if order == 1 { "v" } else { "a" };
+        let symbol = self.symbol(order);
         let [b, a] = j.sides.map(|x| self.rate(order, x * factor));
         match lang {
             Lang::En => format!("{name} at φ = {}: {symbol} from {b} to {a}", degrees(in_turn(j.phi))),

@@ -21,9 +21,9 @@ const STATIONS: usize = 12;
 /// The drawing's larger side, about, in mm.
 const SIZE_MM: f64 = 165.0;
 /// Around the drawing, above it and below it, in mm.
-const MARGIN_MM: f64 = 14.0;
-const ABOVE_MM: f64 = 22.0;
-const BELOW_MM: f64 = 26.0;
+const MARGIN_MM: f64 = 9.0;
+const ABOVE_MM: f64 = 16.0;
+const BELOW_MM: f64 = 20.0;
 /// Points of the curves: one for each half degree.
 const STEPS: usize = 720;
 
@@ -48,7 +48,8 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     d.curves();
     d.stations();
     d.turning(reach);
-    let half = reach / mu_l + MARGIN_MM;
+    let half =
+        super::super::extent::bounds(&d.items).map_or(SIZE_MM / 2.0, |b| b.max.y.max(-b.min.y).max(b.max.x).max(-b.min.x)) + MARGIN_MM;
     let bounds = Rect::new(Point::new(-half, -half), Point::new(half, half));
     let placed = place(&d.wanted, &Obstacles::of(&d.items), bounds);
     for (k, (request, at)) in d.wanted.iter().zip(&placed).enumerate() {
@@ -100,7 +101,7 @@ fn reach(disc: &Disc) -> f64 {
     };
     let far = stations.map(|s| s.pitch.norm().max(s.contact.norm()) + end).fold(disc.base(), f64::max);
     match disc.follower {
-        Follower::Translating { .. } => far * 1.12,
+        Follower::Translating { .. } => far * 1.06,
         Follower::Oscillating { pivot, .. } => far.max(pivot.norm() * 1.06),
     }
 }
@@ -233,6 +234,9 @@ impl Drawing<'_> {
                     Touch::Point { .. } => (p, pitch),
                     Touch::Flat { .. } => (pitch, contact + (contact - pitch) * 0.15),
                 };
+                if from != p && (from - p).norm() > 0.5 && matches!(disc.touch, Touch::Flat { .. }) {
+                    self.draw("lever", Shape::Line { from: p, to: from, stroke }, link);
+                }
                 self.draw("station", Shape::Line { from, to, stroke }, link);
                 let pin = Shape::Circle { centre: p, radius_mm: 1.0, stroke: Some(stroke), fill: Some(Colour::WHITE) };
                 self.draw("pivot", pin, None);
@@ -263,7 +267,7 @@ impl Drawing<'_> {
     /// In which sense the follower goes round: against the cam.
     fn turning(&mut self, reach: f64) {
         let sense = -self.disc().sense;
-        let radius_mm = reach * self.scale + 7.0;
+        let radius_mm = reach * self.scale + 5.0;
         let from_rad = 0.25 * TAU + sense * 0.12;
         let (stroke, head) = (self.style.thin, self.style.thin_head);
         let to_rad = from_rad + sense * 0.28;

@@ -189,6 +189,11 @@ fn shocks(plot: &mut Plot, report: &Report, kept: &Kept, lang: Lang, said: &mut 
     }
 }
 
+/// An angle in degrees as short as six digits allow.
+fn shortest(degrees: f64) -> String {
+    crate::quantity::shortest((degrees * 1e4).round() / 1e4)
+}
+
 /// The least and the greatest value with their places.
 fn extremes(plot: &mut Plot, report: &Report, kept: &Kept, said: &mut Vec<String>) {
     let style = plot.style;
@@ -246,12 +251,15 @@ fn stages(plot: &mut Plot, report: &Report, lang: Lang) {
                 plot.line("stage", end - Vec2::new(0.0, 1.5), end + Vec2::new(0.0, 1.5), style.thin);
             }
             if longest == Some((from, to)) {
-                let degrees = (p.to - p.from).to_degrees();
+                let degrees = shortest((p.to - p.from).to_degrees());
                 let wide = b.x - a.x;
-                let text = Label::math(format!("{name} = {}\\degree", number((degrees * 1e6).round() / 1e6, DIGITS)));
+                let text = Label::math(format!("{name} = {degrees}\\degree"));
                 let middle = Point::new(0.5 * (a.x + b.x), y + 1.6);
-                if wide > 26.0 {
+                let formula = super::super::text::set(&text).width_em * style.small_mm;
+                if wide > formula + 14.0 {
                     plot.words("stage", middle, text.then(Label::text(format!("  {words}"))), style.small_mm, Anchor::Middle);
+                } else if wide > formula + 2.0 {
+                    plot.words("stage", middle, text, style.small_mm, Anchor::Middle);
                 } else if wide > 6.0 {
                     plot.words("stage", middle, Label::math(name), style.small_mm, Anchor::Middle);
                 }
