@@ -212,6 +212,7 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String
     match leg.line() {
         Some(ConstraintLine::Along { near, far }) => format!("${}{}$", name(far), name(near)),
         Some(ConstraintLine::Normal { pin, .. }) => fill(words.square_to_guide, &[("", &name(pin))]),
+        Some(ConstraintLine::Tangent { at, .. }) => fill(words.tangent_at, &[("", &name(at))]),
         None => String::new(),
     }
 }

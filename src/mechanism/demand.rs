@@ -153,8 +153,10 @@ pub(crate) fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
             if m.pins.contains(&p) {
                 nodes.push(Node::Pin(p));
             } else {
-                // Where the point is, its own link says, even when the vector asked for is another link's.
+                // Where the point is, its own link says, even when the vector asked for is another link's; of a contact both links say it.
                 nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
+                let rolling = scene.rolling.iter().filter(|r| r.at == p);
+                nodes.extend(rolling.flat_map(|r| r.links).filter(|l| *l != scene.ground).flat_map(link_nodes));
             }
             nodes
         }

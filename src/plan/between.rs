@@ -231,6 +231,7 @@ impl Builder<'_> {
                     _ => Between::LayOff { known, rest },
                 })
             }
+            (_, by @ By::Contact(_)) => Some(Between::Join(term(TermKind::Roll, by))),
             (_, By::Apart) => None,
         };
         let Some(between) = between else { return };

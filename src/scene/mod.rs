@@ -16,6 +16,7 @@ pub mod model;
 mod names;
 mod raw;
 mod resolve;
+pub mod rolling;
 pub mod schema;
 pub mod statement;
 pub mod templates;
@@ -28,6 +29,7 @@ mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
+pub use rolling::{Contours, Rolling, RollingId, Sizes};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

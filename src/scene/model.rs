@@ -5,6 +5,7 @@
 //! [`crate::position`].
 
 use super::book::Book;
+use super::rolling::{Rolling, RollingId};
 use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
@@ -145,6 +146,9 @@ pub struct Guide {
     pub on: LinkId,
     /// Its shape.
     pub path: GuidePath,
+    /// The rolling pair whose second centre runs in it, where it is not the file's own guide: it keeps the two in touch, and a toothed
+    /// pair's holds only what nothing else holds.
+    pub rolling: Option<RollingId>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -396,10 +400,12 @@ pub struct Scene {
     pub links: Vec<Link>,
     /// The fixed link.
     pub ground: LinkId,
-    /// Sliding pairs; those that stand for the contact of a cam among them.
+    /// Sliding pairs, those that stand for the contact of a cam among them; after those of the file the guides of rolling pairs.
     pub guides: Vec<Guide>,
     /// Disc cams.
     pub cams: Vec<Cam>,
+    /// Gears in mesh, gears on racks, wheels on tracks.
+    pub rolling: Vec<Rolling>,
     /// Given distances.
     pub lengths: Vec<Length>,
     /// Drivers.

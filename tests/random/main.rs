@@ -20,5 +20,6 @@ mod properties;
 mod readings;
 mod regressions;
 mod rng;
+mod rolling;
 mod singular;
 mod told;

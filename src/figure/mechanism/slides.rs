@@ -25,8 +25,10 @@ const STEEP: f64 = 0.35;
 const FIXED_SLOT_HALF_MM: f64 = 13.0;
 
 impl Draft<'_> {
+    /// The guides that are drawn as such: what rolls has its own picture.
     fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
-        (0..self.scene.guides.len()).map(GuideId)
+        let drawn: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].rolling.is_none()).collect();
+        drawn.into_iter()
     }
 
     /// Guides on the ground: hatched lines along the block, or a slot for a bare pin.
@@ -71,7 +73,7 @@ impl Draft<'_> {
         }
         self.hatched[g.0] = Some(-u.perp());
         let [back, on] = self.travel(g);
-        let middle = at + direction * ((back + on) / 2.0);
+        let middle = at + self.raised(g, direction) + direction * ((back + on) / 2.0);
         let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
@@ -187,9 +189,13 @@ impl Draft<'_> {
             let guide = &self.scene.guides[g.0];
             let (Some(_), Some(slider)) = (guide.pin, guide.slider) else { continue };
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
-            let Some((at, tangent)) = self.runner(g) else { continue };
+            let Some((pin, tangent)) = self.runner(g) else { continue };
+            let at = pin + self.raised(g, tangent);
             let items = sym::block(self.style, at, tangent.angle(), through);
             self.d.of_link(Some(slider.0));
+            if at != pin {
+                self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", sym::link(self.style, &[pin, at]));
+            }
             self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
             self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }

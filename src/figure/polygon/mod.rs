@@ -205,6 +205,7 @@ impl Draft<'_> {
                 let g = &scene.guides[guide.0];
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
             }
+            By::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
             By::Apart => None,
         }
     }

@@ -102,7 +102,7 @@ fn profile(node: &Node, faults: &mut Faults) -> Option<RawProfile> {
             Some(RawProfile::Parts(items(Some(node), "\"profile\"", faults).iter().filter_map(|n| part(n, faults)).collect()))
         }
         Kind::Object(_) => part(node, faults).map(|p| RawProfile::Parts(vec![p])),
-        Kind::Text(_) | Kind::Number(_) | Kind::Bool | Kind::Null => wrong(
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null => wrong(
             node,
             "\"profile\"",
             both!("a circle, a list of arcs and lines, or a law", "圆、由圆弧和直线组成的列表，或运动规律"),

@@ -36,6 +36,7 @@ struct Pending {
     at: Option<String>,
     circle: Option<(String, f64)>,
     disc: Option<(String, Turning)>,
+    contact: Option<usize>,
     span: Span,
 }
 
@@ -159,6 +160,7 @@ impl One<'_> {
             at: self.raw.at.as_ref().map(|w| w.text.clone()),
             circle: None,
             disc: None,
+            contact: None,
             span: self.raw.span,
         };
         let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
@@ -298,6 +300,7 @@ impl One<'_> {
         } else if worded.len() > 1 {
             return self.no_pose(faults);
         }
+        pending.contact = Some(raw.guides.len());
         contact.write(raw, &worded, touched)
     }
 
@@ -610,6 +613,7 @@ impl Expanded {
                 at: p.at,
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,
+                contact: p.contact.map(GuideId),
                 span: p.span,
             })
         };

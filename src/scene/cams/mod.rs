@@ -18,7 +18,7 @@ mod pairs;
 mod place;
 pub(super) mod raw;
 
-use super::model::{LinkId, PointId};
+use super::model::{GuideId, LinkId, PointId};
 use crate::cam::{Disc, Side};
 use crate::diag::Span;
 
@@ -69,6 +69,8 @@ pub struct Cam {
     /// The cam on a pivot of the ground with its follower on the ground: what it does over a whole turn. `None` where either is carried by a
     /// moving link.
     pub disc: Option<Turning>,
+    /// The guide that stands for the contact; a law has a driver instead.
+    pub contact: Option<GuideId>,
     /// Where it is declared.
     pub span: Span,
 }

@@ -41,7 +41,7 @@ fn everything(c: &Context) -> Vec<Find> {
     let mut ask = |symbol: &str, name: &str, span, what| out.push(Find { what, text: format!("{symbol}_{name}"), span });
     for (i, p) in points.iter().enumerate() {
         let id = PointId(i);
-        if !c.carries(c.ground, id) {
+        if !c.carries(c.ground, id) && !c.contacts.contains(&id) {
             let on = OnLink { point: id, link: None };
             ask("v", &p.name, p.span, Asked::Velocity(on));
             ask("a", &p.name, p.span, Asked::Acceleration(on));
@@ -55,7 +55,7 @@ fn everything(c: &Context) -> Vec<Find> {
             .drivers
             .iter()
             .any(|d| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == l.name)));
-        if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder) {
+        if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder || c.rolls(id)) {
             ask("omega", &l.name, l.span, Asked::Omega(id));
             ask("alpha", &l.name, l.span, Asked::Alpha(id));
         }
