@@ -17,6 +17,7 @@ pub mod survey;
 mod tests;
 
 pub use disc::{Disc, Follower, Motion, Station, Touch, round};
+pub use jet::Jet;
 pub use law::Law;
 pub use outline::Segment;
 pub use program::{Jump, Program, Shock, Stage, Way};

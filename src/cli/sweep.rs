@@ -23,6 +23,7 @@ pub fn sweep(a: Sweep) -> Run {
         tables::ending(path, &tables::ALL)?;
     }
     ask(&mut input, a.range.find.as_deref())?;
+    input.over_a_turn();
     let notes = sweep_into(&input, &a)?;
     input.notes.extend(notes);
     input.say_notes();
@@ -57,7 +58,8 @@ fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
     // How far it goes does not depend on how fast.
-    let input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    input.over_a_turn();
     let (lang, _) = choices(&input.scene, &a.common);
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.over.as_deref())?;

@@ -102,7 +102,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         );
         notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
     }
-    if scene.drivers.len() > 1 {
+    if scene.own_drivers() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",
             both!(

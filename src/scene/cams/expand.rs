@@ -265,7 +265,7 @@ impl One<'_> {
             span: self.raw.span,
         };
         let mut touched = 0;
-        if let (Some((on, _)), Some((follower, touch, _))) = (&placed, geometry) {
+        if let (Some((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
             let local = |name: &str| {
                 let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
                 on.local.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
@@ -286,6 +286,7 @@ impl One<'_> {
             touched = found;
             self.joint(&disc, phi, on, faults);
             self.sketch(raw, &disc, phi, on);
+            let (origin, outward) = place::origin(carried, on.spot.at(), follower_sense(&disc));
             let turning = Turning {
                 pivot: PointId(0),
                 disc,
@@ -293,6 +294,8 @@ impl One<'_> {
                 driver: on.driver,
                 by_law: None,
                 start: 0.0,
+                origin,
+                outward,
                 touched: Some(found),
                 side: Side::After,
             };
@@ -593,9 +596,19 @@ impl One<'_> {
         }
         let by_law = Some(raw.drivers.len());
         raw.drivers.push(written.driver);
-        let turning = Turning { pivot: PointId(0), disc, phi, driver: on.driver, by_law, start, touched: None, side: along };
+        let (origin, outward) = place::origin(&carried, on.spot.at(), follower_sense(&disc));
+        let turning =
+            Turning { pivot: PointId(0), disc, phi, driver: on.driver, by_law, start, origin, outward, touched: None, side: along };
         pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         Some(())
+    }
+}
+
+/// The sense in which an oscillating follower goes out.
+fn follower_sense(disc: &Disc) -> f64 {
+    match disc.follower {
+        Follower::Translating { .. } => 1.0,
+        Follower::Oscillating { sense, .. } => sense,
     }
 }
 

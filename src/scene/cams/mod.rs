@@ -9,11 +9,12 @@
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
 //! [`decode`] reads the section, [`place`] finds where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
-//! longer numbers read the same texts.
+//! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
 
 pub(super) mod decode;
 pub(super) mod expand;
 mod law;
+mod motion;
 mod pairs;
 mod place;
 pub(super) mod raw;
@@ -90,6 +91,10 @@ pub struct Turning {
     pub by_law: Option<usize>,
     /// The driver's angle (rad) at φ = 0.
     pub start: f64,
+    /// The coordinate of the follower in its own guide, or its angle (m, rad), where [`Disc`] counts from.
+    pub origin: f64,
+    /// +1 where the two grow together, −1 otherwise.
+    pub outward: f64,
     /// The pair that stands for the contact: the piece of the profile that is touched.
     pub touched: Option<usize>,
     /// On which side of a joint the instant is seen: as it goes on in the driver's sense.

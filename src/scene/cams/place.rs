@@ -274,3 +274,11 @@ pub(super) fn geometry(carried: &Carried, centre: Vec2, arm: f64, sense: f64) ->
         Carried::Pivot { spot, .. } => Follower::Oscillating { pivot: spot.at() - centre, arm, sense },
     }
 }
+
+/// Where the follower's own coordinate stands as that of the cam's geometry is zero, and whether the two grow together.
+pub(super) fn origin(carried: &Carried, centre: Vec2, sense: f64) -> (f64, f64) {
+    match carried {
+        Carried::Guide { through, angle, .. } => ((centre - through.at()).dot(Vec2::from_angle(angle.value)), 1.0),
+        Carried::Pivot { spot, .. } => ((centre - spot.at()).angle(), sense),
+    }
+}
