@@ -3,7 +3,7 @@
 use super::phrase::tr;
 use crate::cam::{Disc, Fault, Follower, Jump, Law, Motion, Shock, Side, Station, Survey, Touch, Way, in_turn, round};
 use crate::diag::{Both, Diagnostic, both};
-use crate::quantity::significant;
+use crate::digits::significant;
 use crate::scene::{Cam, Follows, Kind, Lang, Scene, Turning};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;

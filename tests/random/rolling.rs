@@ -206,7 +206,7 @@ fn apart(a: Value, b: Value) -> f64 {
 }
 
 fn largest(w: &Worked, level: Level, scene: &Scene) -> f64 {
-    let of = w.results.iter().filter(|r| hodograph::answer::level_of(&scene.find[r.find].what) == level);
+    let of = w.results.iter().filter(|r| scene.find[r.find].what.level() == level);
     of.map(|r| size(r.computed)).fold(1e-9, f64::max)
 }
 
@@ -238,7 +238,7 @@ fn rolling_is_drawn_as_it_is_computed() {
                 assert!(!w.plan.undrawable.is_empty(), "seed {seed}: {text} is not drawn");
                 continue;
             };
-            let level = hodograph::answer::level_of(&scene.find[r.find].what);
+            let level = scene.find[r.find].what.level();
             let off = apart(drawn.value, r.computed) / largest(w, level, scene);
             assert!(
                 off < 1e-11 * w.solution.condition.max(1.0),

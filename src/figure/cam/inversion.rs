@@ -10,7 +10,7 @@ use super::{heading, words_at};
 use crate::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
 use crate::construct::scale::choose_in;
 use crate::geom::{Point, Vec2};
-use crate::quantity::{inked, shortest};
+use crate::digits::{inked, shortest};
 use crate::report::cam::Report;
 use crate::report::phrase::tr;
 use crate::scene::{Kind, Lang};

@@ -191,7 +191,7 @@ fn shocks(plot: &mut Plot, report: &Report, kept: &Kept, lang: Lang, said: &mut 
 
 /// An angle in degrees as short as six digits allow.
 fn shortest(degrees: f64) -> String {
-    crate::quantity::shortest((degrees * 1e4).round() / 1e4)
+    crate::digits::shortest((degrees * 1e4).round() / 1e4)
 }
 
 /// The least and the greatest value with their places.

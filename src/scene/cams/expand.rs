@@ -17,7 +17,7 @@ use crate::cam::{Disc, Follower, Law, Motion, Program, Side, Stage, Touch, Way};
 use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::geom::Vec2;
 use crate::json::Word;
-use crate::quantity::significant;
+use crate::digits::significant;
 
 /// A scene whose cams are written as other pairs, and the cams themselves by the names of their points.
 pub(in crate::scene) struct Expanded {
