@@ -78,7 +78,7 @@ impl Follower {
                 let pk = k - Plane::constant(pivot);
                 let apart = pk.dot(pk);
                 let cosine = (apart + Jet::constant(arm * arm) - square) * (apart.sqrt() * (2.0 * arm)).recip();
-                let at = pk.angle() + cosine.acos() * (sense * way);
+                let at = pk.angle() + cosine.arc_cosine() * (sense * way);
                 Follower::from_centre_line(at, pivot, sense)
             }
         }
@@ -91,7 +91,7 @@ impl Follower {
             Follower::Oscillating { pivot, sense, .. } => {
                 let pk = k - Plane::constant(pivot);
                 let sine = Jet::constant(lever - distance) * pk.dot(pk).sqrt().recip();
-                Follower::from_centre_line(pk.angle() - sine.asin() * sense, pivot, sense)
+                Follower::from_centre_line(pk.angle() - sine.arc_sine() * sense, pivot, sense)
             }
         }
     }
@@ -110,7 +110,7 @@ impl Follower {
             }
             Follower::Oscillating { pivot, arm, sense } => {
                 let cosine = (Jet::constant(distance) - Plane::constant(pivot).dot(n)) * (1.0 / arm);
-                Follower::from_centre_line(normal - cosine.acos() * sense, pivot, sense)
+                Follower::from_centre_line(normal - cosine.arc_cosine() * sense, pivot, sense)
             }
         }
     }

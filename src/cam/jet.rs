@@ -42,13 +42,13 @@ impl Jet {
     }
 
     /// Sine and cosine.
-    pub fn sin_cos(self) -> (Jet, Jet) {
+    pub fn sine_cosine(self) -> (Jet, Jet) {
         let (s, c) = libm::sincos(self.0[0]);
         (self.of([s, c, -s, -c]), self.of([c, -s, -c, s]))
     }
 
     /// The angle of a sine, from −π/2 to π/2.
-    pub fn asin(self) -> Jet {
+    pub fn arc_sine(self) -> Jet {
         let x = self.0[0];
         let q = 1.0 - x * x;
         let w = if q < 0.0 { f64::NAN } else { q.sqrt() };
@@ -56,12 +56,12 @@ impl Jet {
     }
 
     /// The angle of a cosine, from 0 to π.
-    pub fn acos(self) -> Jet {
-        Jet::constant(std::f64::consts::FRAC_PI_2) - self.asin()
+    pub fn arc_cosine(self) -> Jet {
+        Jet::constant(std::f64::consts::FRAC_PI_2) - self.arc_sine()
     }
 
     /// The direction of (x, y).
-    pub fn atan2(y: Jet, x: Jet) -> Jet {
+    pub fn direction(y: Jet, x: Jet) -> Jet {
         let at = libm::atan2(y.0[0], x.0[0]);
         let (s, c) = libm::sincos(at);
         let (u, v) = (x * c + y * s, y * c - x * s);
@@ -129,13 +129,13 @@ impl Plane {
 
     /// The direction at an angle.
     pub fn direction(angle: Jet) -> Plane {
-        let (y, x) = angle.sin_cos();
+        let (y, x) = angle.sine_cosine();
         Plane { x, y }
     }
 
     /// Turned by an angle, counter-clockwise.
     pub fn turned(self, by: Jet) -> Plane {
-        let (s, c) = by.sin_cos();
+        let (s, c) = by.sine_cosine();
         Plane { x: self.x * c - self.y * s, y: self.x * s + self.y * c }
     }
 
@@ -151,7 +151,7 @@ impl Plane {
 
     /// The direction as an angle.
     pub fn angle(self) -> Jet {
-        Jet::atan2(self.y, self.x)
+        Jet::direction(self.y, self.x)
     }
 
     /// The vector (0), or its derivative of an order.
@@ -199,9 +199,9 @@ mod tests {
     fn derivatives_are_those_of_differences() {
         check(|x| (x * x + Jet::constant(1.0)).sqrt(), 0.7);
         check(|x| (x * x * x + Jet::constant(2.0)).recip(), 0.4);
-        check(|x| x.sin_cos().0 * x.sin_cos().1 * x, 1.1);
-        check(|x| (x * 0.5).asin() + (x * x * 0.3).acos(), 0.6);
-        check(|x| Jet::atan2(x * x + Jet::constant(0.3), x * -2.0), 0.8);
+        check(|x| x.sine_cosine().0 * x.sine_cosine().1 * x, 1.1);
+        check(|x| (x * 0.5).arc_sine() + (x * x * 0.3).arc_cosine(), 0.6);
+        check(|x| Jet::direction(x * x + Jet::constant(0.3), x * -2.0), 0.8);
         check(|x| Plane::direction(x).turned(x * 2.0).angle(), 0.5);
     }
 }

@@ -219,7 +219,7 @@ fn an_eccentric_disc_moves_a_face_harmonically() {
     for k in 0..24 {
         let phi = deg(15.0 * k as f64);
         let q = disc.coordinate(phi, Side::After).unwrap();
-        let s = Jet::variable(phi).sin_cos().0 * 12.0;
+        let s = Jet::variable(phi).sine_cosine().0 * 12.0;
         assert!((q.value() - 30.0 - s.value()).abs() < 1e-12 && (q.0[3] - s.0[3]).abs() < 1e-12);
     }
     let survey = Survey::of(&disc);

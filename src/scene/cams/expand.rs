@@ -7,17 +7,15 @@ use super::super::names::Names;
 use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::super::values::Values;
-use super::law::{self, LawText, StageText};
-use super::pairs::{Contact, Worded, fresh, numbers};
+use super::pairs::fresh;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use super::{Cam, Follows, Turning};
-use crate::cam::outline::{Broken, segments};
-use crate::cam::{Disc, Follower, Law, Motion, Program, Side, Stage, Touch, Way};
-use crate::diag::{Both, Diagnostic, Faults, Span, both};
+use crate::cam::{Disc, Follower, Motion, Side, Touch};
+use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::digits::significant;
 use crate::geom::Vec2;
 use crate::json::Word;
-use crate::digits::significant;
 
 /// A scene whose cams are written as other pairs, and the cams themselves by the names of their points.
 pub(in crate::scene) struct Expanded {
@@ -27,16 +25,16 @@ pub(in crate::scene) struct Expanded {
     pub used: HashSet<String>,
 }
 
-struct Pending {
+pub(super) struct Pending {
     cam: String,
     follower: String,
     point: String,
     follows: fn(PointId, f64) -> Follows,
     radius: f64,
     at: Option<String>,
-    circle: Option<(String, f64)>,
-    disc: Option<(String, Turning)>,
-    contact: Option<usize>,
+    pub circle: Option<(String, f64)>,
+    pub disc: Option<(String, Turning)>,
+    pub contact: Option<usize>,
     span: Span,
 }
 
@@ -84,20 +82,20 @@ pub(in crate::scene) fn expand(raw: RawScene, source: &str, bare: &Scene, faults
 }
 
 /// One cam at work.
-struct One<'a> {
-    bare: &'a Scene,
-    values: &'a Values<'a>,
-    names: Names<'a>,
-    raw: &'a RawCam,
-    name: String,
+pub(super) struct One<'a> {
+    pub bare: &'a Scene,
+    pub values: &'a Values<'a>,
+    pub names: Names<'a>,
+    pub raw: &'a RawCam,
+    pub name: String,
 }
 
-fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
+pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
 impl One<'_> {
-    fn told(&self, q: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Told> {
+    pub(super) fn told(&self, q: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Told> {
         if wanted == Wanted::Angle {
             let given = self.values.angle(q, faults)?;
             return Some(Told { value: given.value.radians(), text: given.text });
@@ -106,7 +104,7 @@ impl One<'_> {
         Some(Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
     }
 
-    fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<Told> {
+    pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<Told> {
         let given = self.values.positive_length(q, both!("the radius", "半径"), faults)?;
         Some(Told { value: given.value, text: given.text })
     }
@@ -182,7 +180,7 @@ impl One<'_> {
     }
 
     /// The face of the follower: as it is written with what the cam's place adds, how far out it lies, and in which sense it goes out.
-    fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
+    pub(super) fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
         let offset = match &face.offset {
             Some(q) => Some(self.told(q, Wanted::Length, faults)?),
             None => None,
@@ -206,7 +204,7 @@ impl One<'_> {
     }
 
     /// The geometry of the follower; `None` where it is not that of a cam on the ground.
-    fn follower(
+    pub(super) fn follower(
         &self,
         placed: &(OnPivot, Carried),
         point: PointId,
@@ -234,158 +232,7 @@ impl One<'_> {
         Some((geometry, touch, arm))
     }
 
-    fn by_parts(
-        &self,
-        raw: &mut RawScene,
-        parts: &[RawPart],
-        (cam, point): (LinkId, PointId),
-        end: Option<Told>,
-        placed: Option<(OnPivot, Carried)>,
-        pending: &mut Pending,
-        faults: &mut Faults,
-    ) -> Option<()> {
-        let worded = self.worded(cam, parts, faults)?;
-        let (follows, offset, sense) = match &self.raw.follows {
-            RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
-                (RawFollows::Face(face), offset, sense)
-            }
-            round => (round.clone(), None, 1.0),
-        };
-        if let [Worded::Circle { centre, radius }] = worded.as_slice() {
-            pending.circle = Some((centre.clone(), radius.value));
-        }
-        let geometry = placed.as_ref().and_then(|p| self.follower(p, point, offset.as_ref(), sense));
-        let contact = Contact {
-            cam: &self.raw.cam.text,
-            follower: &self.raw.follower.text,
-            follows: &follows,
-            end: end.clone(),
-            offset,
-            span: self.raw.span,
-        };
-        let mut touched = 0;
-        if let (Some((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
-            let local = |name: &str| {
-                let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
-                on.local.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
-            };
-            let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else {
-                return self.no_pose(faults);
-            };
-            let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
-            let touch = match touch {
-                Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
-                Touch::Flat { lever } => Touch::Flat { lever },
-            };
-            let backward = on.rate < 0.0 || on.rate == 0.0 && on.acceleration < 0.0;
-            let turn = if backward { -1.0 } else { 1.0 };
-            let disc = Disc { follower, touch, motion: Motion::Profile(segments), sense: turn };
-            let phi = turn * on.angle.value;
-            let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
-            touched = found;
-            self.joint(&disc, phi, on, faults);
-            self.sketch(raw, &disc, phi, on);
-            let (origin, outward) = place::origin(carried, on.spot.at(), follower_sense(&disc));
-            let turning = Turning {
-                pivot: PointId(0),
-                disc,
-                phi,
-                driver: on.driver,
-                by_law: None,
-                start: 0.0,
-                origin,
-                outward,
-                touched: Some(found),
-                side: Side::After,
-            };
-            pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
-        } else if worded.len() > 1 {
-            return self.no_pose(faults);
-        }
-        pending.contact = Some(raw.guides.len());
-        contact.write(raw, &worded, touched)
-    }
-
-    /// The parts with texts and checked numbers.
-    fn worded(&self, cam: LinkId, parts: &[RawPart], faults: &mut Faults) -> Option<Vec<Worded>> {
-        let n = parts.len();
-        let centre = |i: usize| match &parts[i % n] {
-            RawPart::Circle { centre, .. } | RawPart::Corner(centre) => Some(centre),
-            RawPart::Tangent(_) | RawPart::Flank(_) => None,
-        };
-        let mut out = Vec::new();
-        let before = faults.list.len();
-        for (i, part) in parts.iter().enumerate() {
-            if let Some(word) = centre(i)
-                && let Some(p) = note(self.names.point(word), faults)
-                && !self.bare.links[cam.0].points.contains(&p)
-            {
-                let message =
-                    both!("centre `{}` is not a point of the cam `{}`", "圆心 `{}` 不是凸轮 `{}` 上的点", word.text, self.raw.cam.text);
-                faults.push(
-                    Diagnostic::error("not-on-link", message)
-                        .at(word.span)
-                        .help(both!("name it in \"links\" among the points of the cam", "请在 \"links\" 中把它写入凸轮的点")),
-                );
-            }
-            match part {
-                RawPart::Circle { centre, radius } => {
-                    let radius = self.positive(radius, faults);
-                    out.extend(radius.map(|radius| Worded::Circle { centre: centre.text.clone(), radius }));
-                }
-                RawPart::Corner(p) => {
-                    out.push(Worded::Circle { centre: p.text.clone(), radius: Told { value: 0.0, text: "0 mm".into() } });
-                }
-                RawPart::Flank(radius) => out.extend(self.told(radius, Wanted::Length, faults).map(|radius| Worded::Flank { radius })),
-                RawPart::Tangent(span) => {
-                    let ends = centre(i + n - 1).zip(centre(i + 1));
-                    let ids = ends.and_then(|(a, b)| self.names.point(a).ok().zip(self.names.point(b).ok()));
-                    let Some((a, b)) = ids else { continue };
-                    match place::apart(self.bare, a, b) {
-                        Some(apart) => out.push(Worded::Tangent { apart }),
-                        None => {
-                            let [a, b] = [a, b].map(|p| self.bare.point_name(p));
-                            let message = both!(
-                                "the tangent of the circles about {a} and {b} needs their distance",
-                                "求绕 {a} 和 {b} 两圆的公切线须知两圆心的距离"
-                            );
-                            faults.push(
-                                Diagnostic::error("cam-centres", message)
-                                    .at(*span)
-                                    .help(both!("add \"{a},{b}\" to \"lengths\"", "请在 \"lengths\" 中加上 \"{a},{b}\"")),
-                            );
-                        }
-                    }
-                }
-            }
-        }
-        if out.len() < n && faults.list.len() == before {
-            let at = parts.iter().position(|p| matches!(p, RawPart::Tangent(_))).unwrap_or(0);
-            self.broken(Broken::NoNeighbour(at), faults);
-        }
-        (faults.list.len() == before && out.len() == n && n > 0).then_some(out)
-    }
-
-    fn broken(&self, broken: Broken, faults: &mut Faults) {
-        let message = match broken {
-            Broken::NoCircle => both!("the profile has no circle", "廓线中没有圆"),
-            Broken::NoNeighbour(i) => {
-                both!("part {} of the profile has no circle on both sides", "廓线第 {} 段的两侧不都是圆", i + 1)
-            }
-            Broken::Apart(i) => both!(
-                "part {} of the profile cannot touch its neighbours: their centres are too near or too far apart",
-                "廓线第 {} 段不能与相邻两段相切：圆心过近或过远",
-                i + 1
-            ),
-        };
-        faults.push(Diagnostic::error("cam-profile", message).at(self.raw.span).help(both!(
-            "list arcs and lines counter-clockwise round the cam: a circle, \"tangent\" or {{\"radius\"}}, the next circle, ...",
-            "请沿凸轮逆时针列出各段：圆、\"tangent\" 或 {{\"radius\"}}、下一圆……"
-        )));
-    }
-
-    fn no_pose<T>(&self, faults: &mut Faults) -> Option<T> {
+    pub(super) fn no_pose<T>(&self, faults: &mut Faults) -> Option<T> {
         let d = Diagnostic::error(
             "cam-pose",
             both!(
@@ -401,7 +248,7 @@ impl One<'_> {
         None
     }
 
-    fn no_contact<T>(&self, faults: &mut Faults) -> Option<T> {
+    pub(super) fn no_contact<T>(&self, faults: &mut Faults) -> Option<T> {
         let d = Diagnostic::error(
             "no-contact",
             both!(
@@ -419,7 +266,7 @@ impl One<'_> {
     }
 
     /// At a joint of two pieces the acceleration jumps: both are told.
-    fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
+    pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
         let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
         let [Some(before), Some(after)] = sides else { return };
         if disc.touched(phi, Side::Before) == disc.touched(phi, Side::After) && matches!(disc.motion, Motion::Profile(_)) {
@@ -443,7 +290,7 @@ impl One<'_> {
     }
 
     /// Says which of the assemblies is meant: the point of the follower where it touches.
-    fn sketch(&self, raw: &mut RawScene, disc: &Disc, phi: f64, on: &OnPivot) {
+    pub(super) fn sketch(&self, raw: &mut RawScene, disc: &Disc, phi: f64, on: &OnPivot) {
         let (Some(pin), Touch::Point { .. }) = (self.raw.follows.pin(), disc.touch) else { return };
         let said = raw.sketch.iter().any(|(w, _)| w.text == pin.text) || raw.points.iter().any(|(w, _)| w.text == pin.text);
         let Some(q) = disc.coordinate(phi, Side::After).filter(|_| !said) else { return };
@@ -451,161 +298,10 @@ impl One<'_> {
         let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
         raw.sketch.push((Word { text: pin.text.clone(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
     }
-
-    /// The law as numbers and texts.
-    fn law(
-        &self,
-        base: &RawQuantity,
-        start: &Option<RawQuantity>,
-        clockwise: bool,
-        stages: &[RawStage],
-        turning: bool,
-        faults: &mut Faults,
-    ) -> Option<(f64, f64, LawText, Program)> {
-        let before = faults.list.len();
-        let base = self.positive(base, faults);
-        let start = match start {
-            Some(q) => self.told(q, Wanted::Angle, faults),
-            None => Some(Told { value: 0.0, text: "0 deg".into() }),
-        };
-        let (mut texts, mut program) = (Vec::new(), Program::default());
-        let mut lift = 0.0f64;
-        for stage in stages {
-            let over = self.told(&stage.over, Wanted::Angle, faults);
-            if let Some(over) = over.as_ref().filter(|o| !(o.value > 0.0)) {
-                let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
-                faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
-            }
-            let mut gain = |q: &RawQuantity| {
-                if turning {
-                    let g = self.values.angle(q, faults)?;
-                    Some(Given { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
-                } else {
-                    self.values.si(q, Wanted::Length, faults)
-                }
-            };
-            let kind = |w: &Word| Law::named(&w.text);
-            let (way, text) = match &stage.way {
-                RawWay::Dwell => (Some(Way::Dwell), None),
-                RawWay::Rise(q, law) => {
-                    let g = gain(q);
-                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Rise(g.value, law)), g)
-                }
-                RawWay::Return(q, law) => {
-                    let g = gain(q);
-                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Return(g.value, law)), g)
-                }
-            };
-            let (Some(way), Some(over)) = (way, over) else { continue };
-            let stage = Stage { way, over: over.value };
-            lift += stage.gain();
-            program.stages.push(stage);
-            texts.push(StageText { gain: text, over: over.text });
-        }
-        if faults.list.len() > before {
-            return None;
-        }
-        let sum: f64 = program.stages.iter().map(|s| s.over).sum();
-        let open = |message: Both, help: Both, faults: &mut Faults| {
-            faults.push(Diagnostic::error("law-open", message).at(self.raw.span).help(help));
-        };
-        // A law is written in degrees; nine digits tell a slip of the pen from rounding.
-        if (sum - std::f64::consts::TAU).abs() > 1e-9 {
-            let degrees = significant(sum.to_degrees(), 6);
-            open(
-                both!("the stages of the law go over {degrees}°, not 360°", "运动规律各段共转 {degrees}°，不是 360°"),
-                both!("make up the rest with {{\"dwell\": ...}}", "其余可用 {{\"dwell\": ...}} 补足"),
-                faults,
-            );
-        }
-        if lift.abs() > 1e-9 * program.stroke().abs() {
-            open(
-                both!(
-                    "what the law rises it does not return: the follower ends elsewhere than it began",
-                    "升程与回程不等：从动件转完一周没有回到起点"
-                ),
-                both!("make the returns as large as the rises", "请使各回程之和等于各升程之和"),
-                faults,
-            );
-        }
-        let (base, start) = (base?, start?);
-        let text = LawText { base: base.text, start: start.text, clockwise, stages: texts };
-        (faults.list.len() == before).then_some((base.value, start.value, text, program))
-    }
-
-    fn by_law(
-        &self,
-        raw: &mut RawScene,
-        (base, start, text, program): (f64, f64, LawText, Program),
-        point: PointId,
-        end: Option<Told>,
-        placed: Option<(OnPivot, Carried)>,
-        pending: &mut Pending,
-        faults: &mut Faults,
-    ) -> Option<()> {
-        let (face, offset, sense) = match &self.raw.follows {
-            RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
-                (Some(face), offset, sense)
-            }
-            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),
-        };
-        let Some(placed) = placed else { return self.no_pose(faults) };
-        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else { return self.no_pose(faults) };
-        let (on, carried) = placed;
-        let touch = match touch {
-            Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
-            Touch::Flat { lever } => Touch::Flat { lever },
-        };
-        let turn = if text.clockwise { -1.0 } else { 1.0 };
-        let disc = Disc { follower, touch, motion: Motion::Law { base, program: program.clone() }, sense: turn };
-        if !disc.rest(base).is_finite() {
-            return self.no_contact(faults);
-        }
-        let phi = turn * (on.angle.value - start);
-        let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
-        // The mark that tells the direction of a lever with a face is the last point of its link.
-        let point = match (&carried, &face) {
-            (Carried::Pivot { .. }, Some(_)) => {
-                let id = self.names.link(&self.raw.follower).ok()?;
-                *self.bare.links[id.0].points.iter().find(|p| **p != point)?
-            }
-            _ => point,
-        };
-        let radius = match touch {
-            Touch::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
-            Touch::Flat { .. } => None,
-        };
-        let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
-        let at = law::At {
-            scene: self.bare,
-            cam: &on,
-            carried: &carried,
-            point,
-            radius,
-            arm: arm.map(|a| a.text),
-            lever,
-            follower: &self.raw.follower.text,
-            span: self.raw.span,
-        };
-        let written = law::driver(&at, &disc, &program, &text, (phi, along), &self.name)?;
-        self.joint(&disc, phi, &on, faults);
-        let quantity = |text: String| RawQuantity { text, span: self.raw.span, bare: false };
-        for (name, text) in written.parameters {
-            raw.parameters.push((Word { text: name, span: self.raw.span }, quantity(text)));
-        }
-        let by_law = Some(raw.drivers.len());
-        raw.drivers.push(written.driver);
-        let (origin, outward) = place::origin(&carried, on.spot.at(), follower_sense(&disc));
-        let turning =
-            Turning { pivot: PointId(0), disc, phi, driver: on.driver, by_law, start, origin, outward, touched: None, side: along };
-        pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
-        Some(())
-    }
 }
 
 /// The sense in which an oscillating follower goes out.
-fn follower_sense(disc: &Disc) -> f64 {
+pub(super) fn follower_sense(disc: &Disc) -> f64 {
     match disc.follower {
         Follower::Translating { .. } => 1.0,
         Follower::Oscillating { sense, .. } => sense,

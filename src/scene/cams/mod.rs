@@ -11,6 +11,8 @@
 //! [`decode`] reads the section, [`place`] finds where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
 //! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
 
+mod by_law;
+mod by_parts;
 pub(super) mod decode;
 pub(super) mod expand;
 mod law;
