@@ -203,6 +203,21 @@ impl One<'_> {
         Some((face, offset, sense))
     }
 
+    /// Whether the follower has no face, or one that stands square to its guide and passes through its pin.
+    fn stands_squarely(&self, guide: f64) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        // Nine digits of an angle are what a person types.
+        face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
+    }
+
+    /// Whether a face is known by its pivot alone, or by a line that begins there.
+    fn goes_out_from(&self, pivot: PointId) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let begins = |w: &Word| self.names.pair(w).is_ok_and(|(a, _)| a == pivot);
+        face.angle.is_none() && face.line.as_ref().is_none_or(begins)
+    }
+
     /// The geometry of the follower; `None` where it is not that of a cam on the ground.
     pub(super) fn follower(
         &self,
@@ -214,10 +229,10 @@ impl One<'_> {
         let (cam, carried) = placed;
         let face = matches!(self.raw.follows, RawFollows::Face(_));
         let (arm, sense) = match carried {
-            Carried::Guide { pin, .. } if *pin == point => (None, 1.0),
+            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => (None, 1.0),
             Carried::Guide { .. } => return None,
             Carried::Pivot { pivot, .. } if face => {
-                return (*pivot == point).then(|| {
+                return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
                     let lever = offset.map_or(0.0, |o| o.value) * sense;
                     (place::geometry(carried, cam.spot.at(), 0.0, sense), Touch::Flat { lever }, None)
                 });

@@ -14,6 +14,11 @@ impl Scene {
         self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some())
     }
 
+    /// Whether a driver is a follower that a cam moves.
+    pub fn is_led(&self, driver: usize) -> bool {
+        self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
+    }
+
     /// How many drivers the mechanism has of its own: followers that a cam moves by a law are none.
     pub fn own_drivers(&self) -> usize {
         self.drivers.len() - self.cams.iter().filter(|c| c.disc.as_ref().is_some_and(|t| t.by_law.is_some())).count()
