@@ -44,6 +44,8 @@ pub enum Command {
     Path(Path),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
+    /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
+    Centres(Centres),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -300,6 +302,16 @@ pub struct Limits {
     /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
+pub struct Centres {
+    #[command(flatten)]
+    pub common: Common,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,
