@@ -1,6 +1,7 @@
 //! The arguments of every command.
 
-use super::values::{Format, Language, Picture, Text, Vectors, digits, dpi, length, steps};
+use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
+use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -100,8 +101,8 @@ pub struct Draw {
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
     /// Which figures, each with files of its own: the whole sheet, or parts of it
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
-    pub figure: Vec<Picture>,
+    #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
+    pub figure: Vec<&'static Entry>,
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<Vectors>,

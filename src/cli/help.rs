@@ -4,6 +4,7 @@
 
 use super::args::Args;
 use super::lang;
+use crate::figure::list::LIST;
 use crate::scene::Lang;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
@@ -69,7 +70,8 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
 
 /// The help as it was printed, its headings and the names of choices in Chinese.
 fn headings(text: &str) -> String {
-    HEADINGS.iter().fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
+    let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
+    HEADINGS.iter().copied().chain(figures).fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 
 /// What is wrong with the arguments, or the help that they ask for, in Chinese.
@@ -124,7 +126,7 @@ pub fn no_value(text: &crate::diag::Both) -> String {
     lang::of(text).to_owned()
 }
 
-/// What the printer of the help writes by itself, and the choices of an argument.
+/// What the printer of the help writes by itself, and the choices of an argument; those of figures come from their list.
 const HEADINGS: &[(&str, &str)] = &[
     ("Usage:", "用法："),
     ("Commands:", "命令："),
@@ -133,12 +135,6 @@ const HEADINGS: &[(&str, &str)] = &[
     ("Possible values:", "可选值："),
     ("[default: ", "[默认："),
     ("[possible values: ", "[可选值："),
-    ("The whole sheet", "整张图"),
-    ("The kinematic diagram", "机构运动简图"),
-    ("The velocity polygon", "速度多边形"),
-    ("The acceleration polygon", "加速度多边形"),
-    ("The equations with their tables", "矢量方程及其表格"),
-    ("The results", "结果"),
     ("Velocities", "速度"),
     ("Accelerations", "加速度"),
     ("Outlines", "轮廓"),
