@@ -76,7 +76,7 @@
 //! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
 //! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked centres sweep effort figure* render*
-//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked centres sweep report
 //! render     diag geom figure
 //! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render

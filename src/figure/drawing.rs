@@ -106,6 +106,20 @@ impl Drawing {
         self.owners
     }
 
+    /// The box around what is drawn so far.
+    pub fn bounds(&self) -> Rect {
+        bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
+    }
+
+    /// What is drawn by this lies behind all that is there but the areas of links, in which it shows.
+    pub fn behind(&mut self, draw: impl FnOnce(&mut Drawing)) {
+        let before = self.items.len();
+        draw(self);
+        let added = self.items.split_off(before);
+        let (areas, rest): (Vec<Item>, Vec<Item>) = self.items.drain(..).partition(|i| i.class.split(' ').any(|word| word == "plate"));
+        self.items.extend(areas.into_iter().chain(added).chain(rest));
+    }
+
     /// Draws one item.
     pub fn shape(&mut self, name: &str, class: &str, shape: Shape) -> u32 {
         self.draw(name, class, vec![Item::new("", shape)])

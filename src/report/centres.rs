@@ -145,6 +145,15 @@ impl<'a> Words<'a> {
         format!("{how}{given}")
     }
 
+    /// How a centre that is not of a pair is found, in a few words for a list: `23·34 × 12·14`.
+    pub fn found_by(&self, c: &Centre) -> String {
+        match c.origin {
+            Some(Origin::Crossing([a, b])) => format!("{} × {}", self.line(c.step.pair, a), self.line(c.step.pair, b)),
+            Some(Origin::Velocities) => tr(self.lang, "from velocities", "由速度求得").to_owned(),
+            Some(Origin::Pair) | None => "–".to_owned(),
+        }
+    }
+
     fn primary(&self, primary: Primary) -> String {
         match primary {
             Primary::Pin(p) => format!("{} {}", tr(self.lang, "turns about", "转动副"), self.scene.point_name(p)),
@@ -342,6 +351,17 @@ impl<'a> Words<'a> {
         });
         links.chain(points).collect()
     }
+}
+
+/// Where all centres lie, in one line for readers who do not see the figure.
+pub fn places(found: &Centres, lang: Lang) -> String {
+    let w = Words::new(found, lang);
+    let place = |c: &Centre| match c.place {
+        Some(Place::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
+        Some(Place::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
+        None => tr(lang, "not determined", "不定").to_owned(),
+    };
+    found.list.iter().map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c))).collect::<Vec<_>>().join("; ")
 }
 
 /// The centres for programs, in SI.
