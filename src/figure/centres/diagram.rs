@@ -6,7 +6,7 @@ use crate::figure::extent::Rect;
 use crate::figure::item::{Colour, Dash, Shape};
 use crate::figure::label::Label;
 use crate::figure::list::Wanted;
-use crate::figure::mechanism::{self, Course};
+use crate::figure::mechanism;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
@@ -31,7 +31,7 @@ pub fn part(w: &Wanted, found: &Centres) -> Part {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
-    let mut d = mechanism::drawing(style, scene, w.worked, &w.options.notation, &Course::default());
+    let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
     let lines = d.bounds();
     let window = window(found, lines, &to_paper);
     let paper = Paper { found, to_paper: &to_paper, window };

@@ -14,12 +14,12 @@ use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::scene::Scene;
 
-use super::arrange::Tree;
+use super::arrange::{AIM_MM, Tree};
 use super::drawing::Part;
 use super::item::Figure;
 use super::label::Label;
 use super::list::{Entry, Pages, Wanted, page};
-use super::sheet::Maker;
+use super::sheet::{MARGIN_MM, Maker};
 
 /// All centres with the circle diagram.
 pub const ENTRY: Entry = Entry {
@@ -36,18 +36,22 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     Ok(Warned { value: pages.value, notes })
 }
 
-/// The figure: both drawings side by side, or one below the other where the mechanism is wide.
+/// The figure: both drawings side by side, or one below the other.
 fn figure(w: &Wanted, found: &Centres) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let words = maker.words();
     let (_, mu) = maker.caption(Level::Position);
     let first = maker.titled(diagram::part(w, found), Label::text(format!("(a) {}", words.centres)), &mu, "centres");
     let second = maker.titled(circle::part(w, found), Label::text(format!("(b) {}", words.circle_diagram)), "", "circle");
-    let wide = first.bounds.width_mm() > 1.6 * first.bounds.height_mm();
-    let children = vec![Tree::Leaf(0), Tree::Leaf(1)];
-    let tree = if wide { Tree::column(children) } else { Tree::row(children) };
     let mut parts = [first, second];
-    tree.put(&mut parts, Point::ORIGIN);
+    let trees = [Tree::row(vec![Tree::Leaf(0), Tree::Leaf(1)]), Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)])];
+    // The one that fills a page best, upright or across.
+    let fits = |[w, h]: [f64; 2]| {
+        let [a, b] = AIM_MM.map(|mm| mm - 2.0 * MARGIN_MM);
+        (a / w).min(b / h).max((b / w).min(a / h))
+    };
+    let [row, column] = trees.each_ref().map(|t| fits(t.size(&parts)));
+    trees[usize::from(column > row)].put(&mut parts, Point::ORIGIN);
     let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
     figure.desc = format!("{} {}", words.centres, crate::report::centres::places(found, w.options.lang));
     figure
