@@ -108,7 +108,7 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     let velocities = Velocities::of(&asking, &worked);
     let list = locate::locate(&asking, &worked, &closure, &velocities);
     notes.extend(remarks(&asking, &closure, &list));
-    let worst_triple = locate::worst_triple(velocities.frame, &closure, &list);
+    let worst_triple = locate::worst_triple(&velocities, &closure, &list);
     let uses = uses::uses(&asking, &worked, &closure, &list);
     Ok(Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes })
 }

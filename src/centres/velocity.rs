@@ -13,6 +13,8 @@ use super::rounds::Pair;
 
 /// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
 const DOUBTFUL: f64 = 1e-7;
+/// Relative motions below this part of the largest are rounding.
+const RESTING: f64 = 1e-11;
 /// Digits to which a difference is asked whether it is zero.
 const DIGITS: usize = 12;
 
@@ -51,6 +53,12 @@ impl<'a> Velocities<'a> {
         Some((v - w, omega - other))
     }
 
+    /// Whether two links do not move against one another, to rounding.
+    pub fn rests(&self, pair: Pair) -> bool {
+        let still = RESTING * self.largest;
+        self.relative(pair).is_some_and(|(v, omega)| omega.abs() <= still && v.norm() <= still * self.frame.size)
+    }
+
     /// Whether two links surely do not turn against one another in this pose: a difference that is small is computed as an interval.
     pub fn surely_translate(&self, pair: Pair) -> bool {
         let Some((_, omega)) = self.relative(pair) else { return false };
@@ -72,6 +80,9 @@ impl<'a> Velocities<'a> {
     /// The centre of two links by their velocities; `None` where they do not move against one another or their motion is not known.
     pub fn centre(&self, pair: Pair, infinite: bool) -> Option<Place> {
         let (v, omega) = self.relative(pair)?;
+        if self.rests(pair) {
+            return None;
+        }
         let still = f64::EPSILON * 16.0 * self.largest;
         if infinite || omega.abs() <= DOUBTFUL * self.largest && self.surely_translate(pair) {
             return Place::infinity(v.perp()).filter(|_| v.norm() > still * self.frame.size);
