@@ -9,7 +9,7 @@ use crate::accuracy::{
     settled, settled_finely,
 };
 use crate::analytic::{self, Refused, Solution};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
@@ -127,9 +127,10 @@ impl Outcome {
 /// The value, or zero where it is no more than `noise`.
 fn above(noise: f64, value: Value) -> Value {
     match value {
-        _ if value.magnitude() > noise => value,
-        Value::Vector(_) => Value::Vector(crate::geom::Vec2::ZERO),
-        Value::Scalar(_) => Value::Scalar(0.0),
+        // Each coordinate of a place by itself.
+        Value::Point(_) => value.map(|x| if x.abs() > noise { x } else { 0.0 }),
+        Value::Vector(_) | Value::Scalar(_) if value.magnitude() > noise => value,
+        Value::Vector(_) | Value::Scalar(_) => value.map(|_| 0.0),
     }
 }
 
@@ -212,7 +213,7 @@ fn stages(
         let ways = Ways { solution: &solution, drawn: &read, scale };
         near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
         let agreed = |i: usize| {
-            let (level, read) = (level_of(&scene.find[i].what), read[i]?);
+            let (level, read) = (scene.find[i].what.level(), read[i]?);
             let computed = solution.answer(scene, &configuration, &scene.find[i].what)?;
             (level > Level::Position).then(|| compare(read, computed, scale(level, &computed), magnified(&construction, level)))
         };
@@ -276,7 +277,7 @@ fn stages(
                 .at(find.span)
                 .into());
         };
-        let level = level_of(&find.what);
+        let level = find.what.level();
         let scale = match level {
             Level::Position => configuration.extent(),
             _ => scale_of(scene, &construction, &configuration, level, &computed),
@@ -394,6 +395,7 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
         _ => speed,
     };
     match value {
+        Value::Point(_) => extent,
         Value::Vector(_) => vector,
         Value::Scalar(_) => {
             let rates = paper.rates.iter().filter(|r| r.level == level);

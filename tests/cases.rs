@@ -49,6 +49,9 @@ fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
         (Value::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
         (Value::Vector(v), Some("perp")) => v.dot(along.expect("perp needs two points").perp()),
         (Value::Vector(v), _) => v.norm(),
+        (Value::Point(p), Some("x")) => p.x,
+        (Value::Point(p), Some("y")) => p.y,
+        (Value::Point(_), other) => panic!("a place has no {other:?}"),
     }
 }
 

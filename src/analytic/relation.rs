@@ -3,7 +3,7 @@
 //! Each row: Σ c_k q̇_k = rate, and Σ c_k q̈_k = γ(q̇), where γ collects what the second derivative leaves besides q̈.
 
 use crate::geom::Vec2;
-use crate::scene::{GuideId, PointId};
+use crate::scene::{GuideId, PointId, RollingId};
 use nalgebra::DVector;
 
 /// One equation.
@@ -42,6 +42,8 @@ pub(super) enum Pair {
     Guide(GuideId),
     /// A driver (index).
     Driver(usize),
+    /// A rolling pair.
+    Rolling(RollingId),
 }
 
 /// An equation between positions. Lengths are scaled; `drive` is the first and second derivative of what a driver adds.
@@ -57,12 +59,16 @@ pub(super) enum Relation {
     Distance { p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
     /// The angle of P − Q, counted from `body`, is given; P − Q is `d` now.
     Line { body: Handle, p: Handle, q: Handle, d: Vec2, drive: [f64; 2] },
+    /// w₁(φ_a − β) + w₂(φ_b − β) is kept, β the angle of P − Q, which is `d` now: two circles roll.
+    Roll { bodies: [Handle; 2], weights: [f64; 2], p: Handle, q: Handle, d: Vec2 },
+    /// k·(P − Q) + ρ(φ_b − φ_q) is kept, k fixed in the body of Q; P − Q is `arm` now: a wheel rolls on a straight track.
+    Track { body: Handle, rho: f64, p: Handle, q: Handle, k: Vec2, arm: Vec2 },
 }
 
 impl Relation {
     fn drive_mut(&mut self) -> Option<&mut [f64; 2]> {
         match self {
-            Relation::Meet { .. } => None,
+            Relation::Meet { .. } | Relation::Roll { .. } | Relation::Track { .. } => None,
             Relation::Turn { drive, .. }
             | Relation::Along { drive, .. }
             | Relation::Distance { drive, .. }
@@ -83,7 +89,15 @@ impl Relation {
             Some(i) if h.turns && i + 2 == unknown => arm,
             _ => 0.0,
         };
+        let turns = |h: Handle| if h.first.is_some_and(|i| h.turns && i + 2 == unknown) { 1.0 } else { 0.0f64 };
         match *self {
+            Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
+                let line = (u + w).abs() * of(p, p.r.norm()).max(of(q, q.r.norm())) / d.norm();
+                line.max(u.abs() * turns(a)).max(w.abs() * turns(b))
+            }
+            Relation::Track { body, rho, p, q, arm, .. } => {
+                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho * turns(body).max(turns(q)))
+            }
             Relation::Meet { p, q, .. } | Relation::Distance { p, q, .. } => of(p, p.r.norm()).max(of(q, q.r.norm())),
             Relation::Turn { a, b, .. } => of(a, 1.0).max(of(b, 1.0)),
             Relation::Along { p, q, arm, .. } => of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))),
@@ -111,6 +125,14 @@ impl Relation {
                 let v = p.velocity(x) - q.velocity(x);
                 drive[1] - u.dot(p.bias(x) - q.bias(x)) + (drive[0] * drive[0] - v.norm2()) / l
             }
+            // As of a line that turns with θ = (w₁φ_a + w₂φ_b)/(w₁ + w₂).
+            Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
+                let l2 = d.norm2();
+                let v = p.velocity(x) - q.velocity(x);
+                let turned = u * a.omega(x) + w * b.omega(x);
+                (u + w) * d.perp().dot(p.bias(x) - q.bias(x)) / l2 - 2.0 * turned * d.dot(v) / l2
+            }
+            Relation::Track { p, q, k, arm, .. } => Relation::Along { p, q, k, arm, drive: [0.0; 2] }.gamma(x),
             // α l² + 2 ω d·(v_P − v_Q) = d × (a_P − a_Q).
             Relation::Line { body, p, q, d, drive } => {
                 let l2 = d.norm2();

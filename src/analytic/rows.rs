@@ -8,7 +8,7 @@ use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::{Configuration, Path};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{Contours, DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::DVector;
 
 /// The unknowns of one level: the links and pins that the demand reaches there.
@@ -23,6 +23,8 @@ pub(super) struct Layout {
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
     scale: f64,
+    /// For each guide whether it holds: one between gears may only say what other pairs say.
+    holds: Vec<bool>,
 }
 
 impl Layout {
@@ -55,7 +57,8 @@ impl Layout {
         let unknowns = 3 * links.len() + 2 * bare.len();
         let second = level == Level::Acceleration || (0..m.groups.len()).all(|g| deepest(demand, g));
         let scale = crate::position::kernel::power_of_two_scale(at.extent());
-        Layout { links, bare, unknowns, index, second, origins, scale }
+        let holds = scene.guides.iter().enumerate().map(|(g, guide)| m.guide_holds(guide, GuideId(g))).collect();
+        Layout { links, bare, unknowns, index, second, origins, scale, holds }
     }
 
     /// The rates of this layout's unknowns, from those of a layout that holds more.
@@ -108,9 +111,10 @@ impl Layout {
     pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
         let mut rows = Vec::new();
         self.revolutes(scene, at, &mut rows);
-        for g in (0..scene.guides.len()).map(GuideId) {
+        for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0]) {
             self.guide(scene, at, g, &mut rows);
         }
+        rows.extend((0..scene.rolling.len()).map(RollingId).filter_map(|r| self.rolling(scene, at, r)));
         for d in 0..scene.drivers.len() {
             self.driver(scene, at, d, &mut rows);
         }
@@ -199,6 +203,42 @@ impl Layout {
         {
             rows.push(along_line(body, pin, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
         }
+    }
+
+    /// Rolling without slip: ω₁ρ₁ + ω₂ρ₂ = ω_h(ρ₁ + ρ₂), h the line of centres (Willis); on a track ṡ + ρ(ω₂ − ω₁) = 0.
+    fn rolling(&self, scene: &Scene, at: &Configuration, r: RollingId) -> Option<Row> {
+        let pair = &scene.rolling[r.0];
+        if !pair.links.iter().any(|l| self.links.contains(l)) {
+            return None;
+        }
+        let bodies = pair.links.map(|l| self.body(scene, l, Point::ORIGIN));
+        let [a, b] = [bodies[0]?, bodies[1]?];
+        let [r1, r2] = at.shapes.rolling[r.0];
+        let mut c = Vec::new();
+        let relation = match pair.contours {
+            Contours::Circles { centres: [k1, k2], .. } => {
+                let (q, p) = (at.points[k1.0]?, at.points[k2.0]?);
+                let d = (p - q) * self.scale;
+                let [q, p] = [self.body(scene, pair.links[0], q)?, self.body(scene, pair.links[1], p)?];
+                let size = r1.abs().max(r2.abs());
+                let weights = [r1 / size, r2 / size];
+                let k = d.perp() * (-(weights[0] + weights[1]) / d.norm2());
+                p.add(&mut c, k);
+                q.add(&mut c, -k);
+                c.extend([a, b].iter().zip(weights).filter_map(|(h, w)| Some((h.first? + 2, w))));
+                Relation::Roll { bodies: [a, b], weights, p, q, d }
+            }
+            Contours::Track { centre, .. } => {
+                let Some(Path::Line { through, direction }) = at.guides[pair.guide?.0] else { return None };
+                let place = at.points[centre.0]?;
+                let (p, q) = (self.body(scene, pair.links[1], place)?, self.body(scene, pair.links[0], through)?);
+                let (arm, rho) = ((place - through) * self.scale, r2 * self.scale);
+                c = projection(p, q, direction, arm, [0.0; 2], Pair::Rolling(r)).coefficients;
+                c.extend([(b, rho), (a, -rho)].iter().filter_map(|(h, w)| Some((h.first? + 2, *w))));
+                Relation::Track { body: b, rho, p, q, k: direction, arm }
+            }
+        };
+        Some(Row { coefficients: c, rate: 0.0, relation, of: Pair::Rolling(r) })
     }
 
     fn driver(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {

@@ -113,6 +113,15 @@ impl Motion {
                 let length = Jet::constant(l, n).plus(&driven(drive));
                 now.dot(&now).minus(&length.times(&length)).scaled(0.5 / l)
             }
+            Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
+                let theta = self.angle(a, n).scaled(u / (u + w)).plus(&self.angle(b, n).scaled(w / (u + w)));
+                let line = Moving::turned(d, &theta.cos_sin());
+                line.cross(&from(d, p, q)).scaled(-(u + w) / d.norm2())
+            }
+            Relation::Track { body, rho, p, q, k, arm } => {
+                let k = Moving::turned(k, &self.angle(q, n).cos_sin());
+                from(arm, p, q).dot(&k).plus(&self.angle(body, n).minus(&self.angle(q, n)).scaled(rho))
+            }
             Relation::Line { body, p, q, d, drive } => {
                 let line = Moving::turned(d, &self.angle(body, n).plus(&driven(drive)).cos_sin());
                 line.cross(&from(d, p, q)).scaled(1.0 / d.norm2())
@@ -133,7 +142,7 @@ mod tests {
     /// The terms of t and t² say what the rows and their γ say, which were differentiated by hand.
     #[test]
     fn the_first_two_terms_are_the_rows() {
-        let mut kinds = [0; 5];
+        let mut kinds = [0; 7];
         for t in templates::list() {
             let scene = read(templates::get(t.name).unwrap()).unwrap().value;
             let m = Mechanism::new(&scene).unwrap().value;
@@ -165,6 +174,8 @@ mod tests {
                     Relation::Along { .. } => 2,
                     Relation::Distance { .. } => 3,
                     Relation::Line { .. } => 4,
+                    Relation::Roll { .. } => 5,
+                    Relation::Track { .. } => 6,
                 }] += 1;
             }
         }

@@ -10,7 +10,7 @@ use crate::worked::Worked;
 use super::lines::{Frame, Place, Ruled, Unit, choose, norm, volume};
 use super::primary::Primary;
 use super::rounds::{Closure, How, Line, Pair, Step};
-use super::velocity::Velocities;
+use super::velocities::Velocities;
 
 /// A crossing farther than this many sizes of the mechanism is looked at: is it at infinity?
 const FAR: f64 = 1e7;
@@ -122,6 +122,7 @@ impl Board<'_> {
         let at = &self.worked.configuration;
         match primary {
             Primary::Pin(p) => at.points[p.0].map(Place::At),
+            Primary::Contact(r) => at.points[self.scene.rolling[r.0].at.0].map(Place::At),
             Primary::Slide(g) => match at.guides[g.0]? {
                 Path::Line { direction, .. } => Place::infinity(direction.perp()),
                 Path::Arc { centre, .. } => Some(Place::At(centre)),

@@ -8,7 +8,8 @@ use crate::answer::Source;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::position::Path;
-use crate::scene::{Asked, DriverKind, LinkId, OnLink, PointId, Scene};
+use crate::scene::quantity::Meaning;
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 use super::lines::{Place, SAME};
@@ -108,9 +109,9 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Ce
     }
     chain.go_on();
     chain.against_ground();
-    let points = scene.find.iter().filter_map(|f| match f.what {
-        Asked::Velocity(OnLink { point, link: None }) => chain.speed(point),
-        _ => None,
+    let points = scene.find.iter().filter_map(|f| match f.what.meaning()? {
+        Meaning::Vector(p) => chain.speed(p.point),
+        Meaning::Turning(..) | Meaning::Relative(..) | Meaning::Place(_) => None,
     });
     let points = points.collect();
     Uses { frame, links: chain.known, points }

@@ -10,8 +10,8 @@ use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::{Configuration, Path};
-use crate::scene::Scene;
 use crate::scene::exact::Inputs;
+use crate::scene::{Contours, RollingId, Scene};
 
 /// Draws a plan.
 ///
@@ -175,6 +175,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
                 Path::Line { direction, .. } => self.turned(guide, direction.perp()),
                 Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
             },
+            ConstraintLine::Tangent { pair, .. } => self.contact_normal(pair)?.perp(),
         };
         Some((p, along))
     }
@@ -347,7 +348,19 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
             By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
-            By::Guide { .. } | By::Apart => 1.0,
+            By::Guide { .. } | By::Contact(_) | By::Apart => 1.0,
+        }
+    }
+
+    /// The line of centres at a contact, as drawn; of a straight track its normal.
+    pub(super) fn contact_normal(&self, pair: RollingId) -> Option<Vec2<N>> {
+        let pair = &self.scene.rolling[pair.0];
+        match pair.contours {
+            Contours::Circles { centres: [a, b], .. } => Some(self.joint(b)? - self.joint(a)?),
+            Contours::Track { .. } => match (pair.guide, self.at.guide(pair.guide?)) {
+                (Some(guide), Path::Line { direction, .. }) => Some(self.turned(guide, direction.perp())),
+                (_, Path::Arc { .. }) | (None, _) => None,
+            },
         }
     }
 
@@ -365,6 +378,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let u = match term.by {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
+            By::Contact(pair) => self.contact_normal(pair).and_then(|n| n.unit()),
             By::Apart => None,
         };
         u.ok_or_else(|| self.coincide(term.of, term.to).into())

@@ -13,7 +13,7 @@ use crate::mechanism::{ConstraintLine, Leg, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Body, By, Plan, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
-use crate::scene::{DriverKind, GuideId, PointId, Scene};
+use crate::scene::{Contours, DriverKind, GuideId, PointId, Rolling, RollingId, Scene};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,7 +124,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         }
         let apart = match leg.line() {
             Some(ConstraintLine::Normal { guide, .. }) => self.guide_length(guide),
-            Some(ConstraintLine::Along { .. }) | None => along.approx().norm(),
+            Some(ConstraintLine::Along { .. } | ConstraintLine::Tangent { .. }) | None => along.approx().norm(),
         };
         along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
     }
@@ -136,7 +136,18 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             _ if P::EXACT => 0.0,
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu_l,
             By::Guide { guide, .. } => self.guide_length(guide),
+            By::Contact(pair) => self.contact_length(pair),
             By::Apart => 0.0,
+        }
+    }
+
+    /// How far apart two centres are drawn (mm); of a straight track how long it is drawn.
+    fn contact_length(&self, pair: RollingId) -> f64 {
+        match self.scene.rolling[pair.0] {
+            Rolling { contours: Contours::Track { .. }, guide: Some(guide), .. } => self.guide_length(guide),
+            Rolling { contours: Contours::Track { .. } | Contours::Circles { .. }, .. } => {
+                self.contact_normal(pair).map_or(0.0, |n| n.approx().norm())
+            }
         }
     }
 

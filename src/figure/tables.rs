@@ -3,10 +3,10 @@
 
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
+use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
-use crate::quantity::inked;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::{PointId, Scene};
 
@@ -212,6 +212,7 @@ pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String
     match leg.line() {
         Some(ConstraintLine::Along { near, far }) => format!("${}{}$", name(far), name(near)),
         Some(ConstraintLine::Normal { pin, .. }) => fill(words.square_to_guide, &[("", &name(pin))]),
+        Some(ConstraintLine::Tangent { at, .. }) => fill(words.tangent_at, &[("", &name(at))]),
         None => String::new(),
     }
 }

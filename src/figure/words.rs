@@ -40,6 +40,8 @@ pub struct Words {
     pub special_point: &'static str,
     /// A line square to a guide; `{}` is the point.
     pub square_to_guide: &'static str,
+    /// The constraint line of a leg that rolls; `{}` is the place of contact.
+    pub tangent_at: &'static str,
     /// How far drawing and analysis are apart; `{}` is the number.
     pub agreement: &'static str,
     /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
@@ -98,6 +100,7 @@ const EN: Words = Words {
     no_turning: "link {} does not turn",
     special_point: "${S}$: point of link {} where {1} and {2} meet",
     square_to_guide: "the normal to the guide at ${}$",
+    tangent_at: "the tangent at ${}$",
     agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
     uncertain: "{}: not all digits are certain, {why}",
     by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",
@@ -137,6 +140,7 @@ const ZH: Words = Words {
     no_turning: "构件 {} 作平动",
     special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
     square_to_guide: "过 ${}$ 的导路垂线",
+    tangent_at: "过 ${}$ 的公切线",
     agreement: "图解与解析的相对差不超过 ${}$。",
     uncertain: "{}：并非全部数字可靠，{why}",
     by_hand: "±：手工作图的误差（95% 的点误差不超过 {} mm）。",

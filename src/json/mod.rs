@@ -41,7 +41,7 @@ pub(crate) enum Kind {
     Text(String),
     /// A number literal, as written.
     Number(String),
-    Bool,
+    Bool(bool),
     Null,
     Array(Vec<Node>),
     Object(Vec<(Word, Node)>),
@@ -53,7 +53,7 @@ impl Node {
         match self.kind {
             Kind::Text(_) => both!("a text", "文字"),
             Kind::Number(_) => both!("a number", "数"),
-            Kind::Bool => both!("true or false", "true 或 false"),
+            Kind::Bool(_) => both!("true or false", "true 或 false"),
             Kind::Null => both!("null", "空值 null"),
             Kind::Array(_) => both!("a list", "列表"),
             Kind::Object(_) => both!("an object", "对象"),
@@ -221,7 +221,7 @@ fn convert(value: ast::Value<'_>, base: usize, source: &str, faults: &mut Faults
             }
             Node { kind: Kind::Number(n.value.to_owned()), span }
         }
-        ast::Value::BooleanLit(b) => Node { kind: Kind::Bool, span: place(b.range) },
+        ast::Value::BooleanLit(b) => Node { kind: Kind::Bool(b.value), span: place(b.range) },
         ast::Value::NullKeyword(n) => Node { kind: Kind::Null, span: place(n.range) },
         ast::Value::Array(a) => {
             let span = place(a.range);

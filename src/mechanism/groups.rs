@@ -331,6 +331,14 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 legs.push(Leg::Angle { of, driver: if let Constraint::Turn(d) = c { Some(*d) } else { None } });
                 used += 1;
             }
+            Constraint::Roll(pair) => {
+                let other = scene.rolling[pair.0].other(core)?;
+                if links.contains(&other) {
+                    return None;
+                }
+                legs.push(Leg::Rolls { pair, other, at: scene.rolling[pair.0].at });
+                used += 1;
+            }
             Constraint::Glide(guide) => {
                 let (Node::Link(a), Node::Link(b)) = ends(scene, *c) else { return None };
                 let other = if a == core { b } else { a };

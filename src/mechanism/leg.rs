@@ -5,7 +5,7 @@
 //! Positions, plan, drawing and sweep match the statements and work them out each in its own numbers; none of them asks for the kind
 //! of leg. Not decided here: which legs a group has ([`super::groups`]), and any length.
 
-use crate::scene::{GuideId, LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId, RollingId};
 
 /// How a known body holds an unknown point or link; [`Leg::freedoms`] says how much of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,6 +92,15 @@ pub enum Leg {
         /// The sliding driver.
         driver: usize,
     },
+    /// The core link rolls on a known link.
+    Rolls {
+        /// The rolling pair.
+        pair: RollingId,
+        /// The known link.
+        other: LinkId,
+        /// The place of contact.
+        at: PointId,
+    },
     /// A pin that sits on a known link (takes both freedoms of a pin).
     Carried {
         /// The known link.
@@ -154,6 +163,15 @@ pub enum Hold {
         /// The sliding driver that says where along the guide, if there is one.
         driver: Option<usize>,
     },
+    /// The core link rolls on a known link: its point at the contact has the velocity of the other's.
+    Rolls {
+        /// The rolling pair.
+        pair: RollingId,
+        /// The known link.
+        other: LinkId,
+        /// The place of contact.
+        at: PointId,
+    },
 }
 
 /// What keeps two pins apart, and how long it is.
@@ -192,6 +210,13 @@ pub enum ConstraintLine {
         /// The guide.
         guide: GuideId,
     },
+    /// The tangent at the contact of a rolling pair.
+    Tangent {
+        /// The pair.
+        pair: RollingId,
+        /// The place of contact.
+        at: PointId,
+    },
 }
 
 /// All that the legs of a core give, by what it is.
@@ -220,6 +245,7 @@ impl Leg {
             Leg::OnGuide { pin, guide } => Hold::Guide { pin, guide, driver: None },
             Leg::Driven { guide, driver, pin } => Hold::Guide { pin, guide, driver: Some(driver) },
             Leg::InSlot { pin, guide } => Hold::Slot { pin, guide },
+            Leg::Rolls { pair, other, at } => Hold::Rolls { pair, other, at },
             Leg::Glide { guide, other } => Hold::Glide { guide, other, driver: None },
             Leg::DrivenGlide { guide, other, driver } => Hold::Glide { guide, other, driver: Some(driver) },
         })
@@ -230,16 +256,17 @@ impl Leg {
     pub fn freedoms(&self) -> usize {
         match self.gives() {
             Gives::Carrier(_) | Gives::Pivot(_) => 2,
-            Gives::Angle { .. } | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. }) => 1,
+            Gives::Angle { .. } | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => 1,
             Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => 1 + usize::from(driver.is_some()),
         }
     }
 
-    /// The pair by which it ends at a known body, in the name of a dyad: revolute or prismatic.
+    /// The pair by which it ends at a known body, in the name of a dyad: revolute, prismatic, or a gear's.
     pub fn letter(&self) -> &'static str {
         match self.gives() {
             Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. }) => "R",
             Gives::Carrier(_) | Gives::Angle { .. } | Gives::Hold(Hold::Guide { .. } | Hold::Slot { .. } | Hold::Glide { .. }) => "P",
+            Gives::Hold(Hold::Rolls { .. }) => "G",
         }
     }
 
@@ -247,7 +274,7 @@ impl Leg {
     pub fn drives(&self) -> bool {
         match self.gives() {
             Gives::Angle { driver, .. } | Gives::Hold(Hold::Guide { driver, .. } | Hold::Glide { driver, .. }) => driver.is_some(),
-            Gives::Carrier(_) | Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. }) => false,
+            Gives::Carrier(_) | Gives::Pivot(_) | Gives::Hold(Hold::Distance { .. } | Hold::Slot { .. } | Hold::Rolls { .. }) => false,
         }
     }
 
@@ -266,13 +293,13 @@ impl Leg {
 }
 
 impl Hold {
-    /// The pin of the core that is held: none for a slot, which holds the place under its pin, and for a gliding link, of which any
-    /// point will do.
+    /// The pin of the core that is held: none for a slot, which holds the place under its pin, for a contact, and for a gliding link, of
+    /// which any point will do.
     pub fn near(&self) -> Option<PointId> {
         match *self {
             Hold::Distance { near, .. } => Some(near),
             Hold::Guide { pin, .. } => Some(pin),
-            Hold::Slot { .. } | Hold::Glide { .. } => None,
+            Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => None,
         }
     }
 
@@ -283,6 +310,7 @@ impl Hold {
             Hold::Distance { strut: Strut::Cylinder(_) | Strut::Ram { .. }, .. }
             | Hold::Guide { .. }
             | Hold::Slot { .. }
+            | Hold::Rolls { .. }
             | Hold::Glide { .. } => None,
         }
     }
@@ -293,17 +321,18 @@ impl Hold {
         match *self {
             Hold::Distance { near, far, .. } => Some(ConstraintLine::Along { near, far }),
             Hold::Guide { pin, guide, driver: None } | Hold::Slot { pin, guide } => Some(ConstraintLine::Normal { pin, guide }),
+            Hold::Rolls { pair, at, .. } => Some(ConstraintLine::Tangent { pair, at }),
             Hold::Guide { driver: Some(_), .. } | Hold::Glide { .. } => None,
         }
     }
 }
 
 impl ConstraintLine {
-    /// The pin through which it is drawn.
+    /// The pin, or place of contact, through which it is drawn.
     pub fn pin(&self) -> PointId {
         match *self {
             ConstraintLine::Along { near, .. } => near,
-            ConstraintLine::Normal { pin, .. } => pin,
+            ConstraintLine::Normal { pin, .. } | ConstraintLine::Tangent { at: pin, .. } => pin,
         }
     }
 }

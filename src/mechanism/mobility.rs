@@ -40,16 +40,25 @@ impl Nodes {
     }
 }
 
-/// Assigns every equation to a node.
-///
-/// # Errors
-/// Names the links that stay free, or the pairs that say too much.
-pub(crate) fn assign(
-    scene: &Scene,
-    passive: &[Option<Passive>],
-    pins: &[PointId],
-    constraints: &[Constraint],
-) -> Result<Assignment, Faults> {
+/// Equations and the nodes to which they are assigned, as many as find one.
+struct Matching {
+    nodes: Nodes,
+    /// For each node how many equations it takes.
+    capacity: Vec<usize>,
+    /// One entry per scalar equation: its constraint and the two ends.
+    units: Vec<(usize, Node, Node)>,
+    owner: Vec<Option<usize>>,
+    held: Vec<Vec<usize>>,
+    /// Equations without a node.
+    homeless: Vec<usize>,
+}
+
+/// Whether every equation can be assigned to a node: no pair says what others say already.
+pub(super) fn all_have_a_home(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
+    matching(scene, passive, pins, constraints).homeless.is_empty()
+}
+
+fn matching(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> Matching {
     let nodes = Nodes { links: scene.links.len() };
     let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
     for (l, p) in passive.iter().enumerate() {
@@ -60,7 +69,6 @@ pub(crate) fn assign(
     for p in pins {
         capacity[nodes.links + p.0] = 2;
     }
-    // One entry per scalar equation.
     let units: Vec<(usize, Node, Node)> = constraints
         .iter()
         .enumerate()
@@ -77,6 +85,20 @@ pub(crate) fn assign(
             homeless.push(u);
         }
     }
+    Matching { nodes, capacity, units, owner, held, homeless }
+}
+
+/// Assigns every equation to a node.
+///
+/// # Errors
+/// Names the links that stay free, or the pairs that say too much.
+pub(crate) fn assign(
+    scene: &Scene,
+    passive: &[Option<Passive>],
+    pins: &[PointId],
+    constraints: &[Constraint],
+) -> Result<Assignment, Faults> {
+    let Matching { nodes, capacity, units, owner, held, homeless } = matching(scene, passive, pins, constraints);
     let mut faults = Faults::default();
     let free: Vec<Node> = (0..capacity.len())
         .filter(|&n| held[n].len() < capacity[n])
@@ -253,6 +275,16 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
             let guide = &scene.guides[g.0];
             let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();
             (both!("slider {slider} on link {}", "构件 {} 上的滑块 {slider}", scene.link_name(guide.on)), guide.span)
+        }
+        Constraint::Roll(r) => {
+            let pair = &scene.rolling[r.0];
+            let [a, b] = pair.links.map(|l| scene.link_name(l));
+            let what = if pair.toothed {
+                both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副")
+            } else {
+                both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动")
+            };
+            (what, pair.span)
         }
         Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => {
             let text = match &scene.drivers[d].kind {

@@ -6,19 +6,19 @@
 
 mod demand;
 mod groups;
-mod joined;
 mod leg;
 mod mobility;
 
+pub use demand::Demand;
 pub(crate) use demand::nodes_of;
-pub use demand::{Demand, Level, Need, level_of};
 pub use groups::{Core, Group};
-pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 
+pub use crate::scene::quantity::{Joined, Level, Need, joined};
+
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -46,6 +46,8 @@ pub enum Constraint {
     Slide(usize, GuideId),
     /// A cylinder: the distance of two pins.
     Cylinder(usize),
+    /// Two links roll on one another without slip: one equation.
+    Roll(RollingId),
 }
 
 /// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
@@ -88,12 +90,13 @@ impl Mechanism {
         let passive = find_passive(scene);
         let mut faults = curved_sliders(scene, &passive);
         cylinder_parts(scene, &passive, &mut faults);
-        faults.list.extend(joined::check(scene).list);
+        faults.list.extend(quantity::undefined(scene).list);
         if faults.has_errors() {
             return Err(faults);
         }
         let pins = find_pins(scene, &passive);
         let constraints = find_constraints(scene, &passive, &pins);
+        let constraints = touching(scene, &passive, &pins, constraints);
         let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
         let mobility = mobility::count(scene);
         let never_turns = find_never_turning(scene);
@@ -123,6 +126,11 @@ impl Mechanism {
             }
         }
         Ok(Warned { value: mechanism, notes })
+    }
+
+    /// Whether a guide holds: one between gears may only say what other pairs say.
+    pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
+        guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id)))
     }
 
     /// The two nodes that a constraint joins.
@@ -191,6 +199,10 @@ pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {
             DriverKind::Cylinder { a, b, .. } => (Node::Pin(a), Node::Pin(b)),
             _ => unreachable!("a cylinder constraint is made from a cylinder"),
         },
+        Constraint::Roll(r) => {
+            let [a, b] = scene.rolling[r.0].links;
+            (Node::Link(a), Node::Link(b))
+        }
     }
 }
 
@@ -223,6 +235,7 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
             && scene.guides[g].pin == Some(link.points[0])
             && !carries
             && !turned
+            && !scene.rolling.iter().any(|r| r.links.contains(&id))
         {
             passive[i] = Some(Passive::Block(GuideId(g)));
         }
@@ -311,7 +324,9 @@ fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]
     }
     for (i, g) in scene.guides.iter().enumerate() {
         let id = GuideId(i);
-        if let Some(p) = g.pin {
+        if let Some(p) = g.pin
+            && !is_optional(scene, g)
+        {
             out.push(Constraint::Slot(p, id));
         }
         if let Some(s) = g.slider
@@ -330,7 +345,26 @@ fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]
             DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
         });
     }
+    out.extend((0..scene.rolling.len()).map(|r| Constraint::Roll(RollingId(r))));
     out
+}
+
+/// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
+/// of their centres is, if anything holds it, not theirs.
+fn is_optional(scene: &Scene, guide: &Guide) -> bool {
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed)
+}
+
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
+fn touching(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
+        let Some(pin) = guide.pin else { continue };
+        constraints.push(Constraint::Slot(pin, GuideId(g)));
+        if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
+            constraints.pop();
+        }
+    }
+    constraints
 }
 
 /// Ground, and every link joined to a never-turning link by a slider that keeps its direction.

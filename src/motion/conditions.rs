@@ -310,6 +310,13 @@ impl<N: Real> Builder<'_, N> {
                 let k = self.at.guide(g).tangent_at(place);
                 list.push(Condition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
             }
+            Constraint::Roll(r) => {
+                // Both points at the contact have one velocity, and accelerations that differ along the normal only.
+                let pair = &self.scene.rolling[r.0];
+                let (place, n) = (self.at.point(pair.at), self.at.normal(self.scene, r).expect("a planned contact is placed"));
+                let [a, b] = pair.links.map(|l| self.body(l, place));
+                list.push(Condition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero });
+            }
             Constraint::Lock(_) | Constraint::Turn(_) => {
                 let (rate, acceleration) = if let Constraint::Turn(d) = c { driven(d) } else { (zero, zero) };
                 let (a, b) = self.m.ends(self.scene, c);

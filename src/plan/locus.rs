@@ -70,6 +70,7 @@ impl Builder<'_> {
             Hold::Distance { near, .. } => Some(self.pin(near)),
             Hold::Guide { pin, .. } => Some(self.pin(pin)),
             Hold::Slot { pin, .. } => Some(self.coincident(pin, core)),
+            Hold::Rolls { at, .. } => Some(self.coincident(at, core)),
             Hold::Glide { .. } => None,
         }
     }
@@ -84,6 +85,13 @@ impl Builder<'_> {
                 let (of, to) = (self.coincident(pin, link), self.pin(pin));
                 let (known, unknown) = self.sliding(level, guide, of, to, None);
                 Chain { start: to, known, unknown }
+            }
+            Hold::Rolls { pair, other, at } => {
+                let link = core.expect("a contact belongs to the core link");
+                let (of, to) = (self.coincident(at, link), self.coincident(at, other));
+                self.ensure(level, to);
+                let apart = Term { kind: TermKind::Roll, of, to, by: By::Contact(pair), known: false };
+                Chain { start: to, known: Vec::new(), unknown: vec![apart] }
             }
             Hold::Glide { guide, other, driver } => self.glide(level, guide, other, driver, at.expect("a gliding link needs a point")),
         }

@@ -10,6 +10,7 @@
 mod between;
 mod build;
 mod effects;
+mod group;
 mod locus;
 pub mod names;
 pub mod notation;
@@ -21,7 +22,7 @@ pub use build::{plan, plan_without};
 pub use rest::Rest;
 
 use crate::mechanism::Level;
-use crate::scene::{GuideId, LinkId, PointId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Index into [`Plan::vertices`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -91,6 +92,9 @@ pub enum TermKind {
     Coriolis,
     /// The given rate of a cylinder, along its line.
     Extension,
+    /// Between the two points at a contact of rolling links, along its normal: nothing of the velocities, (ω₂ − ω₁)² ρ₁ρ₂/(ρ₁ + ρ₂) of the
+    /// accelerations.
+    Roll,
 }
 
 /// By what the two points of a term are connected.
@@ -107,6 +111,8 @@ pub enum By {
     },
     /// A cylinder (driver index).
     Cylinder(usize),
+    /// The contact of a rolling pair.
+    Contact(RollingId),
     /// Nothing: two points of different links, of which the difference alone is asked.
     Apart,
 }

@@ -8,7 +8,7 @@ use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
-use crate::scene::{DriverKind, GuideId, GuidePath, Lang, Scene};
+use crate::scene::{Contours, DriverKind, GuideId, GuidePath, Lang, RollingId, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +65,10 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
         By::Turning(Body::Link(l)) => both!("link {} ({})", "构件 {}（{}）", scene.link_name(l), line()),
         By::Turning(Body::Cylinder(_)) | By::Cylinder(_) => both!("cylinder {}", "液压缸 {}", line()),
         By::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", scene.link_name(scene.guides[guide.0].on)),
+        By::Contact(pair) => {
+            let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
+            both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
+        }
         By::Apart => Both::same(line()),
     }
 }
@@ -120,7 +124,7 @@ impl Writer<'_> {
             // Over a fixed point of a guide that turns, sliding is the whole of the velocity, but beside the Coriolis term only a part of
             // the acceleration.
             By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
-            By::Turning(Body::Link(_)) | By::Apart => true,
+            By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
         // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
@@ -176,6 +180,8 @@ impl Writer<'_> {
             }
             (TermKind::Slide, _) => self.notation.sliding.clone(),
             (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
+            (TermKind::Roll, _) if level == Level::Acceleration && !fixed_guide => "ro".into(),
+            (TermKind::Roll, _) => String::new(),
         }
     }
 
@@ -226,7 +232,7 @@ impl Writer<'_> {
             TermKind::Normal | TermKind::SlideNormal => "n",
             TermKind::Coriolis => "k",
             TermKind::Tangential => "t",
-            TermKind::Relative | TermKind::Slide | TermKind::Extension => "r",
+            TermKind::Relative | TermKind::Slide | TermKind::Extension | TermKind::Roll => "r",
         }
     }
 
@@ -311,7 +317,19 @@ impl Writer<'_> {
                 let carried = self.plan.vertex(t.of).on == Some(self.scene.guides[guide.0].on);
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
-            (TermKind::Slide | TermKind::SlideNormal, _) => String::new(),
+            (TermKind::Roll, By::Contact(pair)) => self.normal_line(pair),
+            (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
+        }
+    }
+
+    /// The normal at a contact: the line of centres, or square to a straight track.
+    fn normal_line(&self, pair: RollingId) -> String {
+        let pair = &self.scene.rolling[pair.0];
+        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        match (&pair.contours, pair.guide) {
+            (Contours::Circles { centres: [a, b], .. }, _) => format!("\\parallel {}{}", p(*a.min(b)), p(*a.max(b))),
+            (Contours::Track { .. }, Some(guide)) => format!("\\perp {}", self.guide_line(guide)),
+            (Contours::Track { .. }, None) => String::new(),
         }
     }
 

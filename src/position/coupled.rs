@@ -180,6 +180,8 @@ impl<N: Real> Coupled<'_, N> {
                     row[3 * i + 2] = target.dot(axis);
                     list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
                 }
+                // Lengths and drivers do not tell how far one link has rolled on the other.
+                Constraint::Roll(_) => return None,
                 Constraint::Lock(g) => {
                     let guide = &a.scene.guides[g.0];
                     let slider = guide.slider?;

@@ -1,12 +1,12 @@
 //! From placed groups to a configuration: what only follows is added, and what was given twice must agree.
 
 use super::assemble::Assembly;
-use super::{Configuration, Path, Pose, Shapes};
+use super::{Configuration, Path, Pose, Rolled, Shapes, rolling};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
+use crate::digits::significant;
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
 use crate::number::Real;
-use crate::quantity::significant;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
@@ -50,9 +50,16 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
+    /// The sizes of all rolling pairs.
+    pub(super) fn sizes(&self) -> Vec<[N; 2]> {
+        self.scene.rolling.iter().map(|r| r.sizes(&self.inputs)).collect()
+    }
+
     pub(super) fn into_configuration(self) -> Configuration<N> {
-        let shapes = Shapes { points: self.shapes.into_iter().map(|s| s.points).collect(), guides: self.guides };
-        complete(self.scene, self.m, shapes, self.poses, self.points, self.closures)
+        let rolling = self.sizes();
+        let shapes = Shapes { points: self.shapes.into_iter().map(|s| s.points).collect(), guides: self.guides, rolling };
+        let before = self.meant.map_or(&[][..], |m| &m.rolled);
+        complete(self.scene, self.m, shapes, (self.poses, self.points), self.closures, before)
     }
 }
 
@@ -65,10 +72,19 @@ impl Assembly<'_, f64> {
         if a.faults.has_errors() {
             return Err(a.faults);
         }
-        let shapes = Shapes { points: a.shapes.iter().map(|s| s.points.clone()).collect(), guides: a.guides.clone() };
-        let configuration = complete(a.scene, a.m, shapes, a.poses.clone(), a.points.clone(), a.closures.clone());
+        let shapes = Shapes { points: a.shapes.iter().map(|s| s.points.clone()).collect(), guides: a.guides.clone(), rolling: a.sizes() };
+        let configuration = complete(a.scene, a.m, shapes, (a.poses.clone(), a.points.clone()), a.closures.clone(), &[]);
         a.check(&configuration);
         if a.faults.has_errors() { Err(a.faults) } else { Ok(Warned { value: configuration, notes: a.notes }) }
+    }
+
+    /// The radii of two circles in touch make up the distance of their centres.
+    fn check_rolling(&mut self, c: &Configuration) {
+        let mut found = Faults::default();
+        for pair in &self.scene.rolling {
+            found.list.extend(rolling::misfit(self.scene, pair, c));
+        }
+        self.faults.list.extend(found.list);
     }
 
     /// Where a guide's carrier and its runner are placed, so must be the guide: coordinates may have placed both past it.
@@ -98,7 +114,8 @@ impl Assembly<'_, f64> {
     pub(super) fn check(&mut self, c: &Configuration) {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            // Of a rolling pair the sizes are checked as such.
+            let (Some(p), Some(path), None) = (guide.pin, c.guides[g], guide.rolling) else { continue };
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
@@ -143,6 +160,7 @@ impl Assembly<'_, f64> {
                 ));
             }
         }
+        self.check_rolling(c);
         for (l, shape) in self.shapes.iter().enumerate() {
             let Some(pose) = c.poses[l] else { continue };
             for (p, local) in &shape.points {
@@ -241,7 +259,7 @@ const SAME_PLACE: f64 = 1e-9;
 
 /// How far two descriptions of the place `at` may be apart: see [`SAME_PLACE`], and a few units in the last place of the
 /// coordinates themselves (a single point has no size of its own, and one far from the origin is rounded coarsely).
-fn same_place(extent: f64, at: Point) -> f64 {
+pub(super) fn same_place(extent: f64, at: Point) -> f64 {
     SAME_PLACE * extent + 16.0 * f64::EPSILON * at.to_vec2().norm()
 }
 
@@ -268,14 +286,17 @@ fn given_twice(how: Both, so: Both, span: Span) -> Diagnostic {
     .at(span)
 }
 
-/// A configuration from poses and pins: adds tracer points, guides in the plane, and the links that only follow.
+/// Poses of links and places of points, as far as they are known.
+type Placed<N> = (Vec<Option<Pose<N>>>, Vec<Option<Point<N>>>);
+
+/// A configuration from poses and pins, next to one in which the rolling pairs have rolled as far as `before` says: adds tracer points, guides in the plane, and the links that only follow.
 pub(super) fn complete<N: Real>(
     scene: &Scene,
     m: &Mechanism,
     shapes: Shapes<N>,
-    mut poses: Vec<Option<Pose<N>>>,
-    mut points: Vec<Option<Point<N>>>,
+    (mut poses, mut points): Placed<N>,
     closures: Vec<usize>,
+    before: &[Option<Rolled>],
 ) -> Configuration<N> {
     poses[scene.ground.0] = Some(Pose::ground());
     for (pose, carried) in poses.iter().zip(&shapes.points) {
@@ -289,6 +310,9 @@ pub(super) fn complete<N: Real>(
     }
     let guides: Vec<Option<Path<N>>> =
         (0..scene.guides.len()).map(|g| Some(shapes.guides[g]?.to_world(&poses[scene.guides[g].on.0]?))).collect();
+    for (pair, sizes) in scene.rolling.iter().zip(&shapes.rolling) {
+        points[pair.at.0] = rolling::contact(pair, *sizes, &points, &guides);
+    }
     for (l, passive) in m.passive.iter().enumerate() {
         poses[l] = match *passive {
             Some(Passive::Block(g)) => scene.guides[g.0]
@@ -305,5 +329,7 @@ pub(super) fn complete<N: Real>(
             None => poses[l],
         };
     }
-    Configuration { points, poses, guides, shapes, closures }
+    let mut at = Configuration { points, poses, guides, shapes, closures, rolled: Vec::new() };
+    at.rolled = rolling::counted(scene, &at, before);
+    at
 }

@@ -113,7 +113,7 @@ pub fn fold(
         let step = (next - s).abs();
         if step < SLIGHT || rate == 0.0 {
             let (poses, points) = curve.system.unpack(&there.rows(0, n).into_owned());
-            let at = finish::complete(scene, mechanism, near.shapes.clone(), poses, points, near.closures.clone());
+            let at = finish::complete(scene, mechanism, near.shapes.clone(), (poses, points), near.closures.clone(), &near.rolled);
             return Some((there[n] * unit, at));
         }
         if !next.is_finite() || next.abs() > NEAR {

@@ -135,8 +135,10 @@ impl<N: Real> Assembly<'_, N> {
             shapes: Shapes {
                 points: self.shapes.iter().map(|s| s.points.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
                 guides: self.guides.iter().map(|g| g.map(|g| g.approx())).collect(),
+                rolling: self.sizes().iter().map(|r| r.map(Real::approx)).collect(),
             },
             closures: self.closures.clone(),
+            rolled: Vec::new(),
         }
     }
 }

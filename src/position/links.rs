@@ -10,12 +10,15 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
     pub(super) fn poses_of_link(&self, link: LinkId, legs: &[Leg]) -> Result<Vec<Pose<N>>, Diagnostic> {
         let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+        if angle.is_none() && holds.iter().any(|h| matches!(h, Hold::Rolls { .. })) {
+            return self.poses_of_rolling(link, pivot, &holds);
+        }
         match (pivot, angle) {
             (Some(pin), Some((of, driver))) => {
                 if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
@@ -90,6 +93,11 @@ impl<N: Real> Assembly<'_, N> {
             unreachable!("an angle comes from a turning driver or a slider")
         };
         let Some(angle) = angle else {
+            // A wheel without a line of its own may stand at any angle.
+            let wheel = shape.frame == Frame::Loose && self.scene.rolling.iter().any(|r| r.links.contains(&link));
+            if wheel && self.instant.is_none() {
+                return Ok(Vec2::unit_x());
+            }
             return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
         };
         let own = match line {
@@ -226,6 +234,18 @@ impl<N: Real> Assembly<'_, N> {
             return Ok(vec![Pose { origin, axis }]);
         }
         let [a, b] = holds else { return Err(self.no_closure(link)) };
+        if let Some((pair, kept)) = rolling_beside(a, b) {
+            let line = self.triad_leg(link, kept)?.locus(axis);
+            let Some(rolled) = self.origin_of_rack(link, axis, pair) else {
+                // At the instant a rack stands anywhere along its guide.
+                return match (line, self.instant) {
+                    (Locus::Line { through, .. }, None) => Ok(vec![Pose { origin: through, axis }]),
+                    _ => Err(self.no_closure(link)),
+                };
+            };
+            let origins = kernel::meet(line, rolled).map_err(|_| self.no_closure(link))?;
+            return Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect());
+        }
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
@@ -275,7 +295,9 @@ impl<N: Real> Assembly<'_, N> {
                 };
                 TriadLeg::Line { near: Point::origin(), through, direction }
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => return Err(self.no_closure(link)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } | Hold::Rolls { .. } => {
+                return Err(self.no_closure(link));
+            }
         })
     }
 
@@ -328,5 +350,13 @@ impl<N: Real> Assembly<'_, N> {
             .help(both!("change a length of the group or the driver's position", "请改变该杆组的某一长度或原动件的位置")));
         }
         Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
+    }
+}
+
+/// Of two holds the rolling pair, where one of them rolls, and the other hold.
+fn rolling_beside<'a>(a: &'a Hold, b: &'a Hold) -> Option<(RollingId, &'a Hold)> {
+    match (a, b) {
+        (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => Some((*pair, other)),
+        _ => None,
     }
 }

@@ -19,12 +19,14 @@ mod links;
 pub mod newton;
 mod pins;
 mod proof;
+mod rolling;
 mod shape;
 pub mod toggle;
 pub(crate) mod triad;
 
 pub use assemble::{later, recompute};
 pub use configure::configure;
+pub use rolling::Rolled;
 
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
@@ -162,6 +164,8 @@ pub struct Configuration<N = f64> {
     pub shapes: Shapes<N>,
     /// For each group, which of its closures was taken, in the order of the closed forms (0 where there is one).
     pub closures: Vec<usize>,
+    /// How far each rolling pair has rolled since the scene's instant.
+    pub rolled: Vec<Option<Rolled>>,
 }
 
 /// The rigid forms, in the links' own frames.
@@ -171,6 +175,8 @@ pub struct Shapes<N = f64> {
     pub points: Vec<Vec<(PointId, Point<N>)>>,
     /// For each guide, its path in the carrying link.
     pub guides: Vec<Option<Path<N>>>,
+    /// For each rolling pair the sizes of its contours, see [`Rolling::sizes`](crate::scene::Rolling::sizes).
+    pub rolling: Vec<[N; 2]>,
 }
 
 impl<N: Real> Shapes<N> {
@@ -207,8 +213,10 @@ impl<N: Real> Configuration<N> {
             shapes: Shapes {
                 points: self.shapes.points.iter().map(|s| s.iter().map(|(p, at)| (*p, at.approx())).collect()).collect(),
                 guides: guides(&self.shapes.guides),
+                rolling: self.shapes.rolling.iter().map(|r| r.map(Real::approx)).collect(),
             },
             closures: self.closures.clone(),
+            rolled: self.rolled.clone(),
         }
     }
 

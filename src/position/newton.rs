@@ -5,10 +5,11 @@
 //! constraint; their derivatives are taken by differences, which shares nothing with the analytic check, and for each unknown only in the
 //! equations of the constraints that touch its link or pin: the others are not changed by it.
 
+use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Constraint, Group, Mechanism, Node};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
 /// Poses of all links and places of all points, as far as they are known.
@@ -34,6 +35,8 @@ pub struct System<'a> {
     locks: Vec<(GuideId, Vec2)>,
     /// Offset of each gliding link from its guide.
     glides: Vec<(GuideId, f64)>,
+    /// How far each rolling pair has rolled at the start.
+    rolling: Vec<(RollingId, Rolled)>,
     /// Whether the pose is that of the scene's instant: see [`System::at_instant`].
     at_instant: bool,
     scale: f64,
@@ -61,6 +64,7 @@ impl<'a> System<'a> {
             points: start.points.clone(),
             locks: Vec::new(),
             glides: Vec::new(),
+            rolling: Vec::new(),
             at_instant: false,
             scale: start.extent().max(f64::MIN_POSITIVE),
         };
@@ -73,7 +77,13 @@ impl<'a> System<'a> {
                     let offset = system.glide_offset(g, &pa, &pb);
                     system.glides.push((g, offset));
                 }
-                _ => {}
+                Constraint::Roll(r) => {
+                    // A rough start has no record: it is the instant itself.
+                    let begin = || system.seen(r, &start.poses, &start.points).map(Rolled::begin);
+                    let rolled = start.rolled.get(r.0).cloned().flatten().or_else(begin);
+                    system.rolling.extend(rolled.map(|s| (r, s)));
+                }
+                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => {}
             }
         }
         system
@@ -87,6 +97,16 @@ impl<'a> System<'a> {
 
     fn pose(&self, l: LinkId) -> Option<Pose> {
         if l == self.scene.ground { Some(Pose::GROUND) } else { self.poses[l.0] }
+    }
+
+    /// A rolling pair in a pose; `None` where it is not placed.
+    fn seen(&self, r: RollingId, poses: &[Option<Pose>], points: &[Option<Point>]) -> Option<Seen> {
+        let pose = |l: LinkId| if l == self.scene.ground { Some(Pose::GROUND) } else { poses[l.0] };
+        let place = |l: LinkId, p: PointId| {
+            // A centre moves with its link, whose pose is what is varied.
+            self.shapes.local(l, p).and_then(|local| Some(pose(l)?.to_world(local))).or(points[p.0])
+        };
+        rolling::seen(&self.scene.rolling[r.0], self.shapes, &pose, &place)
     }
 
     fn glide_offset(&self, g: GuideId, slider: &Pose, on: &Pose) -> f64 {
@@ -190,6 +210,14 @@ impl<'a> System<'a> {
                 };
                 let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
                 told((path.coordinate_of(on.to_local(runner)) - drivers.0[d]) * s);
+            }
+            Constraint::Roll(r) => {
+                let then = self.rolling.iter().find(|(q, _)| *q == r);
+                let now = self.seen(r, poses, points);
+                told(match (then, now) {
+                    (Some((_, then)), Some(now)) => then.slip(&self.scene.rolling[r.0], self.shapes.rolling[r.0], &now),
+                    (None, _) | (_, None) => 0.0,
+                });
             }
             Constraint::Cylinder(d) => {
                 if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
@@ -341,7 +369,7 @@ pub fn moved_to(
 ) -> Option<Configuration> {
     let system = System::new(scene, mechanism, &start.shapes, start, &placed(mechanism, start));
     let (poses, points) = system.solve_to(start, drivers, tolerance)?;
-    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), poses, points, start.closures.clone()))
+    Some(super::finish::complete(scene, mechanism, start.shapes.clone(), (poses, points), start.closures.clone(), &start.rolled))
 }
 
 /// The groups that a configuration places.

@@ -40,7 +40,9 @@ impl<N: Real> Assembly<'_, N> {
                 Path::Line { through, direction } => Locus::Line { through, direction },
                 Path::Arc { centre, radius } => Locus::Circle { centre, radius },
             },
-            Hold::Slot { .. } | Hold::Glide { .. } => unreachable!("slots and gliding links hold no pin"),
+            Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => {
+                unreachable!("slots, gliding links and contacts hold no pin")
+            }
         })
     }
 
@@ -109,7 +111,7 @@ impl<N: Real> Assembly<'_, N> {
                 }
             }
             Hold::Guide { guide, .. } => both!("the guide on link {}", "构件 {} 上的导路", name(self.scene.guides[guide.0].on)),
-            Hold::Slot { .. } | Hold::Glide { .. } => both!("the joint at {p}", "{p} 处的运动副"),
+            Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => both!("the joint at {p}", "{p} 处的运动副"),
         }
     }
 }

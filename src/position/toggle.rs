@@ -130,7 +130,8 @@ impl Toggle {
 
 /// Whether a clause names a leg that holds a pin. One with a ram does not: there the links of the group are told instead.
 fn told(leg: &Leg) -> bool {
-    leg.line().is_some() && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
+    matches!(leg.line(), Some(ConstraintLine::Along { .. } | ConstraintLine::Normal { .. }))
+        && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
 }
 
 /// The line along which a leg holds the pin, or the link: a point of it and its direction (a unit vector).
@@ -140,6 +141,8 @@ fn line(at: &Configuration, leg: &Leg) -> Option<(Point, Vec2)> {
     let along = match line {
         ConstraintLine::Along { far, .. } => p - at.points[far.0]?,
         ConstraintLine::Normal { guide, .. } => at.guides[guide.0]?.tangent_at(p).perp(),
+        // The links of a group that rolls are told, not its lines.
+        ConstraintLine::Tangent { .. } => return None,
     };
     Some((p, along.unit()?))
 }

@@ -3,10 +3,10 @@
 use super::answers::diagnostic;
 use super::phrase::tr;
 use crate::answer::Value;
-use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning};
+use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::diag::Diagnostic;
-use crate::quantity::{direction_degrees, significant};
-use crate::scene::{Asked, GuidePath, Kind, Lang, LinkId, OnLink, Scene};
+use crate::digits::{direction_degrees, significant};
+use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
@@ -161,6 +161,11 @@ impl<'a> Words<'a> {
                 let guide = &self.scene.guides[g.0];
                 let at = guide.pin.map_or(String::new(), |p| format!(" {}", self.scene.point_name(p)));
                 format!("{}{at}", tr(self.lang, "square to the guide", "垂直于导路"))
+            }
+            Primary::Contact(r) => {
+                let rolling = &self.scene.rolling[r.0];
+                let words = if rolling.toothed { tr(self.lang, "pitch point", "节点") } else { tr(self.lang, "rolls at", "滚动接触点") };
+                format!("{words} {}", self.scene.point_name(rolling.at))
             }
             Primary::Cylinder(_) => tr(self.lang, "square to the cylinder", "垂直于液压缸").to_owned(),
         }
@@ -340,13 +345,14 @@ impl<'a> Words<'a> {
         let number = |v: Value| match v {
             Value::Scalar(s) => s,
             Value::Vector(v) => v.norm(),
+            Value::Point(p) => p.to_vec2().norm(),
         };
         let links = self.found.uses.links.iter().filter(|t| t.link != self.scene.ground).map(|t| {
-            let others = self.found.other_ways(&Asked::Omega(t.link)).map(|v| v.map(number));
+            let others = self.found.other_ways(&omega(t.link, None)).map(|v| v.map(number));
             (format!("ω_{}", self.scene.link_name(t.link)), Kind::Omega, t.omega, others)
         });
         let points = self.found.uses.points.iter().map(|s| {
-            let others = self.found.other_ways(&Asked::Velocity(OnLink { point: s.point, link: None })).map(|v| v.map(number));
+            let others = self.found.other_ways(&velocity(s.point)).map(|v| v.map(number));
             (format!("v_{}", self.scene.point_name(s.point)), Kind::Velocity, s.velocity.norm(), others)
         });
         links.chain(points).collect()

@@ -107,7 +107,7 @@ impl Reporter<'_> {
         let group = |(i, g): (usize, &crate::mechanism::Group)| {
             let driver = |c: &usize| match self.m.constraints[*c] {
                 Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-                _ => None,
+                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
             };
             let number = if g.is_carried() { None } else { numbers.next() };
             json!({
@@ -312,6 +312,7 @@ impl Reporter<'_> {
             By::Turning(body) => self.body(body),
             By::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
             By::Cylinder(d) => json!({"cylinder": d}),
+            By::Contact(pair) => json!({"rolling": pair.0}),
             By::Apart => Json::Null,
         }
     }
@@ -340,7 +341,7 @@ impl Reporter<'_> {
                 By::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
                 By::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
                 By::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
-                By::Apart => &[],
+                By::Contact(_) | By::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {
@@ -383,6 +384,7 @@ fn term_name(kind: TermKind) -> &'static str {
         TermKind::SlideNormal => "sliding-normal",
         TermKind::Coriolis => "coriolis",
         TermKind::Extension => "extension",
+        TermKind::Roll => "rolling",
     }
 }
 

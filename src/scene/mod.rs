@@ -13,8 +13,10 @@ mod keys;
 mod lang;
 pub mod model;
 mod names;
+pub mod quantity;
 mod raw;
 mod resolve;
+pub mod rolling;
 pub mod schema;
 pub mod statement;
 pub mod templates;
@@ -27,6 +29,8 @@ mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
+pub use quantity::{Asked, Axis};
+pub use rolling::{Contours, Rolling, RollingId, Sizes};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

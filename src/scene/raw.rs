@@ -54,6 +54,42 @@ pub(super) struct RawGuide {
     pub span: Span,
 }
 
+/// A gear pair or a wheel on its track.
+#[derive(Clone, Debug)]
+pub(super) struct RawRolling {
+    /// The two links, each with the centre of its circle; a straight track or rack comes first and has none.
+    pub sides: [RawRollingSide; 2],
+    pub sizes: RawSizes,
+    /// Whether the pair has teeth.
+    pub toothed: bool,
+    /// Direction of a straight track.
+    pub line: Option<Word>,
+    pub angle: Option<RawQuantity>,
+    pub at: Option<Word>,
+    pub phase: Option<RawQuantity>,
+    pub span: Span,
+}
+
+/// One link of a rolling pair.
+#[derive(Clone, Debug)]
+pub(super) struct RawRollingSide {
+    /// The link; without one the ground.
+    pub link: Option<Word>,
+    /// Centre of its circle; without one it is straight.
+    pub centre: Option<Word>,
+    /// Whether the other one rolls inside it.
+    pub hollow: bool,
+}
+
+/// Sizes of the circles of a rolling pair.
+#[derive(Clone, Debug)]
+pub(super) enum RawSizes {
+    /// Radii, of a straight track the wheel's alone.
+    Radii(Vec<RawQuantity>),
+    /// Numbers of teeth, of a rack the wheel's alone, and the module if it is given.
+    Teeth(Vec<RawQuantity>, Option<RawQuantity>),
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct RawDriver {
     pub kind: RawDriverKind,
@@ -100,6 +136,7 @@ pub(super) struct RawScene {
     pub points: Vec<(Word, RawPlace)>,
     pub lengths: Vec<(Word, RawQuantity)>,
     pub guides: Vec<RawGuide>,
+    pub rolling: Vec<RawRolling>,
     pub drivers: Vec<RawDriver>,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,
     pub sides: Vec<(Word, Word)>,

@@ -23,6 +23,9 @@ use std::ops::Range;
 /// assembly.
 const NEAR: f64 = 0.05;
 
+/// Where gears tell one turn of the driver from the next, no step may be taken for one in the other sense: an eighth of a turn.
+const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
+
 /// Steps between two positions before the way counts as blocked.
 const MOST_STEPS: usize = 200;
 
@@ -64,6 +67,15 @@ impl<'a> Moved<'a> {
         drivers
     }
 
+    fn is_turning(&self) -> bool {
+        matches!(self.placed.scene.drivers[self.driver].kind, DriverKind::Turn { .. })
+    }
+
+    /// Whether the mechanism stands elsewhere after a turn of the driver: gears may.
+    fn counts_turns(&self) -> bool {
+        self.is_turning() && !self.placed.scene.rolling.is_empty()
+    }
+
     /// The limit next to a pose, as exactly as the equations can tell it, and what holds the mechanism there. `None` where no limit is
     /// near by.
     pub fn limit(&self, value: f64, near: &Configuration) -> Option<Event> {
@@ -98,9 +110,12 @@ impl Follow for Moved<'_> {
     fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
         let p = self.placed;
         let mut state = from.clone();
+        let most = if self.counts_turns() { PART_OF_A_TURN } else { f64::INFINITY };
         let mut step = to - state.value;
         let extent = p.at.extent();
-        for _ in 0..MOST_STEPS {
+        let steps = MOST_STEPS + libm::ceil(step.abs() / most) as usize;
+        for _ in 0..steps {
+            step = step.clamp(-most, most);
             if state.value == to {
                 return Ok(state);
             }
@@ -128,7 +143,7 @@ impl Follow for Moved<'_> {
     }
 
     fn turns(&self) -> bool {
-        matches!(self.placed.scene.drivers[self.driver].kind, DriverKind::Turn { .. })
+        self.is_turning() && !self.counts_turns()
     }
 }
 

@@ -3,10 +3,10 @@
 use crate::emit::{Ask, Pose};
 use crate::properties::{mechanism, seeds, solve, style};
 use hodograph::answer::{Source, Value};
-use hodograph::centres::{Centre, Centres, How, Origin, Place, centres};
+use hodograph::centres::{Centre, Centres, How, Origin, Place, centres, omega, velocity};
 use hodograph::geom::{Point, Vec2};
 use hodograph::mechanism::Level;
-use hodograph::scene::{Asked, LinkId, OnLink, PointId};
+use hodograph::scene::{LinkId, PointId};
 
 /// Velocity of a link's point at the first placed point, and ω: from the loop equations.
 fn motion(found: &Centres, l: LinkId) -> Option<(Point, Vec2, f64)> {
@@ -91,14 +91,14 @@ fn centres_by_lines_are_those_by_velocities() {
         let size = found.worked.configuration.extent();
         let fastest = found.uses.links.iter().map(|t| t.omega.abs()).fold(0.0, f64::max);
         for t in &found.uses.links {
-            let Some(Value::Scalar(omega)) = found.other_ways(&Asked::Omega(t.link))[1] else { continue };
+            let Some(Value::Scalar(omega)) = found.other_ways(&omega(t.link, None))[1] else { continue };
             speeds += 1;
             if (omega - t.omega).abs() > 1e-6 * fastest {
                 fail(format!("ω of {} by centres {}, else {omega}", case.scene.link_name(t.link), t.omega));
             }
         }
         for s in &found.uses.points {
-            let Some(Value::Vector(v)) = found.other_ways(&Asked::Velocity(OnLink { point: s.point, link: None }))[1] else { continue };
+            let Some(Value::Vector(v)) = found.other_ways(&velocity(s.point))[1] else { continue };
             speeds += 1;
             if (v - s.velocity).norm() > 1e-6 * (fastest * size).max(v.norm()) {
                 fail(format!("v of {} by centres {:?}, else {v:?}", case.scene.point_name(s.point), s.velocity));

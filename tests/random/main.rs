@@ -21,5 +21,6 @@ mod properties;
 mod readings;
 mod regressions;
 mod rng;
+mod rolling;
 mod singular;
 mod told;

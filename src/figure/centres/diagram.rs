@@ -194,6 +194,7 @@ impl Over<'_, '_> {
                 crate::scene::DriverKind::Turn { .. } | crate::scene::DriverKind::Slide { .. } => return None,
             },
             How::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
+            How::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at.0]?,
             How::Lines(_) | How::Velocities => return None,
         };
         Some((self.paper.to_paper)(at))

@@ -24,6 +24,9 @@ const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
 const NEXT_MM: f64 = 6.0;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
+/// How far outside its rim the arrow of a wheel stands, and half its length.
+const RIM_OFF_MM: f64 = 2.5;
+const RIM_ARROW_MM: f64 = 8.0;
 /// Length of a straight arrow, and its distance from the thing that moves.
 const ARROW_MM: f64 = 12.0;
 const ARROW_OFF_MM: f64 = 3.0;
@@ -66,7 +69,10 @@ impl Draft<'_> {
             [a, b, ..] => Some((a, b)),
             _ => None,
         };
-        let Some((at, to)) = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?))) else { return };
+        let ends = line.or_else(|| first_two(link)).and_then(|(a, b)| Some((self.point(a)?, self.point(b)?)));
+        // The arrow of a wheel without a line of its own stands outside its rim.
+        let wheel = self.free_side(link).filter(|_| ends.is_none());
+        let Some((at, to)) = ends.or_else(|| wheel.map(|(c, u, r)| (c, c + u * r))) else { return };
         let Some(u) = (to - at).unit() else { return };
         let crank = at.distance(to);
         let grounded = against == self.scene.ground;
@@ -77,7 +83,7 @@ impl Draft<'_> {
         };
         let mut side = 1.0;
         let written = angle.as_ref().map(|a| a.value.radians() % TAU);
-        if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD) {
+        if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD && ends.is_some()) {
             side = sweep.signum();
             let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]) + wider_mm;
             let reference = match against_line.or_else(|| first_two(against)) {
@@ -93,9 +99,15 @@ impl Draft<'_> {
         if rate == 0.0 {
             return;
         }
-        let radius = (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm;
+        let radius = match wheel {
+            Some((_, _, rim)) => rim + RIM_OFF_MM + wider_mm,
+            None => (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm,
+        };
         let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };
-        let angles = ROTATION_RAD.map(|a| outward.angle() + side * a);
+        let angles = match wheel {
+            Some((_, _, rim)) => [-1.0, 1.0].map(|a| outward.angle() + a * (RIM_ARROW_MM / rim).min(1.0)),
+            None => ROTATION_RAD.map(|a| outward.angle() + side * a),
+        };
         // The head is at the end that the link turns to.
         let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
         self.d.of_link(Some(link.0));

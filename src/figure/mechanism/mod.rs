@@ -1,7 +1,7 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
 //! Links and points without a place are left out.
 
@@ -13,11 +13,12 @@ mod overlay;
 mod parted;
 mod slides;
 mod special;
+mod wheels;
 
 use crate::geom::{Point, Vec2};
 use crate::plan::notation::Notation;
 use crate::position::Path;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene, Through};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use crate::worked::Worked;
 
 use super::drawing::{Drawing, Part};
@@ -136,6 +137,7 @@ impl<'a> Draft<'a> {
     /// Draws the mechanism, from back to front.
     fn everything(&mut self) {
         self.ground_guides();
+        self.wheels();
         self.plates(true);
         self.carriers();
         self.blocks();
@@ -143,6 +145,7 @@ impl<'a> Draft<'a> {
         self.bars();
         self.cylinders();
         self.joints();
+        self.contacts();
         self.drivers();
         if self.constructed {
             self.special_points();
@@ -216,7 +219,8 @@ impl<'a> Draft<'a> {
 
     /// Whether the point runs, as a bare pin, in a slot of the ground.
     fn in_fixed_slot(&self, p: PointId) -> bool {
-        self.scene.guides.iter().any(|g| g.pin == Some(p) && g.slider.is_none() && g.on == self.scene.ground)
+        let slot = |g: &Guide| g.pin == Some(p) && g.slider.is_none() && g.rolling.is_none() && g.on == self.scene.ground;
+        self.scene.guides.iter().any(slot)
     }
 
     /// The guide whose block stands around the point.

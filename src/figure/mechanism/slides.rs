@@ -25,8 +25,10 @@ const STEEP: f64 = 0.35;
 const FIXED_SLOT_HALF_MM: f64 = 13.0;
 
 impl Draft<'_> {
+    /// The guides that are drawn as such: what rolls has its own picture.
     fn guides(&self) -> impl Iterator<Item = GuideId> + use<> {
-        (0..self.scene.guides.len()).map(GuideId)
+        let drawn: Vec<GuideId> = (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].rolling.is_none()).collect();
+        drawn.into_iter()
     }
 
     /// Guides on the ground: hatched lines along the block, or a slot for a bare pin.

@@ -12,6 +12,8 @@ pub(super) struct Declared {
     pub links: Vec<Link>,
     /// Missing (with a fault) where the file names none or an impossible one.
     pub ground: Option<LinkId>,
+    /// The contact points of the rolling pairs, in their order.
+    pub contacts: Vec<PointId>,
 }
 
 /// Collects points and links while the sections are read in order.
@@ -60,7 +62,7 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
             if r.points.len() > MAX_POINTS {
                 let message = both!("there are more than {MAX_POINTS} points", "点超过 {MAX_POINTS} 个");
                 faults.push(Diagnostic::error("too-many", message).at(word.span));
-                return Declared { points: r.points, links: r.links, ground: None };
+                return Declared { points: r.points, links: r.links, ground: None, contacts: Vec::new() };
             }
         }
         r.link(&link.name, points, faults);
@@ -109,7 +111,18 @@ pub(super) fn declare(raw: &RawScene, faults: &mut Faults) -> Declared {
         faults.push(d.at(raw.links[0].name.span));
     }
     empty_links(raw, &r, ground, faults);
-    Declared { points: r.points, links: r.links, ground }
+    let contacts = raw.rolling.iter().map(|pair| contact(pair, &mut r, faults)).collect();
+    Declared { points: r.points, links: r.links, ground, contacts }
+}
+
+/// The contact point of a rolling pair, by the name that the file gives it or the first free one of the usual letters.
+fn contact(pair: &RawRolling, r: &mut Register, faults: &mut Faults) -> PointId {
+    if let Some(word) = &pair.at {
+        return r.point(word, faults);
+    }
+    let usual = ["Q", "S", "T", "U", "W"].into_iter().map(str::to_owned);
+    let name = usual.chain((1..).map(|n| format!("Q{n}"))).find(|name| !r.by_point.contains_key(name));
+    r.point(&Word { text: name.expect("the names do not end"), span: pair.span }, faults)
 }
 
 /// A bare pin need not be on a link: in two slots it has its place all the same.
@@ -126,7 +139,8 @@ fn declare_ground(raw: &RawScene, r: &mut Register, faults: &mut Faults) -> Opti
     if let Some(id) = r.by_link.get(&word.text) {
         return Some(*id);
     }
-    let carries = raw.guides.iter().any(|g| g.on.as_ref().is_none_or(|on| on.text == word.text));
+    let tracks = raw.rolling.iter().flat_map(|p| &p.sides).map(|s| &s.link);
+    let carries = raw.guides.iter().map(|g| &g.on).chain(tracks).any(|on| on.as_ref().is_none_or(|on| on.text == word.text));
     // Nothing else holds the mechanism: then points given by coordinates can only be its fixed pivots. Where the ground
     // carries guides, they may as well be places of the pose.
     let pivots = if carries { Vec::new() } else { implied_pivots(raw, r) };
@@ -182,7 +196,8 @@ fn implied_pivots(raw: &RawScene, r: &Register) -> Vec<PointId> {
 fn empty_links(raw: &RawScene, r: &Register, ground: Option<LinkId>, faults: &mut Faults) {
     for (i, link) in r.links.iter().enumerate() {
         let named = |w: &Option<Word>| w.as_ref().is_some_and(|w| w.text == link.name);
-        let slides = raw.guides.iter().any(|g| named(&g.slider) || named(&g.on));
+        let slides = raw.guides.iter().any(|g| named(&g.slider) || named(&g.on))
+            || raw.rolling.iter().any(|p| p.sides.iter().any(|s| named(&s.link)));
         let cylinder =
             |d: &RawDriver| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == link.name));
         if link.points.is_empty() && !slides && ground != Some(LinkId(i)) && !raw.drivers.iter().any(cylinder) {

@@ -81,9 +81,10 @@ fn turn(
         None => Some(None),
     };
     let (line, against_line) = (on(lines[0], link)?, on(lines[1], against)?);
-    // A link whose guide is its direction has an angle without two points.
+    // A link whose guide is its direction has an angle without two points; that of a wheel counts by a mark on it.
     let has_direction = |l: LinkId, line: Option<(PointId, PointId)>| {
         line.is_some()
+            || c.rolls(l)
             || c.names.links[l.0].points.len() > 1
             || c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(l)))
     };

@@ -84,16 +84,7 @@ fn guide(c: &Context, raw: &RawGuide, places: &[Place], faults: &mut Faults) -> 
         None => line(c, raw, on, pin, places, faults),
     };
     let path = path?;
-    sound.then_some(Guide { pin, slider, on, path, span: raw.span })
-}
-
-/// `Some(None)` for what is absent, `None` for what has a fault.
-fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
-    match found {
-        None => Some(None),
-        Some(None) => None,
-        Some(found) => Some(found),
-    }
+    sound.then_some(Guide { pin, slider, on, path, rolling: None, span: raw.span })
 }
 
 fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults) -> Option<GuidePath> {

@@ -11,6 +11,7 @@ mod guides;
 mod lengths;
 mod paper;
 mod places;
+mod rolling;
 mod statement;
 
 use super::model::*;
@@ -28,11 +29,19 @@ struct Context<'a> {
     values: &'a Values<'a>,
     names: Names<'a>,
     ground: LinkId,
+    /// The contact points of the rolling pairs.
+    contacts: &'a [PointId],
 }
 
 impl Context<'_> {
     fn carries(&self, link: LinkId, point: PointId) -> bool {
         self.names.links[link.0].points.contains(&point)
+    }
+
+    /// Whether a link is a wheel, or what a wheel rolls on.
+    fn rolls(&self, link: LinkId) -> bool {
+        let named = |s: &RawRollingSide| s.link.as_ref().is_some_and(|w| w.text == self.link_name(link));
+        self.raw.rolling.iter().any(|p| p.sides.iter().any(named))
     }
 
     /// A link that carries both points.
@@ -77,7 +86,16 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
-pub(super) use find::begins_a_question;
+pub(super) use find::{Question, begins_a_question};
+
+/// `Some(None)` for what is absent, `None` for what has a fault.
+fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {
+    match found {
+        None => Some(None),
+        Some(None) => None,
+        Some(found) => Some(found),
+    }
+}
 
 /// A quantity that the file does not write, such as the coordinates of a pivot at the origin.
 fn zero(span: Span) -> Given {
@@ -101,15 +119,18 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
     let (values, parameters) = Values::new(source, &raw.units, &raw.parameters, faults);
     let declared = declare::declare(raw, faults);
     let scene = {
-        let declare::Declared { points, links, ground } = &declared;
-        let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)) };
+        let declare::Declared { points, links, ground, contacts } = &declared;
+        let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)), contacts };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
-        let lengths = lengths::lengths(&context, faults);
+        let mut lengths = lengths::lengths(&context, faults);
         let places = places::places(&context, *ground, &lengths, faults);
         let sketch = places::sketch(&context, faults);
         let sides = places::sides(&context, faults);
         let guides = ground.map(|_| guides::guides(&context, &places, faults));
         let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
+        let first_guide = guides.as_ref().map_or(0, Vec::len);
+        let rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
+        lengths.extend(rolling.lengths);
         let find = ground.map(|_| find::find(&context, faults));
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
@@ -125,7 +146,8 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             points,
             links: links.clone(),
             ground: (*ground)?,
-            guides: guides?.into_iter().map(|g| g.0).collect(),
+            guides: guides?.into_iter().map(|g| g.0).chain(rolling.guides).collect(),
+            rolling: rolling.rolling,
             lengths,
             drivers: drivers?,
             sides,

@@ -115,7 +115,9 @@ impl Compiler<'_> {
         match *hold {
             Hold::Distance { near, far, strut } => self.at_strut(g, Spot::Pin(pin), (near, far), strut),
             Hold::Guide { guide, driver: None, .. } => self.on_guide(g, Spot::Pin(pin), guide),
-            Hold::Guide { driver: Some(_), .. } | Hold::Slot { .. } | Hold::Glide { .. } => Err(self.without_kernel(g)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Slot { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => {
+                Err(self.without_kernel(g))
+            }
         }
     }
 
@@ -391,7 +393,7 @@ impl Compiler<'_> {
                     self.in_slot(g, link, Spot::Own(other), guide)
                 }
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => Err(self.without_kernel(g)),
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } | Hold::Rolls { .. } => Err(self.without_kernel(g)),
         }
     }
 
@@ -506,7 +508,7 @@ impl Compiler<'_> {
                 None => Err(self.without_kernel(g)),
             },
             // A gliding leg needs the link's own place at the instant only, which is known before the link is.
-            Hold::Glide { .. } => Err(self.without_kernel(g)),
+            Hold::Glide { .. } | Hold::Rolls { .. } => Err(self.without_kernel(g)),
             Hold::Distance { .. } | Hold::Guide { .. } => {
                 let rows = self.rows[g].len();
                 let (spot, locus) = self.held(g, link, hold)?;

@@ -5,10 +5,11 @@ use crate::accuracy::ladder::Part;
 use crate::answer::Source;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::scene::{Asked, Find, LinkId, PointId, Scene};
+use crate::scene::{Find, LinkId, PointId, Scene};
 use crate::worked::{Scope, Worked, work};
 
 use super::lines::{Frame, Place};
+use super::omega;
 use super::rounds::Pair;
 
 /// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
@@ -61,15 +62,15 @@ impl<'a> Velocities<'a> {
 
     /// Whether two links surely do not turn against one another in this pose: a difference that is small is computed as an interval.
     pub fn surely_translate(&self, pair: Pair) -> bool {
-        let Some((_, omega)) = self.relative(pair) else { return false };
-        if omega.abs() > DOUBTFUL * self.largest {
+        let Some((_, turning)) = self.relative(pair) else { return false };
+        if turning.abs() > DOUBTFUL * self.largest {
             return false;
         }
         let mut asking = self.scene.clone();
         let what = match (pair.i == self.scene.ground, pair.j == self.scene.ground) {
-            (true, _) => Asked::Omega(pair.j),
-            (_, true) => Asked::Omega(pair.i),
-            _ => Asked::RelativeOmega(pair.i, pair.j),
+            (true, _) => omega(pair.j, None),
+            (_, true) => omega(pair.i, None),
+            _ => omega(pair.i, Some(pair.j)),
         };
         asking.find = vec![Find { what, text: "omega".into(), span: Default::default() }];
         let Ok(worked) = work(&asking, Scope::Questions) else { return false };

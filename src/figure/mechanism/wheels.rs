@@ -1,0 +1,177 @@
+//! Rolling pairs: pitch circles of gears in chain lines, wheels and their tracks in full ones, and the place of contact.
+//!
+//! Teeth are not drawn: the pitch circle is what rolls. What is hollow, or part of the ground, is hatched on the side of its material.
+
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+
+use crate::figure::extent::on_circle;
+use crate::figure::item::{Dash, Piece, Shape};
+use crate::figure::symbols as sym;
+use crate::geom::{Point, Vec2};
+use crate::scene::{Contours, GuideId, LinkId, Rolling};
+
+use super::Draft;
+use super::letters::NumberPlace;
+use super::slides::GUIDE_MM;
+
+/// Half the side of the cross at a contact.
+const CROSS_MM: f64 = 1.1;
+/// How far a ring's rim lies outside its pitch circle.
+const RIM_MM: f64 = 1.6;
+/// Half of the angle over which the rim of the ground is hatched beside a contact.
+const HATCHED_RAD: f64 = FRAC_PI_4;
+/// A rack goes on so far to either side of the contact.
+const RACK_HALF_MM: f64 = 22.0;
+
+/// One round contour of a pair, on paper.
+struct Round {
+    link: LinkId,
+    centre: Point,
+    radius_mm: f64,
+    hollow: bool,
+}
+
+impl Draft<'_> {
+    /// The round contours of a pair.
+    fn rounds(&self, pair: &Rolling) -> Vec<Round> {
+        let Some(contact) = self.point(pair.at) else { return Vec::new() };
+        let hollow = match pair.contours {
+            Contours::Circles { hollow, .. } => hollow,
+            Contours::Track { .. } => None,
+        };
+        let round = |i: usize| {
+            let centre = self.point(pair.centres()[i]?)?;
+            Some(Round { link: pair.links[i], centre, radius_mm: centre.distance(contact), hollow: hollow == Some(i) })
+        };
+        [0, 1].into_iter().filter_map(round).collect()
+    }
+
+    /// The largest circle about a link's centre that rolls, if it has one: centre and radius.
+    pub(super) fn wheel(&self, l: LinkId) -> Option<(Point, f64)> {
+        let all = self.scene.rolling.iter().flat_map(|pair| self.rounds(pair)).filter(|r| r.link == l && !r.hollow);
+        all.map(|r| (r.centre, r.radius_mm)).max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// All wheels and tracks, behind the links.
+    pub(super) fn wheels(&mut self) {
+        let scene = self.scene;
+        let mut drawn: Vec<(LinkId, Point, f64)> = Vec::new();
+        for pair in &scene.rolling {
+            for round in self.rounds(pair) {
+                // The gears of one link about one centre that mesh twice are drawn once.
+                let same = |d: &(LinkId, Point, f64)| {
+                    d.0 == round.link && d.1.distance(round.centre) < super::SAME_MM && (d.2 - round.radius_mm).abs() < super::SAME_MM
+                };
+                if !drawn.iter().any(same) {
+                    drawn.push((round.link, round.centre, round.radius_mm));
+                    self.round(pair, &round);
+                }
+                if round.link == scene.ground || round.hollow && !pair.toothed {
+                    self.hatched_rim(pair, &round);
+                }
+            }
+            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide) {
+                self.track(pair, guide);
+            }
+        }
+    }
+
+    /// The circle itself.
+    fn round(&mut self, pair: &Rolling, round: &Round) {
+        let ground = round.link == self.scene.ground;
+        let l = (!ground).then_some(round.link.0);
+        let id = format!("wheel-{}", self.scene.link_name(round.link));
+        let class = if ground { "ground wheel" } else { "wheel" };
+        let stroke = if pair.toothed { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline };
+        self.d.of_link(l);
+        // A line and no disc: labels may stand inside.
+        let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke };
+        let owner = self.d.shape(&id, class, circle(round.radius_mm, stroke));
+        if round.hollow && pair.toothed && !ground {
+            self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
+        }
+        self.d.of_link(None);
+        // A wheel that is no bar has its number inside its rim, away from the contact.
+        let has_bars = self.forms.get(round.link.0).is_some_and(|f| f.as_ref().is_some_and(|f| !f.segments().is_empty()));
+        if !ground && !has_bars && self.number_at[round.link.0].is_none() {
+            let contact = self.point(pair.at).unwrap_or(round.centre);
+            let away = (round.centre - contact).unit().unwrap_or(Vec2::new(0.0, 1.0));
+            let along = away.rotate_by(Vec2::from_angle(-FRAC_PI_4));
+            let (from, to) =
+                (on_circle(round.centre, round.radius_mm, along.angle()), on_circle(round.centre, round.radius_mm, away.angle()));
+            self.number_at[round.link.0] = Some(NumberPlace::Along(from, to, owner));
+        }
+    }
+
+    /// Hatching of a rim beside its contact: outside a hollow one, inside a full one.
+    fn hatched_rim(&mut self, pair: &Rolling, round: &Round) {
+        let Some(contact) = self.point(pair.at) else { return };
+        let middle = (contact - round.centre).angle();
+        let (sign, base) = if round.hollow { (1.0, round.radius_mm) } else { (-1.0, round.radius_mm) };
+        let half = HATCHED_RAD.min(GUIDE_MM / round.radius_mm);
+        let count = (2.0 * half * round.radius_mm / self.style.hatch_pitch_mm).floor().max(1.0) as usize;
+        let foot = |k: usize| on_circle(round.centre, base, middle - half + 2.0 * half * k as f64 / count as f64);
+        let depth = |p: Point| {
+            let out = (p - round.centre).unit().unwrap_or(Vec2::ZERO);
+            p + (out * sign + out.perp()) * self.style.hatch_depth_mm
+        };
+        let pieces = (0..=count).flat_map(|k| [Piece::Move(foot(k)), Piece::Line(depth(foot(k)))]).skip(1).collect();
+        let id = format!("track-{}", self.scene.point_name(pair.at));
+        self.d.shape(&id, "ground hatch", Shape::Path { start: foot(0), pieces, closed: false, stroke: Some(self.style.thin), fill: None });
+        let (from_rad, to_rad) = (middle - half, middle + half);
+        let arc = Shape::Arc { centre: round.centre, radius_mm: base, from_rad, to_rad, stroke: self.style.outline };
+        self.d.shape(&id, "ground line", arc);
+    }
+
+    /// A straight track or rack under its wheel.
+    fn track(&mut self, pair: &Rolling, guide: GuideId) {
+        let (Some(at), Some(crate::position::Path::Line { direction, .. })) = (self.point(pair.at), self.guide(guide)) else { return };
+        let on = pair.links[0];
+        let [back, ahead] = self.travel(guide);
+        let half = (self.wheel(pair.links[1]).map_or(0.0, |w| w.1) / 2.0).max(GUIDE_MM / 2.0);
+        let id = format!("track-{}", self.scene.point_name(pair.at));
+        if on == self.scene.ground {
+            // The material lies to the right of the direction, as the wheel lies to its left.
+            let items = sym::ground_line(self.style, at + direction * (back - half), at + direction * (ahead + half));
+            self.d.draw(&id, "", items);
+            return;
+        }
+        self.d.of_link(Some(on.0));
+        let half = half.max(RACK_HALF_MM);
+        let (from, to) = (at + direction * (back - half), at + direction * (ahead + half));
+        let owner = self.d.draw(&id, "", sym::link(self.style, &[from, to]));
+        self.d.of_link(None);
+        if self.number_at[on.0].is_none() && self.forms[on.0].is_none() {
+            self.number_at[on.0] = Some(NumberPlace::Along(from, at, owner));
+        }
+    }
+
+    /// Crosses at the contacts.
+    pub(super) fn contacts(&mut self) {
+        let scene = self.scene;
+        for pair in &scene.rolling {
+            let Some(at) = self.point(pair.at) else { continue };
+            let arm = |k: f64| Vec2::from_angle(FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
+            let pieces = vec![Piece::Line(at - arm(0.0)), Piece::Move(at + arm(1.0)), Piece::Line(at - arm(1.0))];
+            let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
+            self.d.shape(&format!("contact-{}", scene.point_name(pair.at)), "contact", shape);
+        }
+    }
+
+    /// Where the arrow of a driven wheel without a line of its own goes: its centre, a direction free of contacts, and the radius.
+    pub(super) fn free_side(&self, l: LinkId) -> Option<(Point, Vec2, f64)> {
+        let (centre, radius) = self.wheel(l)?;
+        let contacts: Vec<Vec2> = self
+            .scene
+            .rolling
+            .iter()
+            .filter(|r| r.links.contains(&l))
+            .filter_map(|r| (self.point(r.at)? - centre).unit())
+            .chain(self.scene.links[l.0].points.iter().flat_map(|p| self.leaving(*p)))
+            .collect();
+        let nearest = |u: &Vec2| contacts.iter().map(|c| c.dot(*u)).fold(-1.0, f64::max);
+        let sides = (0..16).map(|k| Vec2::from_angle(TAU * f64::from(k) / 16.0));
+        let free = sides.min_by(|a, b| nearest(a).total_cmp(&nearest(b)))?;
+        Some((centre, free, radius))
+    }
+}

@@ -1,0 +1,307 @@
+//! Rolling pairs in a pose: where they touch, and how far one has rolled on the other.
+//!
+//! Two circles touch on the line of their centres, a straight track at the foot of the wheel's centre. Rolling keeps
+//! ρ₁(φ₁ − β) + ρ₂(φ₂ − β) (β: angle of the line of centres from the first to the second; a hollow circle's ρ is negative), on a straight
+//! track s + ρ(φ₂ − φ₁) with s counted along it: between two poses these change by nothing.
+
+use super::assemble::Assembly;
+use super::finish::same_place;
+use super::kernel::Locus;
+use super::shape::{Frame, given_place};
+use super::{Configuration, Path, Pose, Shapes};
+use crate::diag::{Diagnostic, both};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Hold;
+use crate::number::Real;
+use crate::scene::{Contours, DriverKind, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use std::f64::consts::TAU;
+
+impl<N: Real> Configuration<N> {
+    /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
+    /// `None` where the pair is not placed.
+    pub fn normal(&self, scene: &Scene, pair: RollingId) -> Option<Vec2<N>> {
+        let (r, [r1, r2]) = (&scene.rolling[pair.0], self.shapes.rolling[pair.0]);
+        let n = normal(r, &self.points, &self.guides)?;
+        Some(if (r1 + r2).approx() < 0.0 { -n } else { n })
+    }
+}
+
+/// From the first centre toward the second; square to a straight track, toward the wheel.
+fn normal<N: Real>(pair: &Rolling, points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Vec2<N>> {
+    match pair.contours {
+        Contours::Circles { centres: [a, b], .. } => (points[b.0]? - points[a.0]?).unit(),
+        Contours::Track { .. } => match guides[pair.guide?.0]? {
+            Path::Line { direction, .. } => Some(direction.perp()),
+            Path::Arc { .. } => None,
+        },
+    }
+}
+
+/// The place of contact.
+pub(super) fn contact<N: Real>(pair: &Rolling, sizes: [N; 2], points: &[Option<Point<N>>], guides: &[Option<Path<N>>]) -> Option<Point<N>> {
+    let [r1, r2] = sizes;
+    match pair.contours {
+        Contours::Circles { centres: [a, b], .. } => {
+            let (a, b) = (points[a.0]?, points[b.0]?);
+            Some(a + (b - a) * (r1 / (r1 + r2)))
+        }
+        Contours::Track { centre, .. } => Some(points[centre.0]? + normal(pair, points, guides)? * -r2),
+    }
+}
+
+/// How far a pair has rolled since the scene's instant: angles of more than a turn are told by counting on from pose to pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rolled {
+    /// The pair at the instant.
+    start: Seen,
+    /// By how much each link and the line of centres have turned since (rad), whole turns among them.
+    turned: [f64; 3],
+}
+
+/// A rolling pair in a pose: the axes of both links, and the line from the first centre to the second; of a track the way along it and
+/// the distance from it instead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Seen {
+    axes: [Vec2; 2],
+    line: Vec2,
+}
+
+impl Rolled {
+    /// At the instant.
+    pub(super) fn begin(start: Seen) -> Rolled {
+        Rolled { start, turned: [0.0; 3] }
+    }
+
+    /// In a pose next to this one: nothing has turned by half a turn or more between the two.
+    pub(super) fn on(&self, now: &Seen) -> Rolled {
+        let wrapped = [
+            now.axes[0].divide_by(self.start.axes[0]).angle(),
+            now.axes[1].divide_by(self.start.axes[1]).angle(),
+            now.line.divide_by(self.start.line).angle(),
+        ];
+        // Angles since the instant, not sums of steps: nothing adds up over many turns.
+        let turned = std::array::from_fn(|i| wrapped[i] + TAU * libm::round((self.turned[i] - wrapped[i]) / TAU));
+        Rolled { start: self.start, turned }
+    }
+
+    /// By how much a pose next to this one misses rolling without slip, as an angle of the second link.
+    pub(super) fn slip(&self, pair: &Rolling, [r1, r2]: [f64; 2], now: &Seen) -> f64 {
+        let [a, b, line] = self.on(now).turned;
+        match pair.contours {
+            Contours::Circles { .. } => (b - line) + (a - line) * (r1 / r2),
+            Contours::Track { .. } => (now.line.x - self.start.line.x) / r2 + (b - a),
+        }
+    }
+}
+
+/// What a pose says of a rolling pair; the line of a track is that from the track's origin, in the frame of its link.
+pub(super) fn seen(
+    pair: &Rolling,
+    shapes: &Shapes,
+    pose: &dyn Fn(LinkId) -> Option<Pose>,
+    place: &dyn Fn(LinkId, PointId) -> Option<Point>,
+) -> Option<Seen> {
+    let [a, b] = pair.links;
+    let axes = [pose(a)?.axis, pose(b)?.axis];
+    let line = match pair.contours {
+        Contours::Circles { centres: [p, q], .. } => place(b, q)? - place(a, p)?,
+        Contours::Track { centre, .. } => match shapes.guides[pair.guide?.0]? {
+            Path::Line { through, direction } => {
+                let local = pose(a)?.to_local(place(b, centre)?) - through;
+                Vec2::new(direction.dot(local), direction.cross(local))
+            }
+            Path::Arc { .. } => return None,
+        },
+    };
+    Some(Seen { axes, line })
+}
+
+/// The records of all pairs in a pose that comes next to one with the records `before`; at the instant there are none before.
+pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Option<Rolled>]) -> Vec<Option<Rolled>> {
+    if scene.rolling.is_empty() {
+        return Vec::new();
+    }
+    let c = c.approx();
+    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
+    let place = |_: LinkId, p: PointId| c.points[p.0];
+    let all = scene.rolling.iter().enumerate().map(|(r, pair)| {
+        let now = seen(pair, &c.shapes, &pose, &place)?;
+        Some(before.get(r).and_then(Option::as_ref).map_or_else(|| Rolled::begin(now), |b| b.on(&now)))
+    });
+    all.collect()
+}
+
+/// An angle that is known but for whole turns, near to one that is known roughly.
+fn whole<N: Real>(wrapped: N, near: f64) -> N {
+    wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
+}
+
+impl<N: Real> Assembly<'_, N> {
+    /// The pose of a link that rolls on a known one, as far as something tells it: coordinates of its points, the phase of the pair, or
+    /// nothing where it has no line of its own.
+    pub(super) fn poses_of_rolling(&self, link: LinkId, pivot: Option<PointId>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
+        let shape = &self.shapes[link.0];
+        let mut placed = shape.points.iter().filter_map(|(p, local)| {
+            let at = if pivot == Some(*p) { self.points[p.0] } else { given_place(self.scene, &self.inputs, *p) };
+            Some((*local, at?))
+        });
+        let (first, second) = (placed.next(), placed.next());
+        let rolls = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None });
+        let Some((local, at)) = first else { return Err(self.no_closure(link)) };
+        if let Some((far, far_at)) = second
+            && self.instant.is_none()
+        {
+            let pose = Pose::from_point_and_direction(local, far - local, at, far_at - at);
+            return Ok(pose.into_iter().collect());
+        }
+        let axis = match rolls.and_then(|(pair, other)| self.rolled(link, pair, other, at)) {
+            Some(axis) => axis,
+            None if shape.frame == Frame::Loose && self.instant.is_none() => Vec2::unit_x(),
+            None => return Err(self.no_phase(link)),
+        };
+        Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
+    }
+
+    /// The pose of a link that coordinates tell at the instant: all of it, or, of a wheel without a line of its own, its centre.
+    pub(super) fn told_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
+        let shape = &self.shapes[link.0];
+        let wheel = || self.scene.rolling.iter().any(|r| r.links.contains(&link)) && shape.frame == Frame::Loose && self.instant.is_none();
+        let centre = || shape.points.iter().find_map(|(p, local)| Some((*local, given.iter().find(|(q, _)| q == p)?.1)));
+        let loose = || centre().filter(|_| wheel()).map(|(local, at)| Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() });
+        self.poses[link.0].or_else(loose)
+    }
+
+    /// The direction that rolling gives the frame of a link whose wheel has its centre at `at`, from the pose at the instant, or from the
+    /// phase of the pair.
+    fn rolled(&self, link: LinkId, id: RollingId, other: LinkId, at: Point<N>) -> Option<Vec2<N>> {
+        let pair = &self.scene.rolling[id.0];
+        let Contours::Circles { centres, .. } = pair.contours else { return self.rolled_on_track(link, id, at) };
+        let own = usize::from(pair.links[1] == link);
+        let [r1, r2] = pair.sizes(&self.inputs);
+        // Of this link, and of the one on which it rolls.
+        let (mine, its) = if own == 1 { (r2, r1) } else { (r1, r2) };
+        let line = {
+            let d = at - self.points[centres[1 - own].0]?;
+            if own == 1 { d } else { -d }
+        };
+        let other_axis = self.poses[other.0]?.axis;
+        if let Some(then) = self.instant {
+            let (before, was) = (then.points[centres[1].0]? - then.points[centres[0].0]?, then.poses[other.0]?.axis);
+            let meant = self.turned_as_meant(id);
+            let line = whole(line.divide_by(before).angle(), meant[2]);
+            let its_turn = whole(other_axis.divide_by(was).angle(), meant[1 - own]);
+            let rolled = line - (its_turn - line) * (its / mine);
+            return then.poses[link.0]?.axis.rotate_by(Vec2::from_angle(rolled)).unit();
+        }
+        // ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, with the angles of the links' lines.
+        let (s, c) = self.inputs.sin_cos(pair.phase.as_ref()?);
+        let phase = Vec2::new(c, s).angle();
+        let line = line.unit()?;
+        let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
+        let others = whole(others, self.written(other).map_or(others.approx(), |angle| angle - line.angle().approx()));
+        let angle = (if own == 1 { phase } else { phase * (r2 / r1) }) - others * (its / mine);
+        line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()
+    }
+
+    /// The same of a wheel on a straight track, or of the track's link on a wheel, at a later time: the way along the track turns the wheel.
+    fn rolled_on_track(&self, link: LinkId, id: RollingId, at: Point<N>) -> Option<Vec2<N>> {
+        let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
+        let [on, wheel] = pair.links;
+        if link != wheel {
+            return None;
+        }
+        let Path::Line { through, direction } = self.guides[pair.guide?.0]? else { return None };
+        let way = |pose: &Pose<N>, centre: Point<N>| direction.dot(pose.to_local(centre) - through);
+        let (now, before) = (self.poses[on.0]?, then.poses[on.0]?);
+        let gone = way(&now, at) - way(&before, then.points[pair.centres()[1]?.0]?);
+        let turned = whole(now.axis.divide_by(before.axis).angle(), self.turned_as_meant(id)[0]);
+        let [_, radius] = pair.sizes(&self.inputs);
+        then.poses[wheel.0]?.axis.rotate_by(Vec2::from_angle(turned - gone / radius)).unit()
+    }
+
+    /// The line, square to the track, on which a wheel that has rolled keeps the origin of a rack whose direction is known; `None` at the
+    /// instant, when the rack may stand anywhere.
+    pub(super) fn origin_of_rack(&self, link: LinkId, axis: Vec2<N>, id: RollingId) -> Option<Locus<N>> {
+        let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
+        let ([on, wheel], Some(centre)) = (pair.links, pair.centres()[1]) else { return None };
+        let Path::Line { direction, .. } = self.guides[pair.guide?.0]? else { return None };
+        if link != on {
+            return None;
+        }
+        let (before, [_, radius]) = (then.poses[on.0]?, pair.sizes(&self.inputs));
+        let meant = self.turned_as_meant(id);
+        let of = |i: usize, l: LinkId, axis: Vec2<N>| Some(whole(axis.divide_by(then.poses[l.0]?.axis).angle(), meant[i]));
+        let turned = of(1, wheel, self.poses[wheel.0]?.axis)? - of(0, on, axis)?;
+        // t·(K − O) + ρ(φ₂ − φ₁) is what it was.
+        let way = direction.dot(before.turn_back(then.points[centre.0]? - before.origin)) - radius * turned;
+        let along = direction.rotate_by(axis);
+        Some(Locus::Line { through: self.points[centre.0]? + along * -way, direction: along.perp() })
+    }
+
+    /// By how much links and line of a pair have turned since the instant in the pose that is meant, which is next to this one.
+    fn turned_as_meant(&self, id: RollingId) -> [f64; 3] {
+        self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned)
+    }
+
+    /// The line of a link from which its angle counts, in its frame: a unit vector.
+    fn mark(&self, l: LinkId) -> Option<Vec2<N>> {
+        match &self.scene.links[l.0].points[..] {
+            [p, q, ..] => (self.shapes[l.0].local(*q)? - self.shapes[l.0].local(*p)?).unit(),
+            _ => Some(Vec2::unit_x()),
+        }
+    }
+
+    /// The angle of a link's line as a driver writes it, whole turns among it.
+    fn written(&self, l: LinkId) -> Option<f64> {
+        self.scene.drivers.iter().find_map(|d| match &d.kind {
+            DriverKind::Turn { link, against, angle: Some(angle), line: None, .. } if *link == l && *against == self.scene.ground => {
+                Some(angle.value.radians())
+            }
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        })
+    }
+
+    fn no_phase(&self, link: LinkId) -> Diagnostic {
+        Diagnostic::error(
+            "phase-needed",
+            both!("nothing says at which angle wheel {} stands", "没有说明轮 {} 的角度", self.scene.link_name(link)),
+        )
+        .at(self.scene.links[link.0].span)
+        .help(both!(
+            "give the coordinates of two of its points at the instant in \"points\", or \"phase\" with the pair",
+            "请在 \"points\" 中给出其上两点在该时刻的坐标，或在该副中给出 \"phase\""
+        ))
+    }
+}
+
+/// What is wrong with the radii of two circles: their sum (of a ring their difference) is the distance of the centres.
+pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
+    let Contours::Circles { centres: [p, q], sizes: Sizes::Radii([a, b]), hollow } = &pair.contours else { return None };
+    let (at, other) = (c.points[p.0]?, c.points[q.0]?);
+    let (given, distance) = (if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value }, at.distance(other));
+    if (given - distance).abs() <= same_place(c.extent().max(a.value.max(b.value)), at) {
+        return None;
+    }
+    let (p, q) = (scene.point_name(*p), scene.point_name(*q));
+    let (given, distance) = (scene.length_words(given), scene.length_words(distance));
+    Some(
+        Diagnostic::error(
+            "gear-radii",
+            match hollow {
+                None => both!(
+                    "the radii make the centres {given} apart, but {p}{q} is {distance}",
+                    "按半径两圆心相距 {given}，而 {p}{q} 为 {distance}"
+                ),
+                Some(_) => both!(
+                    "the radii make the centres {given} apart (one runs inside the other), but {p}{q} is {distance}",
+                    "按半径两圆心相距 {given}（内切），而 {p}{q} 为 {distance}"
+                ),
+            },
+        )
+        .at(pair.span)
+        .help(both!(
+            "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
+            "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
+        )),
+    )
+}

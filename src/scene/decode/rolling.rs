@@ -1,0 +1,146 @@
+//! The sections `gears` and `rolling`: both become rolling pairs, told apart by their teeth.
+
+use super::super::keys;
+use super::super::raw::*;
+use super::{quantity, words};
+use crate::diag::{Diagnostic, Faults, both};
+use crate::json::fields::{Fields, list, word};
+use crate::json::{Kind, Node, Word};
+
+/// A gear pair, or a gear and its rack.
+pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
+    let f = Fields::open(node, both!("a gear pair", "齿轮副"), keys::GEAR, faults)?;
+    let before = faults.list.len();
+    let links = f.need("links", "[\"2\", \"4\"]", faults).map(|n| words(Some(n), "\"links\"", faults)).unwrap_or_default();
+    let centres = f.need("centres", "[\"O\", \"Q\"]", faults).map(|n| words(Some(n), "\"centres\"", faults)).unwrap_or_default();
+    let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
+    let (ring, rack, line, at) = (name("ring"), name("rack"), name("line"), name("at"));
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let (module, angle, phase) = (value("module"), value("angle"), value("phase"));
+    let mut values = |key: &str| f.get(key).map(|n| quantities(n, key, faults));
+    let (radii, teeth) = (values("radii"), values("teeth"));
+    if faults.list.len() > before {
+        return None;
+    }
+    let mut fault = |d: Diagnostic| faults.push(d.at(node.span));
+    let sizes = match (radii, teeth, module) {
+        (Some(radii), None, None) => RawSizes::Radii(radii),
+        (None, Some(teeth), module) => RawSizes::Teeth(teeth, module),
+        (Some(_), Some(_), _) | (Some(_), None, Some(_)) => {
+            let d = Diagnostic::error("two-sizes", both!("a gear pair has both `radii` and `teeth`", "齿轮副同时给了 `radii` 和 `teeth`"));
+            fault(d.help(both!("keep \"radii\", or \"teeth\" and \"module\"", "请只保留 \"radii\"，或 \"teeth\" 与 \"module\"")));
+            return None;
+        }
+        (None, None, _) => {
+            let d = Diagnostic::error("missing-key", both!("a gear pair has neither `radii` nor `teeth`", "齿轮副没有 `radii` 或 `teeth`"));
+            fault(d.help(both!(
+                "give the pitch radii, \"radii\": [\"30 mm\", \"60 mm\"], or the numbers of teeth, \"teeth\": [20, 40]",
+                "请给出节圆半径 \"radii\": [\"30 mm\", \"60 mm\"]，或齿数 \"teeth\": [20, 40]"
+            )));
+            return None;
+        }
+    };
+    let [a, b] = &links[..] else {
+        fault(Diagnostic::error("wrong-count", both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件")));
+        return None;
+    };
+    let among = |w: &Option<Word>| w.as_ref().map(|w| links.iter().position(|l| l.text == w.text));
+    let (hollow, flat) = (among(&ring), among(&rack));
+    if let (Some(None), Some(w)) | (_, Some(w)) = (hollow, ring.as_ref())
+        && hollow == Some(None)
+    {
+        let d =
+            Diagnostic::error("unknown-link", both!("the ring `{}` is not one of the two links", "内齿轮 `{}` 不是这两个构件之一", w.text));
+        faults.push(d.at(w.span));
+        return None;
+    }
+    if let Some(w) = rack.as_ref()
+        && flat == Some(None)
+    {
+        let d =
+            Diagnostic::error("unknown-link", both!("the rack `{}` is not one of the two links", "齿条 `{}` 不是这两个构件之一", w.text));
+        faults.push(d.at(w.span));
+        return None;
+    }
+    let sides = match (flat.flatten(), &centres[..]) {
+        (Some(i), [c]) => [side(&links[i], None, false), side(&links[1 - i], Some(c), false)],
+        (None, [c, d]) => [side(a, Some(c), hollow.flatten() == Some(0)), side(b, Some(d), hollow.flatten() == Some(1))],
+        (Some(_), _) => {
+            fault(Diagnostic::error("wrong-count", both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心")));
+            return None;
+        }
+        (None, _) => {
+            let d = Diagnostic::error(
+                "wrong-count",
+                both!("a gear pair has two centres, one on each link", "齿轮副有两个圆心，各在一个构件上"),
+            );
+            fault(d.help(both!("name the \"rack\" if one of them is straight", "若其一为齿条，请写 \"rack\"")));
+            return None;
+        }
+    };
+    Some(RawRolling { sides, sizes, toothed: true, line, angle, at, phase, span: node.span })
+}
+
+/// A wheel that rolls without slip on a straight or round track.
+pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
+    let f = Fields::open(node, both!("a rolling wheel", "滚轮"), keys::ROLLING, faults)?;
+    let before = faults.list.len();
+    let link = f.need("wheel", "\"4\"", faults).and_then(|n| word(n, "\"wheel\"", faults));
+    let centre = f.need("centre", "\"B\"", faults).and_then(|n| word(n, "\"centre\"", faults));
+    let radius = f.need("radius", "\"0.2 m\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let mut name = |key: &str| f.get(key).and_then(|n| word(n, &format!("\"{key}\""), faults));
+    let (on, line, track, at) = (name("on"), name("line"), name("track"), name("at"));
+    let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
+    let (angle, track_radius, phase) = (value("angle"), value("track_radius"), value("phase"));
+    let inside = f.get("inside").map(|n| match n.kind {
+        Kind::Bool(inside) => inside,
+        Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
+            let d = Diagnostic::error(
+                "wrong-type",
+                both!("\"inside\" is {}, not true or false", "\"inside\" 是{}，应为 true 或 false", n.what()),
+            );
+            faults.push(d.at(n.span));
+            false
+        }
+    });
+    let (link, centre, radius) = (link?, centre?, radius?);
+    if faults.list.len() > before {
+        return None;
+    }
+    let mut fault = |message, help| {
+        faults.push(Diagnostic::error("track", message).at(node.span).help(help));
+        None
+    };
+    let mut radii = vec![radius];
+    match (&track, track_radius, inside) {
+        (Some(_), Some(r), _) => radii.insert(0, r),
+        (None, None, None) => {}
+        (Some(_), None, _) => {
+            return fault(
+                both!("a round track has no `track_radius`", "圆形轨道没有 `track_radius`"),
+                both!("give the radius of the track's own circle", "请给出轨道圆的半径"),
+            );
+        }
+        (None, Some(_), _) | (None, None, Some(_)) => {
+            return fault(
+                both!(
+                    "`track_radius` and `inside` belong to a round track, whose centre is not named",
+                    "`track_radius` 与 `inside` 用于圆形轨道，而其圆心未写"
+                ),
+                both!("name its centre, \"track\", a point of the link that carries it", "请写其圆心 \"track\"，即所在构件上的一点"),
+            );
+        }
+    }
+    let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
+    let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
+    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, angle, at, phase, span: node.span })
+}
+
+fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {
+    RawRollingSide { link: Some(link.clone()), centre: centre.cloned(), hollow }
+}
+
+fn quantities(node: &Node, key: &str, faults: &mut Faults) -> Vec<RawQuantity> {
+    let what = format!("\"{key}\"");
+    list(node, &what, faults).unwrap_or_default().iter().filter_map(|n| quantity(n, &what, faults)).collect()
+}

@@ -1,0 +1,278 @@
+//! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
+
+use super::super::rolling::{Contours, Rolling, RollingId, Sizes};
+use super::*;
+
+/// Most teeth of a gear: more are a mistyped number.
+const MOST_TEETH: u32 = 100_000;
+
+/// What the sections give.
+#[derive(Default)]
+pub(super) struct Resolved {
+    pub rolling: Vec<Rolling>,
+    /// Guides of the pairs, to stand behind those of the file.
+    pub guides: Vec<Guide>,
+    /// Distances of centres that the sizes tell and the file does not.
+    pub lengths: Vec<Length>,
+}
+
+/// One side of a pair.
+#[derive(Clone, Copy)]
+struct Side {
+    link: LinkId,
+    centre: Option<PointId>,
+}
+
+/// `first_guide` is the number of the next guide.
+pub(super) fn rolling(c: &Context, places: &[Place], lengths: &[Length], first_guide: usize, faults: &mut Faults) -> Resolved {
+    let mut out = Resolved::default();
+    for (raw, at) in c.raw.rolling.iter().zip(c.contacts) {
+        let mut found = Faults::default();
+        if let Some(pair) = pair(c, raw, *at, (places, lengths), first_guide, &mut out, &mut found)
+            && !found.has_errors()
+        {
+            out.rolling.push(pair);
+        }
+        faults.list.extend(found.list);
+    }
+    out
+}
+
+fn pair(
+    c: &Context,
+    raw: &RawRolling,
+    at: PointId,
+    (places, lengths): (&[Place], &[Length]),
+    first_guide: usize,
+    out: &mut Resolved,
+    faults: &mut Faults,
+) -> Option<Rolling> {
+    let sides: Vec<Option<Side>> = raw.sides.iter().map(|s| side(c, s, faults)).collect();
+    let phase = raw.phase.as_ref().map(|q| c.values.angle(q, faults));
+    let [Some(a), Some(b)] = sides[..] else { return None };
+    if a.link == b.link {
+        let message = both!("link `{}` cannot roll on itself", "构件 `{}` 不能在自身上滚动", c.link_name(a.link));
+        faults.push(Diagnostic::error("rolling", message).at(raw.span).help(both!("name two links", "请写两个构件")));
+        return None;
+    }
+    if !places.get(at.0).is_none_or(|p| matches!(p, Place::Unknown)) || !c.names.links.iter().all(|l| !l.points.contains(&at)) {
+        let message = both!(
+            "`{}` is the point of contact: it is found from the centres, and no link carries it",
+            "`{}` 是接触点：由圆心确定，不属于任何构件",
+            c.point_name(at)
+        );
+        let help = both!(
+            "give \"at\" a name of its own, or take `{0}` out of \"links\" and \"points\"",
+            "请给 \"at\" 另取名称，或从 \"links\"、\"points\" 中去掉 `{0}`",
+            c.point_name(at)
+        );
+        faults.push(Diagnostic::error("contact-point", message).at(raw.at.as_ref().map_or(raw.span, |w| w.span)).help(help));
+    }
+    let phase = transpose(phase)?;
+    let id = RollingId(out.rolling.len());
+    let wheel = b.centre?;
+    let (contours, path) = match a.centre {
+        None => straight(c, raw, a.link, wheel, faults)?,
+        Some(centre) => round(c, raw, [centre, wheel], faults)?,
+    };
+    let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
+    if let (Contours::Circles { centres, sizes: Sizes::Radii([p, q]), hollow }, true) = (&contours, common) {
+        out.lengths.extend(distance(c, *centres, [p, q], *hollow, (places, lengths)));
+    }
+    let guide = (!common).then(|| {
+        out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
+        GuideId(first_guide + out.guides.len() - 1)
+    });
+    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, span: raw.span })
+}
+
+fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> {
+    let link = match &raw.link {
+        Some(word) => note(c.names.link(word), faults)?,
+        None => c.ground,
+    };
+    let centre = match &raw.centre {
+        None => None,
+        Some(word) => {
+            let point = note(c.names.point(word), faults)?;
+            if !c.carries(link, point) {
+                let message = both!(
+                    "`{}`, the centre of the circle on link `{}`, is not one of its points",
+                    "构件 `{1}` 上圆的圆心 `{0}` 不是该构件上的点",
+                    word.text,
+                    c.link_name(link)
+                );
+                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
+                return None;
+            }
+            Some(point)
+        }
+    };
+    Some(Side { link, centre })
+}
+
+/// A wheel on a straight track: its centre runs along the track.
+fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &mut Faults) -> Option<(Contours, GuidePath)> {
+    let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
+    let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
+    let radius = match &raw.sizes {
+        RawSizes::Radii(radii) => match &radii[..] {
+            [r] => c.values.positive_length(r, both!("the radius of the wheel", "轮的半径"), faults),
+            _ => {
+                faults.push(
+                    Diagnostic::error("wrong-count", both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径")).at(raw.span),
+                );
+                None
+            }
+        },
+        RawSizes::Teeth(teeth, module) => match (&teeth[..], module) {
+            ([z], Some(module)) => {
+                let (z, module) = (whole(z, faults)?, c.values.positive_length(module, both!("the module", "模数"), faults)?);
+                let text = format!("({})*{z}/2", module.text);
+                Some(Given {
+                    value: module.value * f64::from(z) / 2.0,
+                    radius: module.radius * f64::from(z) + 1e-15 * module.value * f64::from(z),
+                    text,
+                    span: module.span,
+                })
+            }
+            _ => {
+                let d = Diagnostic::error(
+                    "gear-size",
+                    both!("a gear on a rack has one number of teeth and a `module`", "齿轮齿条副须给一个齿数和 `module`"),
+                );
+                faults.push(d.at(raw.span).help(both!(
+                    "give \"teeth\": [20] and \"module\", or \"radii\"",
+                    "请给出 \"teeth\": [20] 与 \"module\"，或给出 \"radii\""
+                )));
+                None
+            }
+        },
+    };
+    let (ends, angle, radius) = (transpose(ends)?, transpose(angle)?, radius?);
+    let direction = match (ends, angle) {
+        (Some((a, b)), turned) => Direction::Along(a, b, turned),
+        (None, Some(angle)) => Direction::Instant(angle),
+        (None, None) => {
+            let d = Diagnostic::error(
+                "no-direction",
+                both!("the straight track on link `{}` has no direction", "构件 `{}` 上的直线轨道没有方向", c.link_name(on)),
+            );
+            faults.push(d.at(raw.span).help(both!(
+                "add \"angle\": \"0 deg\" or \"line\", two points of that link; the wheel lies to the left, looking along it",
+                "请加上 \"angle\": \"0 deg\"，或该构件上两点 \"line\"；沿该方向看，轮在左侧"
+            )));
+            return None;
+        }
+    };
+    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through: Through::Pin, direction, offset: None }))
+}
+
+/// Two circles: the second centre runs on a circle about the first.
+fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faults) -> Option<(Contours, GuidePath)> {
+    for (key, given) in [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span))] {
+        if let Some(span) = given {
+            let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
+            faults.push(
+                Diagnostic::error("rolling", message)
+                    .at(span)
+                    .help(both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")),
+            );
+        }
+    }
+    let hollow = raw.sides.iter().position(|s| s.hollow);
+    let (sizes, radius) = match &raw.sizes {
+        RawSizes::Radii(radii) => {
+            let [a, b] = &radii[..] else {
+                faults.push(Diagnostic::error("wrong-count", both!("two circles have two radii", "两圆须有两个半径")).at(raw.span));
+                return None;
+            };
+            let what = || both!("a pitch radius", "节圆半径");
+            let (a, b) = (c.values.positive_length(a, what(), faults), c.values.positive_length(b, what(), faults));
+            let (a, b) = (a?, b?);
+            larger(c, raw, hollow, [a.value, b.value], faults)?;
+            let radius = sum(c, &a, &b, hollow);
+            (Sizes::Radii([a, b]), radius)
+        }
+        RawSizes::Teeth(teeth, module) => {
+            let [a, b] = &teeth[..] else {
+                faults.push(
+                    Diagnostic::error("wrong-count", both!("two gears have two numbers of teeth", "两齿轮须有两个齿数")).at(raw.span),
+                );
+                return None;
+            };
+            let (za, zb) = (whole(a, faults), whole(b, faults));
+            let (za, zb) = (za?, zb?);
+            larger(c, raw, hollow, [f64::from(za), f64::from(zb)], faults)?;
+            match module {
+                None => (Sizes::Teeth([za, zb]), None),
+                Some(module) => {
+                    c.values.positive_length(module, both!("the module", "模数"), faults)?;
+                    let radius = |z: u32, q: &RawQuantity| {
+                        let m = c.values.si(module, Wanted::Length, &mut Faults::default())?;
+                        let text = RawQuantity { text: format!("({})*{z}/2", m.text), span: q.span, bare: false };
+                        c.values.si(&text, Wanted::Length, &mut Faults::default())
+                    };
+                    let (ra, rb) = (radius(za, a)?, radius(zb, b)?);
+                    let distance = sum(c, &ra, &rb, hollow);
+                    (Sizes::Radii([ra, rb]), distance)
+                }
+            }
+        }
+    };
+    Some((Contours::Circles { centres, sizes, hollow }, GuidePath::Arc { centre: centres[0], radius }))
+}
+
+/// A hollow circle is the larger one.
+fn larger(c: &Context, raw: &RawRolling, hollow: Option<usize>, sizes: [f64; 2], faults: &mut Faults) -> Option<()> {
+    let Some(i) = hollow else { return Some(()) };
+    if sizes[i] > sizes[1 - i] {
+        return Some(());
+    }
+    let name = raw.sides[i].link.as_ref().map_or(c.link_name(c.ground), |w| &w.text);
+    let d = Diagnostic::error(
+        "ring-too-small",
+        both!("link `{name}` is hollow, but not larger than what rolls inside it", "构件 `{name}` 为内圆，却不大于其中滚动的圆"),
+    );
+    faults.push(d.at(raw.span).help(both!("its radius (or number of teeth) must be the larger one", "其半径（或齿数）应为较大者")));
+    None
+}
+
+/// The distance of the centres, from the radii.
+fn sum(c: &Context, a: &Given, b: &Given, hollow: Option<usize>) -> Option<Given> {
+    let text = match hollow {
+        None => format!("({})+({})", a.text, b.text),
+        Some(0) => format!("({})-({})", a.text, b.text),
+        Some(_) => format!("({})-({})", b.text, a.text),
+    };
+    c.values.si(&RawQuantity { text, span: a.span, bare: false }, Wanted::Length, &mut Faults::default())
+}
+
+/// The distance of two centres on one link, where neither coordinates nor a length give it.
+fn distance(
+    c: &Context,
+    [p, q]: [PointId; 2],
+    [a, b]: [&Given; 2],
+    hollow: Option<usize>,
+    (places, lengths): (&[Place], &[Length]),
+) -> Option<Length> {
+    let given = lengths.iter().any(|l| (l.a, l.b) == (p, q) || (l.a, l.b) == (q, p));
+    let placed = [p, q].iter().all(|p| matches!(places[p.0], Place::At(_)))
+        || [p, q].iter().any(|p| matches!(places[p.0], Place::InLink { .. } | Place::Polar { .. }));
+    if given || placed {
+        return None;
+    }
+    Some(Length { a: p, b: q, value: sum(c, a, b, hollow)? })
+}
+
+/// A number of teeth.
+fn whole(q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
+    match q.text.trim().parse::<u32>() {
+        Ok(z) if (1..=MOST_TEETH).contains(&z) => Some(z),
+        _ => {
+            let d = Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text)).at(q.span);
+            faults.push(d.help(both!("write a whole number from 1 to {MOST_TEETH}", "请写 1 到 {MOST_TEETH} 的整数")));
+            None
+        }
+    }
+}
