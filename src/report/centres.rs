@@ -13,6 +13,9 @@ use unicode_width::UnicodeWidthStr;
 /// Significant digits of the table.
 const DIGITS: usize = 6;
 
+/// Differences below this are those of double precision.
+const ROUNDING: f64 = 1e-12;
+
 /// A writer for one result and language.
 pub struct Words<'a> {
     found: &'a Centres,
@@ -193,14 +196,20 @@ impl<'a> Words<'a> {
 
     fn proof(&self) -> String {
         let found = self.found;
-        let (residual, triple) = (significant(found.worst_residual(), 2), significant(found.worst_triple, 2));
+        let to = |off: f64| match off {
+            off if off < ROUNDING => tr(self.lang, "to rounding", "只差舍入误差").to_owned(),
+            off => format!("{} {}", tr(self.lang, "to", "相对差"), significant(off, 2)),
+        };
+        let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
         match self.lang {
             _ if none => tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned(),
             Lang::En => format!(
-                "checked by the loop equations: each centre has one velocity on both links, to {residual} of the largest; all triples lie in line, to {triple}"
+                "checked by the loop equations: each centre has one velocity on both links, {residual}; the centres of any three links lie in line, {triple}"
             ),
-            Lang::Zh => format!("用回路方程校核：各瞬心在两构件上的速度相同（相对差不超过 {residual}），任意三个构件的三个瞬心共线（偏差不超过 {triple}）"),
+            Lang::Zh => {
+                format!("用回路方程校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+            }
         }
     }
 
