@@ -1,10 +1,13 @@
 //! Instantaneous centres: the cases against places that were computed without this project, which eight-bars stall, and what is said where
 //! lines coincide.
 
+use hodograph::accuracy::certify;
+use hodograph::answer::Value;
 use hodograph::centres::{By, Centres, How, Origin, Place, Undetermined, centres, closure, count};
 use hodograph::diag::Warned;
 use hodograph::geom::Vec2;
 use hodograph::scene::{self, LinkId, Scene, edit, templates};
+use hodograph::worked::{Scope, work};
 use serde_json::{Value as Json, json};
 use std::collections::BTreeMap;
 
@@ -325,4 +328,49 @@ fn templates_at_many_positions() {
     }
     println!("{found} centres found, {missing} without a place");
     assert!(found > 4000 && missing * 200 < found, "{found} found, {missing} missing");
+}
+
+/// `P_24` in `find`: by velocities, certified, and the same as by lines.
+#[test]
+fn centres_can_be_asked() {
+    let mut asked = 0;
+    for t in templates::list() {
+        let found = centres(&read(templates::get(t.name).unwrap())).unwrap().value;
+        for c in &found.list {
+            let Some(Place::At(at)) = c.place else { continue };
+            let names = [c.step.pair.i, c.step.pair.j].map(|l| found.scene.link_name(l).to_owned());
+            let question = format!("P_{},{}", names[0], names[1]);
+            let Ok(scene) = scene::read_asking(templates::get(t.name).unwrap(), &question) else { continue };
+            let scene = scene.value;
+            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{} {question}: {f}", t.name)).value;
+            let Value::Point(p) = worked.results[0].computed else { panic!("{question} is a place") };
+            let size = found.worked.configuration.extent();
+            assert!(p.distance(at) < 1e-9 * (size + p.distance(at) + at.to_vec2().norm()), "{} {question}: {p:?}, {at:?}", t.name);
+            let sure = &certify(&scene, &worked, 9)[0];
+            assert_eq!(sure.why, None, "{} {question}", t.name);
+            asked += 1;
+        }
+    }
+    println!("{asked} centres asked");
+    assert!(asked > 200, "{asked}");
+}
+
+#[test]
+fn centres_that_are_no_place_are_refused() {
+    let codes = |question: &str, text: &str| -> Vec<String> {
+        match scene::read_asking(text, question).map(|s| work(&s.value, Scope::Questions)) {
+            Ok(Ok(_)) => Vec::new(),
+            Ok(Err(f)) | Err(f) => f.list.iter().map(|d| format!("{}: {}", d.code, d.message.en)).collect(),
+        }
+    };
+    let (slide, parallel) = (templates::get("slider-crank").unwrap(), templates::get("parallelogram").unwrap());
+    let told = |question, text, word: &str| {
+        let all = codes(question, text);
+        assert!(all.iter().any(|d| d.contains(word)), "{question}: {all:?}");
+    };
+    told("P_34", slide, "lies at infinity");
+    told("P_22", slide, "one link twice");
+    told("P_29", slide, "does not name two links");
+    told("P_2,9", slide, "no link `9`");
+    told("P_13", parallel, "cannot be answered here");
 }
