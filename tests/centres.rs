@@ -309,7 +309,9 @@ fn templates_at_many_positions() {
     for t in templates::list() {
         for (name, _) in t.parameters.iter().filter(|(n, _)| n.starts_with("phi")).take(1) {
             for k in 0..24 {
-                let Ok(text) = edit::with_parameters(templates::get(t.name).unwrap(), &[(name.as_str(), &(15 * k).to_string())]) else { continue };
+                let Ok(text) = edit::with_parameters(templates::get(t.name).unwrap(), &[(name.as_str(), &(15 * k).to_string())]) else {
+                    continue;
+                };
                 let Ok(scene) = scene::read(&text) else { continue };
                 let Ok(at) = centres(&scene.value) else { continue };
                 let at = at.value;

@@ -50,6 +50,8 @@ pub enum By {
         /// P_fm P_km (m).
         arm: f64,
     },
+    /// Neither turns: along the direction of their centre at infinity both have one component of velocity.
+    Wedge(LinkId),
     /// The other link does not turn, and this one has its velocity at their centre.
     FromSlide {
         /// The other link m.
@@ -207,9 +209,14 @@ impl Chain<'_> {
                 let arm = self.place(self.frame, m.link)?.point()?.distance(x);
                 Some((By::Slides { link: m.link, arm }, Motion::Slide(self.velocity(m, x)?)))
             }
+            (Place::Infinity(own), Place::Infinity(shared), Motion::Slide(v)) => {
+                let along = own.perp();
+                let part = along.dot(shared);
+                (part.abs() > SAME).then(|| (By::Wedge(m.link), Motion::Slide(along * (v.dot(shared) / part))))
+            }
             (Place::At(_), Place::Infinity(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
-            | (Place::Infinity(_), Place::Infinity(_), _) => None,
+            | (Place::Infinity(_), Place::Infinity(_), Motion::Turn(_)) => None,
         }
     }
 

@@ -303,7 +303,9 @@ fn centres_are_told_with_how_they_are_found() {
     let shaper = templates_path("shaper");
     let run = hodograph().args(["centres", &shaper]).assert().success();
     let said = text(&run.get_output().stdout);
-    for line in ["15 centres: 7 at the pairs, 8 by the theorem", "P13     1      12·23 × 16·36", "at infinity", "the same sense", "loop equations"] {
+    for line in
+        ["15 centres: 7 at the pairs, 8 by the theorem", "P13     1      12·23 × 16·36", "at infinity", "the same sense", "loop equations"]
+    {
         assert!(said.contains(line), "{line} is not in\n{said}");
     }
     let run = hodograph().args(["centres", &shaper, "--lang", "zh"]).assert().success();

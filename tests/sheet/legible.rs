@@ -6,8 +6,8 @@
 use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
 use hodograph::figure::extent::Rect;
 use hodograph::figure::item::{Figure, Item, Shape};
-use hodograph::figure::place::Obstacles;
 use hodograph::figure::list::{self, Extras, Wanted};
+use hodograph::figure::place::Obstacles;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2};
 use hodograph::plan::notation::Notation;
@@ -193,7 +193,8 @@ fn every_centre_can_be_read() {
                 let found = look(&pages[0].1, pose.links.len());
                 if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
                     let (overlaps, outside, least) = (found.overlaps, found.outside, found.smallest_mm);
-                    faults.push(format!("{} pose {k} {lang:?}: {overlaps} overlaps, {outside} outside, smallest type {least:.2} mm", t.name));
+                    faults
+                        .push(format!("{} pose {k} {lang:?}: {overlaps} overlaps, {outside} outside, smallest type {least:.2} mm", t.name));
                 }
                 here.add(found);
             }

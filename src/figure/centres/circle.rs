@@ -97,7 +97,8 @@ fn chords(w: &Wanted, found: &Centres) -> Part {
         on_circle(Point::ORIGIN, radius, FRAC_PI_2 - TAU * k as f64 / n)
     };
     let mut d = Drawing::new("circle", style.clone());
-    let outline = Shape::Circle { centre: Point::ORIGIN, radius_mm: radius, stroke: Some(style.thin.coloured(Colour::grey(170))), fill: None };
+    let outline =
+        Shape::Circle { centre: Point::ORIGIN, radius_mm: radius, stroke: Some(style.thin.coloured(Colour::grey(170))), fill: None };
     d.frame("circle", "circle", outline);
     let chord = |c: &Centre| (at(c.step.pair.i), at(c.step.pair.j));
     for c in &found.list {

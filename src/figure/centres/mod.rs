@@ -22,11 +22,8 @@ use super::list::{Entry, Pages, Wanted, page};
 use super::sheet::{MARGIN_MM, Maker};
 
 /// All centres with the circle diagram.
-pub const ENTRY: Entry = Entry {
-    name: "centres",
-    about: ["The instantaneous centres, with the circle diagram", "速度瞬心及点元图"],
-    draw,
-};
+pub const ENTRY: Entry =
+    Entry { name: "centres", about: ["The instantaneous centres, with the circle diagram", "速度瞬心及点元图"], draw };
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let Warned { value: found, notes } = centres(w.scene)?;

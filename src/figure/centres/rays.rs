@@ -190,9 +190,7 @@ pub fn holds(window: Rect, p: Point) -> bool {
 /// The part of a line that lies on the paper (Liang-Barsky), as positions along it from its place; `None` where it misses the paper.
 pub fn clipped(window: Rect, through: Point, along: Vec2) -> Option<[f64; 2]> {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-    for (at, step, min, max) in
-        [(through.x, along.x, window.min.x, window.max.x), (through.y, along.y, window.min.y, window.max.y)]
-    {
+    for (at, step, min, max) in [(through.x, along.x, window.min.x, window.max.x), (through.y, along.y, window.min.y, window.max.y)] {
         if step == 0.0 {
             if !(min..=max).contains(&at) {
                 return None;
