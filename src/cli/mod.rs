@@ -6,6 +6,7 @@
 mod args;
 mod batch;
 mod cam;
+mod centres;
 mod curves;
 mod draw;
 mod files;
@@ -68,6 +69,7 @@ pub fn main() -> ExitCode {
         Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
+        Command::Centres(a) => centres::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),

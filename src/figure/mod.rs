@@ -5,6 +5,7 @@
 mod arrange;
 pub mod arrow;
 pub mod cam;
+mod centres;
 pub(crate) mod course;
 pub mod curves;
 pub mod drawing;
@@ -15,6 +16,7 @@ pub mod groups;
 pub mod hodograph;
 pub mod item;
 pub mod label;
+pub mod list;
 pub mod mechanism;
 pub mod path;
 pub mod place;

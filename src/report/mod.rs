@@ -2,6 +2,8 @@
 
 pub mod answers;
 pub mod cam;
+pub mod centres;
+pub mod centres_json;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;
