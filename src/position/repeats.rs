@@ -204,10 +204,10 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
 }
 
 /// How far the driver was moved.
-fn way_words(scene: &Scene, moved: f64) -> Option<Both> {
-    let driver = scene.drivers.first().filter(|_| moved != 0.0)?;
-    let turns = matches!(driver.kind, DriverKind::Turn { .. });
-    let (name, _) = scene.driver_name(0);
+fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
+    let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
+    let turns = matches!(scene.drivers[driver].kind, DriverKind::Turn { .. });
+    let (name, _) = scene.driver_name(driver);
     let by = if turns { format!("{}°", significant(moved.to_degrees(), 3)) } else { scene.length_words(moved) };
     Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
 }
@@ -235,7 +235,7 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     let (what, span) = opened_words(scene, opened);
     let why = checked.reason.words(scene, checked.positions);
     let off = scene.length_words(checked.off_m);
-    let when = way_words(scene, checked.moved).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
+    let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
     let (positions, freedom) = (checked.positions, m.mobility.freedom);
     match checked.verdict {
         Verdict::Virtual => {
