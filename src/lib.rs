@@ -27,7 +27,8 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema; in which unit a number is printed ([`scene::book`]).
+//!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
+//!   ([`scene::book`]).
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
 //!   their legs; the demand of the questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;

@@ -205,7 +205,8 @@ fn counts_are_those_of_brute_force() {
         all.dedup();
         let lower: i64 = all.iter().map(|p| joined(p) - 1).sum();
         // A disc on a pin of moving links turns for nobody.
-        let idle = on.iter().filter(|(l, own)| *l != "0" && own.len() == 1 && joined(&own[0]) > 1 && !on["0"].contains(&own[0])).count() as i64;
+        let idle =
+            on.iter().filter(|(l, own)| *l != "0" && own.len() == 1 && joined(&own[0]) > 1 && !on["0"].contains(&own[0])).count() as i64;
         let survey = Survey::of(&scene);
         let freedom = 3 * links as i64 - 2 * lower;
         assert_eq!((survey.counts.moving as u64, survey.counts.lower as i64, survey.counts.higher), (links, lower, 0), "{round}: {text}");
@@ -219,7 +220,11 @@ fn counts_are_those_of_brute_force() {
         for choice in &survey.choices {
             with_groups += 1;
             for g in &choice.mechanism.groups {
-                let taken: usize = g.constraints.iter().map(|c| if matches!(choice.mechanism.constraints[*c], hodograph::mechanism::Constraint::Pinned(..)) { 2 } else { 1 }).sum();
+                let taken: usize = g
+                    .constraints
+                    .iter()
+                    .map(|c| if matches!(choice.mechanism.constraints[*c], hodograph::mechanism::Constraint::Pinned(..)) { 2 } else { 1 })
+                    .sum();
                 assert_eq!(3 * g.links.len() + 2 * g.pins.len(), taken, "{round}: {g:?}\n{text}");
             }
         }

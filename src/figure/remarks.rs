@@ -95,7 +95,7 @@ fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> V
     if let Some(p) = bad.special
         && let Core::Link { link, legs } = &worked.mechanism.groups[p.group].core
     {
-        let [a, b] = [p.legs.0, p.legs.1].map(|k| constraint_line(scene, words, &legs[k]));
+        let [a, b] = [p.legs.0, p.legs.1].map(|k| legs[k].line().map_or_else(String::new, |line| constraint_line(scene, words, line)));
         lines.push(fill(words.bad_special, &[("1", &a), ("2", &b), ("3", &two(p.worst_deg)), ("", scene.link_name(*link))]));
     }
     if let Some(p) = bad.pose {

@@ -110,21 +110,7 @@ impl Mechanism {
             opening = redundant::open(scene, &opening).unwrap_or(opening);
         }
         let mechanism = Mechanism::opened(scene, opening)?;
-        let mut notes = Vec::new();
-        for g in &mechanism.groups {
-            if matches!(g.core, Core::Higher) {
-                let names: Vec<_> = g.links.iter().map(|l| scene.link_name(*l)).collect();
-                notes.push(Diagnostic::note(
-                    "higher-group",
-                    both!(
-                        "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
-                        "构件 {} 组成高于Ⅲ级的杆组：由回路方程求解，不作图",
-                        names.join(", ")
-                    ),
-                ));
-            }
-        }
-        Ok(Warned { value: mechanism, notes })
+        Ok(Warned { value: mechanism, notes: Vec::new() })
     }
 
     /// The mechanism without what is opened.

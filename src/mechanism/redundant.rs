@@ -165,9 +165,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0) {
         for &p in link.points.iter().rev() {
             let other = |k: &LinkId| {
-                k.0 != l
-                    && closed.passive[k.0].is_none()
-                    && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
+                k.0 != l && closed.passive[k.0].is_none() && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
             };
             if scene.carriers(p).any(|k| other(&k)) {
                 all.push(Candidate { opened: Opened::Pin(p, LinkId(l)), pins: Vec::new(), equations: 2, span: link.span });

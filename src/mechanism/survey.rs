@@ -7,8 +7,8 @@
 //! # Source
 //! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
 
-use super::redundant::{Opened, Opening, Redundant};
 use super::Mechanism;
+use super::redundant::{Opened, Opening, Redundant};
 use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
 
 /// A link whose only pair is the pin about which it turns: its turning moves nothing else.
@@ -203,7 +203,8 @@ fn possible(scene: &Scene) -> Vec<Driver> {
     let drive = |kind| Driver { kind, rate: Given { value: 0.0, radius: 0.0, text: "0".into(), span }, acceleration: None, span };
     let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && scene.links[l.0].points.iter().any(on_ground));
     let turns = cranks.map(|link| DriverKind::Turn { link, against: scene.ground, line: None, against_line: None, angle: None });
-    let guides = (0..scene.guides.len()).map(GuideId).filter(|g| scene.guides[g.0].on == scene.ground && scene.guides[g.0].rolling.is_none());
+    let guides =
+        (0..scene.guides.len()).map(GuideId).filter(|g| scene.guides[g.0].on == scene.ground && scene.guides[g.0].rolling.is_none());
     let slides = guides.map(|guide| DriverKind::Slide { guide, position: None });
     turns.chain(slides).map(drive).collect()
 }

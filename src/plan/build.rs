@@ -1,8 +1,8 @@
 //! Walks the groups and writes their equations.
 
 use super::between::body_of;
-use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Core, Demand, Level, Mechanism, Need, Opened};
+use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
+use crate::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
@@ -21,6 +21,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         m,
         demand,
         vertices: Vec::new(),
+        specials: Vec::new(),
         velocity: Vec::new(),
         acceleration: Vec::new(),
         interned: HashMap::new(),
@@ -43,6 +44,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
     }
     let mut plan = Plan {
         vertices: b.vertices,
+        specials: b.specials,
         velocity: b.velocity,
         acceleration: b.acceleration,
         still: m.never_turns.clone(),
@@ -60,6 +62,7 @@ pub(super) struct Builder<'a> {
     pub m: &'a Mechanism,
     pub(super) demand: &'a Demand,
     pub(super) vertices: Vec<Vertex>,
+    specials: Vec<Special>,
     pub(super) velocity: Vec<GroupSteps>,
     pub(super) acceleration: Vec<GroupSteps>,
     /// Where each vertex stands in the list.
@@ -94,7 +97,7 @@ impl Builder<'_> {
                 let fixed = self.scene.links[ground.0].points.contains(&p);
                 (self.number_of_pin(p), fixed)
             }
-            (Spot::Special { .. }, None) => (None, false),
+            (Spot::Special(_), None) => (None, false),
         };
         let id = VertexId(self.vertices.len());
         self.vertices.push(Vertex { spot, on, number, fixed });
@@ -112,6 +115,16 @@ impl Builder<'_> {
         guides.iter().find_map(|g| g.slider).or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
     }
 
+    /// The vertex of a special point: the same at both levels.
+    pub(super) fn special(&mut self, special: Special) -> VertexId {
+        let known = self.specials.iter().position(|s| *s == special);
+        let index = known.unwrap_or_else(|| {
+            self.specials.push(special);
+            self.specials.len() - 1
+        });
+        self.intern(Spot::Special(index), None)
+    }
+
     /// The vertex of a pin, or of a point that belongs to one link.
     pub(super) fn pin(&mut self, p: PointId) -> VertexId {
         self.intern(Spot::Point(p), None)
@@ -126,7 +139,7 @@ impl Builder<'_> {
     pub(super) fn on_link(&mut self, v: VertexId, l: LinkId) -> VertexId {
         match self.vertices[v.0].spot {
             Spot::Point(p) => self.coincident(p, l),
-            special @ Spot::Special { .. } => self.intern(special, Some(l)),
+            special @ Spot::Special(_) => self.intern(special, Some(l)),
         }
     }
 
@@ -241,7 +254,7 @@ impl Builder<'_> {
                     None => return,
                 }
             }
-            (None, Spot::Special { .. }) => return,
+            (None, Spot::Special(_)) => return,
         };
         for p in self.scene.links[link.0].points.clone() {
             // Fixed pivots are known without ever having been asked for.
@@ -280,7 +293,7 @@ impl Builder<'_> {
             }
             let group = &self.m.groups[g];
             let undrawable = |g: &usize| self.undrawable.contains(g);
-            if matches!(group.core, Core::Higher) || undrawable(&g) || group.upstream.iter().any(undrawable) {
+            if undrawable(&g) || group.upstream.iter().any(undrawable) {
                 if !self.undrawable.contains(&g) {
                     self.undrawable.push(g);
                 }
@@ -293,7 +306,11 @@ impl Builder<'_> {
                 rates: Vec::new(),
                 further: Vec::new(),
             });
-            let alternatives = self.group(level, g);
+            let Some(alternatives) = self.group(level, g) else {
+                self.list(level).pop();
+                self.undrawable.push(g);
+                continue;
+            };
             self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
         }

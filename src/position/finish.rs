@@ -114,9 +114,9 @@ impl Assembly<'_, f64> {
     pub(super) fn check(&mut self, c: &Configuration) {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            // Of a rolling pair the sizes are checked as such; what is opened is looked at by itself.
-            let (Some(p), Some(path), None) = (guide.pin, c.guides[g], guide.rolling) else { continue };
-            if self.m.is_opened(&Opened::Guide(GuideId(g))) {
+            let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            // Of two circles that roll the sizes are checked as such; what is opened is looked at by itself.
+            if guide.rolling.is_some() && matches!(path, Path::Arc { .. }) || self.m.is_opened(&Opened::Guide(GuideId(g))) {
                 continue;
             }
             let Some(at) = c.points[p.0] else { continue };

@@ -3,8 +3,8 @@
 use super::redundant::{Checked, Verdict};
 use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
-use crate::mechanism::{Mechanism, Opened};
 use crate::digits::significant;
+use crate::mechanism::{Mechanism, Opened};
 use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
@@ -42,13 +42,15 @@ pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configu
         Opened::Guide(g) => {
             let pin = scene.guides[g.0].pin;
             let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground);
-            let mut circles = cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
+            let mut circles =
+                cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
             let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
             parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides).or_else(line)
         }
         Opened::Rolling(r) => repeated_planets(scene, *r),
         Opened::Pin(p, l) => {
-            let other = |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
+            let other =
+                |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
             scene.links[l.0].points.iter().find(other).map(|q| Reason::CoaxialPins(*p, *q))
         }
     };
@@ -163,7 +165,10 @@ impl Reason {
                 let (first, second, radius) = (of(p), of(q), line(scene, (*b, *d)));
                 match self {
                     Reason::SameLine(..) => {
-                        both!("its pin runs on that line anyway ({first} = {second} = {radius})", "该销的轨迹本来就是该直线（{first} = {second} = {radius}）")
+                        both!(
+                            "its pin runs on that line anyway ({first} = {second} = {radius})",
+                            "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
+                        )
                     }
                     _ => both!(
                         "{} runs on that circle anyway ({first} = {second} = {radius})",
@@ -184,7 +189,8 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
         Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
-            let (on, runner) = (scene.link_name(guide.on), guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))));
+            let (on, runner) =
+                (scene.link_name(guide.on), guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))));
             let runner = runner.unwrap_or_default();
             (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
         }
@@ -216,7 +222,9 @@ fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
 fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
     let Reason::ParallelCranks(cranks) = &checked.reason else {
         return match &checked.reason {
-            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect(),
+            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
+                [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect()
+            }
             _ => match m.redundant[checked.index].opened {
                 Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
                 Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
@@ -240,7 +248,9 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     match checked.verdict {
         Verdict::Virtual => {
             let bound = match checked.bound_m {
-                _ if positions == 1 => both!("the driver could not be moved, so that only the pose shows it", "原动件无法移动，仅由该位置得知"),
+                _ if positions == 1 => {
+                    both!("the driver could not be moved, so that only the pose shows it", "原动件无法移动，仅由该位置得知")
+                }
                 Some(bound) => both!(
                     "left open, it holds at {positions} positions to within {} m",
                     "去掉后在 {positions} 个位置仍成立，偏差不大于 {} m",
@@ -251,11 +261,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
                     "去掉后在 {positions} 个位置仍成立（双精度范围内）"
                 ),
             };
-            Diagnostic::note(
-                "virtual",
-                both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound),
-            )
-            .at(span)
+            Diagnostic::note("virtual", both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound))
+                .at(span)
         }
         Verdict::Almost => Diagnostic::warning(
             "almost-virtual",
@@ -329,7 +336,11 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             "leave the guide out; of two guides of one slider the second is parallel to the first",
             "请去掉该导路；同一滑块的两条导路应相互平行"
         ),
-        Opened::Rolling(_) => both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比"),
-        Opened::Pin(p, _) => both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p)),
+        Opened::Rolling(_) => {
+            both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比")
+        }
+        Opened::Pin(p, _) => {
+            both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p))
+        }
     }
 }

@@ -178,25 +178,36 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
     let compound: Vec<Json> =
         survey.compound.iter().map(|(p, k)| json!({"point": scene.point_name(*p), "links": k, "pairs": k - 1})).collect();
     let idle: Vec<Json> = survey.local.iter().map(|l| json!({"link": l.link, "pin": l.pin, "why": words(local_words(l))})).collect();
-    let repeats: Vec<Json> = survey.redundant().iter().zip(checked).enumerate().map(|(i, (r, c))| {
-        json!({
-            "equations": r.equations,
-            "verdict": c.as_ref().map(|c| verdict(c.verdict)),
-            "off_m": c.as_ref().map(|c| c.off_m),
-            "positions": c.as_ref().map(|c| c.positions),
-            "why": words(repeats_words(survey, i, c.as_ref())),
+    let repeats: Vec<Json> = survey
+        .redundant()
+        .iter()
+        .zip(checked)
+        .enumerate()
+        .map(|(i, (r, c))| {
+            json!({
+                "equations": r.equations,
+                "verdict": c.as_ref().map(|c| verdict(c.verdict)),
+                "off_m": c.as_ref().map(|c| c.off_m),
+                "positions": c.as_ref().map(|c| c.positions),
+                "why": words(repeats_words(survey, i, c.as_ref())),
+            })
         })
-    }).collect();
+        .collect();
     let group = |choice: &ForDrivers, g: &Group| {
         let links: Vec<&str> = g.links.iter().map(|l| choice.scene.link_name(*l)).collect();
         let pins: Vec<&str> = g.pins.iter().map(|p| choice.scene.point_name(*p)).collect();
         json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
     };
     let locked = checked.iter().any(|c| known(c.as_ref()) == Known::Locks);
-    let choices: Vec<Json> = survey.choices.iter().filter(|_| !locked).map(|c| {
-        let groups: Vec<Json> = c.from_the_far_end().map(|g| group(c, g)).collect();
-        json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
-    }).collect();
+    let choices: Vec<Json> = survey
+        .choices
+        .iter()
+        .filter(|_| !locked)
+        .map(|c| {
+            let groups: Vec<Json> = c.from_the_far_end().map(|g| group(c, g)).collect();
+            json!({"drivers": c.names(), "given": c.given, "class": c.class(), "groups": groups})
+        })
+        .collect();
     json!({
         "counts": counts(&survey.counts),
         "F_counted": survey.counts.freedom(0, 0),

@@ -213,12 +213,19 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
-    let through = f.get("through").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
-        _ => word(n, "\"through\"", faults).map(RawThrough::Point),
-    });
+    let through = through(&f, faults);
     // A guide with a member that could not be read must not be judged by what is left of it.
     (faults.list.len() == before).then_some(RawGuide { pin, slider, on, line, through, angle, offset, centre, radius, span: node.span })
+}
+
+/// A point by its name or by coordinates.
+fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
+    f.get("through").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Object(_) => {
+            word(n, "\"through\"", faults).map(RawThrough::Point)
+        }
+    })
 }
 
 /// The three kinds of driver: the key that tells the kind, its name, all its keys.

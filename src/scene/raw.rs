@@ -62,8 +62,9 @@ pub(super) struct RawRolling {
     pub sizes: RawSizes,
     /// Whether the pair has teeth.
     pub toothed: bool,
-    /// Direction of a straight track.
+    /// Direction of a straight track, and a point of it.
     pub line: Option<Word>,
+    pub through: Option<RawThrough>,
     pub angle: Option<RawQuantity>,
     pub at: Option<Word>,
     pub phase: Option<RawQuantity>,

@@ -85,11 +85,7 @@ impl Only {
             }
             let driver = match c {
                 Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-                Constraint::Pinned(..)
-                | Constraint::Slot(..)
-                | Constraint::Lock(_)
-                | Constraint::Glide(_)
-                | Constraint::Roll(_) => None,
+                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
             };
             driver.into_iter().for_each(|d| self.drivers[d] = true);
         }
