@@ -181,7 +181,12 @@ fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic>
         let by_velocities: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_some()).map(name).collect();
         let none: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_none()).map(name).collect();
         if !by_velocities.is_empty() {
-            let message = both!("{}: {}; the velocities of the analysis tell the place", "{}：{}；由解析法的速度定位", by_velocities.join(", "), words);
+            let message = both!(
+                "{}: {}; the velocities of the analysis tell the place",
+                "{}：{}；由解析法的速度定位",
+                by_velocities.join(", "),
+                words
+            );
             notes.push(Diagnostic::note("centre-undetermined", message));
         }
         if !none.is_empty() {

@@ -123,8 +123,7 @@ pub(super) fn closure(scene: &Scene, freedoms: usize) -> Closure {
     let n = scene.links.len();
     let mut open = Open { given: &given, links: &links, known: vec![None; n * n], n };
     let mut steps = Vec::new();
-    let pairs: Vec<Pair> =
-        links.iter().enumerate().flat_map(|(k, i)| links[k + 1..].iter().map(|j| Pair { i: *i, j: *j })).collect();
+    let pairs: Vec<Pair> = links.iter().enumerate().flat_map(|(k, i)| links[k + 1..].iter().map(|j| Pair { i: *i, j: *j })).collect();
     for pair in &pairs {
         let there = given.primary.iter().find(|(a, b, _)| pair.has(*a) && pair.has(*b));
         if let Some((_, _, primary)) = there {

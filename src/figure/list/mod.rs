@@ -32,14 +32,8 @@ pub struct Entry {
 pub type Pages = Vec<(String, Figure)>;
 
 /// All figures, in the order in which they are offered.
-pub const LIST: &[&Entry] = &[
-    &sheet::ENTRY,
-    &drawings::MECHANISM,
-    &drawings::VELOCITY,
-    &drawings::ACCELERATION,
-    &equations::ENTRY,
-    &results::ENTRY,
-];
+pub const LIST: &[&Entry] =
+    &[&sheet::ENTRY, &drawings::MECHANISM, &drawings::VELOCITY, &drawings::ACCELERATION, &equations::ENTRY, &results::ENTRY];
 
 /// The figure that is drawn when none is named.
 pub const USUAL: &Entry = &sheet::ENTRY;
