@@ -41,6 +41,7 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -72,11 +73,12 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked centres sweep effort figure* render*
-//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
+//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked trains sweep report
 //! render     diag geom figure
 //! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
@@ -116,6 +118,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod trains;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

@@ -12,6 +12,7 @@ pub mod font;
 pub mod grid;
 pub mod hodograph;
 pub mod item;
+mod kutzbach;
 pub mod label;
 pub mod list;
 pub mod mechanism;

@@ -5,6 +5,7 @@
 
 mod drawings;
 mod equations;
+mod kutzbach;
 mod results;
 mod sheet;
 
@@ -32,8 +33,15 @@ pub struct Entry {
 pub type Pages = Vec<(String, Figure)>;
 
 /// All figures, in the order in which they are offered.
-pub const LIST: &[&Entry] =
-    &[&sheet::ENTRY, &drawings::MECHANISM, &drawings::VELOCITY, &drawings::ACCELERATION, &equations::ENTRY, &results::ENTRY];
+pub const LIST: &[&Entry] = &[
+    &sheet::ENTRY,
+    &drawings::MECHANISM,
+    &drawings::VELOCITY,
+    &drawings::ACCELERATION,
+    &equations::ENTRY,
+    &results::ENTRY,
+    &kutzbach::ENTRY,
+];
 
 /// The figure that is drawn when none is named.
 pub const USUAL: &Entry = &sheet::ENTRY;
