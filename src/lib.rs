@@ -41,6 +41,7 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
@@ -73,12 +74,13 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! gears      geom
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
 //! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
-//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked trains sweep report
+//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked gears trains sweep report
 //! render     diag geom figure
 //! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
@@ -105,6 +107,7 @@ pub mod construct;
 pub mod diag;
 pub mod effort;
 pub mod figure;
+pub mod gears;
 pub mod geom;
 mod json;
 pub mod lesson;

@@ -9,7 +9,7 @@
 //! R. Willis, *Principles of Mechanism*, 1841.
 
 use crate::scene::exact::Inputs;
-use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId, Scene, Sizes};
+use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId, Scene};
 
 /// The gears of one arm that mesh with one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -162,19 +162,16 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
     let mut seen: Vec<(LinkId, f64)> = Vec::new();
     let mut out = Vec::new();
     for (k, pair) in scene.rolling.iter().enumerate() {
-        let Contours::Circles { centres, sizes, .. } = &pair.contours else { continue };
+        let Contours::Circles { centres, .. } = &pair.contours else { continue };
         let carries = |l: usize| centres.iter().all(|c| scene.links[l].points.contains(c));
         let Some(arm) = (0..scene.links.len()).find(|l| carries(*l)).map(LinkId) else { continue };
         if pair.links.contains(&arm) && arm != scene.ground {
             continue;
         }
-        let letter = match sizes {
-            Sizes::Teeth(_) => 'z',
-            Sizes::Radii(_) => 'r',
-        };
+        let letter = if pair.flanks.is_some() { 'z' } else { 'r' };
         let values = pair.sizes(&inputs);
         let mut symbol = |i: usize| {
-            let (link, size) = (pair.links[i], values[i].abs());
+            let (link, size) = (pair.links[i], pair.flanks.as_ref().map_or(values[i].abs(), |f| f64::from(f.teeth[i])));
             if !seen.contains(&(link, size)) {
                 seen.push((link, size));
             }

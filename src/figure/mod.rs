@@ -9,6 +9,7 @@ pub mod curves;
 pub mod drawing;
 pub mod extent;
 pub mod font;
+mod gears;
 pub mod grid;
 pub mod hodograph;
 pub mod item;

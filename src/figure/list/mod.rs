@@ -5,6 +5,7 @@
 
 mod drawings;
 mod equations;
+mod gears;
 mod kutzbach;
 mod results;
 mod sheet;
@@ -40,7 +41,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::ACCELERATION,
     &equations::ENTRY,
     &results::ENTRY,
-    &kutzbach::ENTRY,
+    &kutzbach::ENTRY, &gears::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

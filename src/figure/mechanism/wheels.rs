@@ -10,7 +10,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling, Sizes};
+use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -45,10 +45,10 @@ impl Draft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
         let Some(contact) = self.point(pair.at) else { return Vec::new() };
-        let (hollow, teeth) = match &pair.contours {
-            Contours::Circles { hollow, sizes: Sizes::Teeth(teeth), .. } => (*hollow, Some(*teeth)),
-            Contours::Circles { hollow, sizes: Sizes::Radii(_), .. } => (*hollow, None),
-            Contours::Track { .. } => (None, None),
+        let teeth = pair.flanks.as_ref().map(|f| f.teeth);
+        let hollow = match pair.contours {
+            Contours::Circles { hollow, .. } => hollow,
+            Contours::Track { .. } => None,
         };
         let round = |i: usize| {
             let centre = self.point(pair.centres()[i]?)?;
