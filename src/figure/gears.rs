@@ -107,7 +107,10 @@ fn meant(maker: &Maker, rolling: &Rolling, flanks: &Flanks) -> Result<Pair, Diag
                         "按变位系数无侧隙中心距为 {wanted}，而实际中心距为 {distance}"
                     ),
                 )
-                .help(both!("give one shift, \"shift\": [x1]: the other follows from the distance", "只给一个变位系数 \"shift\": [x1]，另一个由中心距确定")));
+                .help(both!(
+                    "give one shift, \"shift\": [x1]: the other follows from the distance",
+                    "只给一个变位系数 \"shift\": [x1]，另一个由中心距确定"
+                )));
             }
             (module, [shifts.first().copied().unwrap_or(0.0), shifts.get(1).copied().unwrap_or(0.0)])
         }
@@ -121,7 +124,10 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
     let note = |code, message| Diagnostic::warning(code, message).at(rolling.span);
     let mut out = Vec::new();
     if pair.interferes() {
-        let message = both!("at `{at}` a tip reaches beyond the line of action's end N: the flanks interfere", "`{at}` 处齿顶超过啮合极限点 N，将发生干涉");
+        let message = both!(
+            "at `{at}` a tip reaches beyond the line of action's end N: the flanks interfere",
+            "`{at}` 处齿顶超过啮合极限点 N，将发生干涉"
+        );
         out.push(note("gear-interference", message).help(both!("give the smaller gear a larger shift", "请加大小齿轮的变位系数")));
     }
     if pair.gears.iter().any(|g| g.pointed(&pair.basic)) {
@@ -129,7 +135,13 @@ fn remarks(scene: &Scene, rolling: &Rolling, pair: &Pair) -> Vec<Diagnostic> {
     }
     if pair.contact_ratio() < 1.0 {
         let ratio = significant(pair.contact_ratio(), 3);
-        out.push(note("contact-ratio", both!("the contact ratio at `{at}` is {ratio}: below 1 the gears lose contact", "`{at}` 处重合度为 {ratio}，小于 1，传动不连续")));
+        out.push(note(
+            "contact-ratio",
+            both!(
+                "the contact ratio at `{at}` is {ratio}: below 1 the gears lose contact",
+                "`{at}` 处重合度为 {ratio}，小于 1，传动不连续"
+            ),
+        ));
     }
     out
 }
@@ -198,7 +210,8 @@ impl Drawn<'_> {
             }
         }
         self.action(&mut d, reach, k);
-        let mu_words = format!("\\mu_l = {} {}", scale(maker.scene.book.value(Kind::Length, mu)), maker.scene.book.scale_label(Kind::Length));
+        let mu_words =
+            format!("\\mu_l = {} {}", scale(maker.scene.book.value(Kind::Length, mu)), maker.scene.book.scale_label(Kind::Length));
         let words = match maker.options.lang {
             crate::scene::Lang::En => format!("Gears {} and {}; {} drives, clockwise", self.name(0), self.name(1), self.name(0)),
             crate::scene::Lang::Zh => format!("齿轮 {} 与 {}（{} 主动，顺时针）", self.name(0), self.name(1), self.name(0)),
@@ -224,7 +237,8 @@ impl Drawn<'_> {
         for (letter, radius, stroke, side) in rings {
             let (from_rad, to_rad) = (toward - half, toward + half);
             let text = format!("{letter}{}}}", name_label(self.name(i)));
-            let owner = d.shape(&format!("circle-{text}"), "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
+            let owner =
+                d.shape(&format!("circle-{text}"), "circle", Shape::Arc { centre, radius_mm: radius * k, from_rad, to_rad, stroke });
             let along = Vec2::from_angle(toward + side * half);
             let end = centre + along * (radius * k);
             let out = if side > 0.0 { Vec2::from_angle(toward + FRAC_PI_2) } else { Vec2::from_angle(toward - FRAC_PI_2) };
@@ -267,7 +281,11 @@ impl Drawn<'_> {
         d.label_at(&name, "point", &point_label(&name), Point::ORIGIN, 1.6, Some(Vec2::new(-1.0, 0.6)));
         // The operating pressure angle, between the common tangent and the line of action.
         let radius = (0.75 * reach).min(26.0);
-        d.shape("tangent", "line", Shape::Line { from: Point::new(-radius * 1.3, 0.0), to: Point::new(radius * 1.3, 0.0), stroke: style.thin });
+        d.shape(
+            "tangent",
+            "line",
+            Shape::Line { from: Point::new(-radius * 1.3, 0.0), to: Point::new(radius * 1.3, 0.0), stroke: style.thin },
+        );
         let owner = d.draw("angle", "angle", sym::angle(style, Point::ORIGIN, radius, 0.0, pair.operating));
         let angle = super::place::LabelRequest::along_arc(
             Label::math("\\alpha'"),
@@ -294,10 +312,22 @@ impl Drawn<'_> {
         let (style, digits) = (&maker.options.style, maker.options.digits);
         let number = |x: f64| inked(&significant(if x.abs() < 1e-12 { 0.0 } else { x }, digits));
         let text = |s: &str, id: String| {
-            Some(Cell { label: Label::text(s).in_fonts(&style.fonts), size_mm: style.caption_mm, anchor: Anchor::Start, class: "gears table".into(), id })
+            Some(Cell {
+                label: Label::text(s).in_fonts(&style.fonts),
+                size_mm: style.caption_mm,
+                anchor: Anchor::Start,
+                class: "gears table".into(),
+                id,
+            })
         };
         let math = |s: &str, id: String| {
-            Some(Cell { label: Label::math(s).in_fonts(&style.fonts), size_mm: style.caption_mm, anchor: Anchor::Start, class: "gears table".into(), id })
+            Some(Cell {
+                label: Label::math(s).in_fonts(&style.fonts),
+                size_mm: style.caption_mm,
+                anchor: Anchor::Start,
+                class: "gears table".into(),
+                id,
+            })
         };
         let of = |f: &dyn Fn(&Gear) -> String| pair.gears.iter().map(f).collect::<Vec<_>>();
         let basic = &pair.basic;
@@ -335,7 +365,11 @@ impl Drawn<'_> {
         for (r, (words, letter, value)) in common.iter().enumerate() {
             let letter = letter.replace("B_{}B_{}", &format!("{}{}", self.symbol("B", 1), self.symbol("B", 0)));
             let mut row = Row {
-                cells: vec![text(words, format!("gears-pair-{r}")), math(&letter, format!("gears-pair-symbol-{r}")), math(value, format!("gears-pair-value-{r}"))],
+                cells: vec![
+                    text(words, format!("gears-pair-{r}")),
+                    math(&letter, format!("gears-pair-symbol-{r}")),
+                    math(value, format!("gears-pair-value-{r}")),
+                ],
                 height_mm: ROW_MM,
             };
             // A gap parts what both have from what each has.
@@ -384,8 +418,11 @@ mod tests {
             let pages = drawn(r#""teeth": [15, 32], "module": "2 mm", "shift": [0.6]"#, 50.0, lang).unwrap();
             let [(name, figure)] = &pages.value[..] else { panic!("{} pages", pages.value.len()) };
             assert_eq!(name, "gears");
-            let labels: Vec<&str> =
-                figure.items.iter().filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None }).collect();
+            let labels: Vec<&str> = figure
+                .items
+                .iter()
+                .filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None })
+                .collect();
             for wanted in ["27.96°", "1.801", "1.201", "47.000 mm", "50.000 mm", "N_{2}", "B_{3}"] {
                 assert!(labels.contains(&wanted), "{wanted} is not among {labels:?}");
             }

@@ -138,7 +138,9 @@ impl<'a> Words<'a> {
         let how = match (&c.step.how, c.origin) {
             (How::Primary(primary), _) => self.primary(*primary),
             (_, Some(Origin::Crossing([a, b]))) => format!("{} × {}", self.line(c.step.pair, a), self.line(c.step.pair, b)),
-            (How::Lines(_), Some(Origin::Velocities)) => tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned(),
+            (How::Lines(_), Some(Origin::Velocities)) => {
+                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
+            }
             (How::Velocities, Some(Origin::Velocities)) => tr(self.lang, "velocities of the analysis", "解析法的速度").to_owned(),
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         };
@@ -182,11 +184,15 @@ impl<'a> Words<'a> {
         let (residual, triple) = (significant(found.worst_residual(), 2), significant(found.worst_triple, 2));
         let none = found.list.iter().all(|c| c.residual.is_none());
         match self.lang {
-            _ if none => tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned(),
+            _ if none => {
+                tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
+            }
             Lang::En => format!(
                 "checked by the loop equations: each centre has one velocity on both links, to {residual} of the largest; all triples lie in line, to {triple}"
             ),
-            Lang::Zh => format!("用回路方程校核：各瞬心在两构件上的速度相同（相对差不超过 {residual}），任意三个构件的三个瞬心共线（偏差不超过 {triple}）"),
+            Lang::Zh => format!(
+                "用回路方程校核：各瞬心在两构件上的速度相同（相对差不超过 {residual}），任意三个构件的三个瞬心共线（偏差不超过 {triple}）"
+            ),
         }
     }
 
@@ -250,7 +256,11 @@ impl<'a> Words<'a> {
         let own = self.symbol(t.link);
         match t.by {
             By::Driver | By::Analysis => {
-                let why = if t.by == By::Driver { tr(lang, "  (the driver)", "（原动件）") } else { tr(lang, "  (by the analysis)", "（由解析法）") };
+                let why = if t.by == By::Driver {
+                    tr(lang, "  (the driver)", "（原动件）")
+                } else {
+                    tr(lang, "  (by the analysis)", "（由解析法）")
+                };
                 match slide {
                     Some(v) => format!("v_{k} = {}{why}", slides(v)),
                     None => format!("{own} = {rate_words}{why}"),

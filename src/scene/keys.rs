@@ -25,7 +25,21 @@ pub(super) const TEXT: &[&str] = &["en", "zh"];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
 pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];
-pub(super) const GEAR: &[&str] = &["links", "centres", "radii", "teeth", "module", "ring", "rack", "line", "angle", "at", "phase", "pressure_angle", "shift", "addendum",
+pub(super) const GEAR: &[&str] = &[
+    "links",
+    "centres",
+    "radii",
+    "teeth",
+    "module",
+    "ring",
+    "rack",
+    "line",
+    "angle",
+    "at",
+    "phase",
+    "pressure_angle",
+    "shift",
+    "addendum",
     "clearance",
 ];
 pub(super) const ROLLING: &[&str] = &["wheel", "centre", "radius", "on", "line", "angle", "track", "track_radius", "inside", "at", "phase"];

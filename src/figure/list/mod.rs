@@ -41,7 +41,8 @@ pub const LIST: &[&Entry] = &[
     &drawings::ACCELERATION,
     &equations::ENTRY,
     &results::ENTRY,
-    &kutzbach::ENTRY, &gears::ENTRY,
+    &kutzbach::ENTRY,
+    &gears::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

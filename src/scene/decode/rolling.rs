@@ -135,7 +135,17 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     }
     let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
     let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
-    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, angle, at, phase, flanks: RawFlanks::default(), span: node.span })
+    Some(RawRolling {
+        sides,
+        sizes: RawSizes::Radii(radii),
+        toothed: false,
+        line,
+        angle,
+        at,
+        phase,
+        flanks: RawFlanks::default(),
+        span: node.span,
+    })
 }
 
 fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {

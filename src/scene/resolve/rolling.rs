@@ -279,7 +279,8 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         RawSizes::Teeth(teeth, module) if raw.sides.iter().all(|s| s.centre.is_some()) && teeth.len() == 2 => (teeth, module),
         RawSizes::Teeth(..) | RawSizes::Radii(_) => {
             let Some(first) = any else { return Some(None) };
-            let message = both!("flanks are given of a pair that is not two gears with `teeth`", "给出了齿廓参数，但该副不是给出 `teeth` 的两个齿轮");
+            let message =
+                both!("flanks are given of a pair that is not two gears with `teeth`", "给出了齿廓参数，但该副不是给出 `teeth` 的两个齿轮");
             faults.push(
                 Diagnostic::error("gear-flanks", message)
                     .at(first.span)
@@ -296,7 +297,9 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         None => Some(20.0_f64.to_radians()),
         Some(q) => match c.values.angle(q, &mut Faults::default()).map(|a| a.value.radians()) {
             Some(a) if a > 0.0 && a <= STEEPEST_RAD => Some(a),
-            _ => wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", "`{}` 不能作压力角：应大于 0 且不超过 45 deg", q.text)),
+            _ => {
+                wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", "`{}` 不能作压力角：应大于 0 且不超过 45 deg", q.text))
+            }
         },
     };
     let number = |q: &RawQuantity| {
@@ -307,7 +310,10 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
         None => Some(usual),
         Some(q) => number(q).filter(|x| *x >= least && *x <= 3.0).or_else(|| {
-            wrong(q, both!("`{}` is no part of a module: a number from {least} to 3", "`{}` 不是模数的倍数：应为 {least} 到 3 的数", q.text))
+            wrong(
+                q,
+                both!("`{}` is no part of a module: a number from {least} to 3", "`{}` 不是模数的倍数：应为 {least} 到 3 的数", q.text),
+            )
         }),
     };
     let (addendum, clearance) = (part(addendum, 1.0, 0.1), part(clearance, 0.25, 0.0));
@@ -316,7 +322,10 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
         .flatten()
         .map(|q| {
             number(q).filter(|x| x.abs() <= 5.0).or_else(|| {
-                wrong(q, both!("`{}` is no profile shift: a number from −5 to 5, in modules", "`{}` 不是变位系数：应为 −5 到 5 的数", q.text))
+                wrong(
+                    q,
+                    both!("`{}` is no profile shift: a number from −5 to 5, in modules", "`{}` 不是变位系数：应为 −5 到 5 的数", q.text),
+                )
             })
         })
         .collect();
