@@ -4,7 +4,7 @@
 //! equations hold its motion. So the counters show whether the work is what was asked, and a stage that does more than
 //! that shows in them.
 
-use crate::accuracy::ladder::{Certified, Part};
+use crate::accuracy::ladder::Certified;
 use crate::construct::{Action, Mark, Polygon};
 use crate::figure::item::Figure;
 use crate::mechanism::Level;
@@ -81,15 +81,9 @@ impl Work {
     }
 }
 
-/// How many certified numbers of an answer are printed: a vector by magnitude and direction, an angle in degrees.
+/// How many certified numbers of an answer are printed.
 fn printed(c: &Certified) -> usize {
-    let shown = |part: &Part| match part {
-        Part::X | Part::Y => false,
-        Part::Scalar => c.part(Part::Degrees).is_none() && c.part(Part::Printed).is_none(),
-        Part::Magnitude | Part::Degrees => c.part(Part::Printed).is_none(),
-        Part::Direction | Part::Printed => true,
-    };
-    c.parts.iter().filter(|(part, number)| shown(part) && number.text(1).is_some()).count()
+    c.parts.iter().filter(|(part, number)| c.prints(*part) && number.text(1).is_some()).count()
 }
 
 fn motion(worked: &Worked, level: Level) -> Motion {

@@ -52,7 +52,7 @@
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
-//! - Small shared ones: [`geom`], [`trig`], [`quantity`], [`diag`], [`json`].
+//! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
 //! # Who may import whom
 //! Rooms from the bottom up, each with the rooms that it imports. A star marks an import from further up: circles that are left, and
@@ -60,29 +60,29 @@
 //! ```text
 //! diag       -
 //! json       diag
-//! quantity   -
+//! digits   -
 //! trig       scene*
 //! number     trig scene*
-//! scene      diag json quantity trig number
 //! geom       number
+//! scene      diag json digits trig number geom
 //! mechanism  diag scene
-//! position   diag quantity number scene geom mechanism
+//! position   diag digits number scene geom mechanism
 //! answer     number scene geom mechanism position
 //! motion     number scene geom mechanism position answer
 //! plan       diag scene mechanism
-//! construct  diag quantity number scene geom mechanism position answer plan
+//! construct  diag digits number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
-//! accuracy   diag quantity number scene geom mechanism position answer motion plan construct analytic worked*
-//! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
+//! worked     diag scene mechanism position answer plan construct analytic accuracy
 //! gears      geom
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
-//! sweep      diag quantity trig number scene geom mechanism position answer analytic accuracy
+//! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag quantity scene geom mechanism answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
-//! figure     diag json quantity scene geom mechanism position answer plan construct analytic accuracy worked gears trains sweep report
+//! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
+//! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked centres gears trains sweep report
 //! render     diag geom figure
-//! worksheet  diag quantity scene geom mechanism answer plan construct accuracy worked report figure render
+//! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
 //! cli        diag json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
 //! ```
@@ -105,6 +105,7 @@ pub mod centres;
 pub mod cli;
 pub mod construct;
 pub mod diag;
+pub mod digits;
 pub mod effort;
 pub mod figure;
 pub mod gears;
@@ -116,7 +117,6 @@ pub mod motion;
 pub mod number;
 pub mod plan;
 pub mod position;
-pub mod quantity;
 pub mod render;
 pub mod report;
 pub mod scene;

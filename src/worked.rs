@@ -9,13 +9,14 @@ use crate::accuracy::{
     settled, settled_finely,
 };
 use crate::analytic::{self, Refused, Solution};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::plan::{self, Plan};
 use crate::position::{self, Configuration};
+use crate::scene::quantity::Form;
 use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
@@ -127,9 +128,10 @@ impl Outcome {
 /// The value, or zero where it is no more than `noise`.
 fn above(noise: f64, value: Value) -> Value {
     match value {
-        _ if value.magnitude() > noise => value,
-        Value::Vector(_) => Value::Vector(crate::geom::Vec2::ZERO),
-        Value::Scalar(_) => Value::Scalar(0.0),
+        // Each coordinate of a place by itself.
+        Value::Point(_) => value.map(|x| if x.abs() > noise { x } else { 0.0 }),
+        Value::Vector(_) | Value::Scalar(_) if value.magnitude() > noise => value,
+        Value::Vector(_) | Value::Scalar(_) => value.map(|_| 0.0),
     }
 }
 
@@ -212,7 +214,7 @@ fn stages(
         let ways = Ways { solution: &solution, drawn: &read, scale };
         near = kept(scene, (&mechanism, &demand), &configuration, &ways, written.clone());
         let agreed = |i: usize| {
-            let (level, read) = (level_of(&scene.find[i].what), read[i]?);
+            let (level, read) = (scene.find[i].what.level(), read[i]?);
             let computed = solution.answer(scene, &configuration, &scene.find[i].what)?;
             (level > Level::Position).then(|| compare(read, computed, scale(level, &computed), magnified(&construction, level)))
         };
@@ -272,11 +274,18 @@ fn stages(
                 unanswered.push(Unanswered { find: i, refused: refused.clone() });
                 continue;
             }
-            return Err(Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text))
-                .at(find.span)
-                .into());
+            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
+            // A place that a formula of motion gives may be nowhere.
+            return Err(match find.what.entry().form {
+                Form::Point => none.help(both!(
+                    "in this pose it lies at infinity, or the links do not move; `hodograph centres` tells which",
+                    "该位置上它在无穷远处，或构件不动；详见 `hodograph centres`"
+                )),
+                Form::Scalar | Form::Vector => none,
+            }
+            .into());
         };
-        let level = level_of(&find.what);
+        let level = find.what.level();
         let scale = match level {
             Level::Position => configuration.extent(),
             _ => scale_of(scene, &construction, &configuration, level, &computed),
@@ -293,7 +302,10 @@ fn stages(
                 })
             }
         };
-        let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
+        let noise_of = |of: &Solution, value: &Value| match value {
+            Value::Point(_) => blur * configuration.extent(),
+            Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
+        };
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
             (_, None) if written.is_some() => 0.0,
@@ -394,6 +406,7 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
         _ => speed,
     };
     match value {
+        Value::Point(_) => extent,
         Value::Vector(_) => vector,
         Value::Scalar(_) => {
             let rates = paper.rates.iter().filter(|r| r.level == level);

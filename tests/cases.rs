@@ -49,6 +49,9 @@ fn component(v: Value, which: Option<&str>, along: Option<Vec2>) -> f64 {
         (Value::Vector(v), Some("along")) => v.dot(along.expect("along needs two points")),
         (Value::Vector(v), Some("perp")) => v.dot(along.expect("perp needs two points").perp()),
         (Value::Vector(v), _) => v.norm(),
+        (Value::Point(p), Some("x")) => p.x,
+        (Value::Point(p), Some("y")) => p.y,
+        (Value::Point(_), other) => panic!("a place has no {other:?}"),
     }
 }
 
@@ -124,7 +127,13 @@ fn reference_cases() {
                 // An answer of exactly zero has no relative error: its case says what size to judge it by.
                 difference / if e["size"].is_null() { exact.abs() } else { number(&e["size"]) }
             };
-            let drawn = outcome.drawn.as_ref().map_or(f64::INFINITY, |a| miss(a.value));
+            // A group that is not drawn is said to be none; the day it is drawn, the case says so no more.
+            let undrawn = e["drawn"] == false;
+            if undrawn && outcome.drawn.is_some() {
+                failures.push(format!("{id}: {find} is drawn; its case says that it is not"));
+            }
+            let missing = if undrawn { 0.0 } else { f64::INFINITY };
+            let drawn = outcome.drawn.as_ref().map_or(missing, |a| miss(a.value));
             let computed = miss(outcome.computed);
             let sure = miss(certified(&ladder[at]));
             rows.push(Row {
@@ -174,43 +183,86 @@ fn the_list_of_cases_is_true() {
     let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     for file in files() {
         let case: Json = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-        let expected = case["expect"].as_array().unwrap().len();
+        let centres = case["centres"].as_array().map_or(0, Vec::len);
+        let expected = case["expect"].as_array().unwrap().len() + centres;
         assert!(expected > 0, "{} expects nothing", file.display());
         values += expected;
         let entry = found.entry(case["case"].as_str().unwrap().to_owned()).or_default();
         *entry = (entry.0 + 1, entry.1 + expected);
     }
-    let (page, sweeps) = (read("docs/cases.md"), read("tests/sweep.rs"));
+    // Tests of cases without a file, and the two tables.
+    let page = read("docs/cases.md");
+    let tests = ["tests/sweep.rs", "tests/centres.rs"].map(read).concat();
+    let (reference, further) = page.split_once("\n# The further cases").expect("docs/cases.md has two tables");
     let mut faults = Vec::new();
-    let (mut all, mut elsewhere, mut not_yet) = (0, 0, 0);
-    for row in page.lines().filter(|l| l.starts_with("| `")) {
-        let cells: Vec<&str> = row.split(" | ").map(|c| c.trim_matches([' ', '|'])).collect();
-        let (name, told, remarks) = (cells[0].trim_matches('`'), cells[2], cells[4..].join(" | "));
-        all += 1;
-        match (found.remove(name), told.parse::<usize>()) {
-            (None, Err(_)) if told == "not yet" => not_yet += 1,
-            (None, Ok(_)) => {
-                elsewhere += 1;
-                let test = remarks.split('`').find(|word| sweeps.contains(&format!("fn {word}()")));
-                if test.is_none() {
-                    faults.push(format!("{name}: has no file, and its row names no test of tests/sweep.rs"));
-                }
-            }
-            // One value of one case may be asked in several poses.
-            (Some((1, n)), Ok(told)) if n == told => {}
-            (Some((n, _)), Ok(_)) if n > 1 && remarks.starts_with(&format!("{n} files")) => {}
-            (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
-        }
-    }
+    let first = Table::of(reference, &mut found, &tests, &mut faults);
+    let second = Table::of(further, &mut found, &tests, &mut faults);
     faults.extend(found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")));
     assert!(faults.is_empty(), "docs/cases.md against tests/cases:\n{}", faults.join("\n"));
-    let files = files().len();
-    let scenes = all - elsewhere - not_yet;
+    assert_eq!((first.files + second.files, first.values + second.values), (files().len(), values));
     let head = format!(
-        "{all} cases in `reference.json`; {scenes} are scenes in `tests/cases/` ({files} files, {values} expected values), \
-         {elsewhere} are tests of the whole motion, {not_yet} are not yet."
+        "{} cases in `reference.json`; {} are scenes in `tests/cases/` ({} files, {} expected values), \
+         {} are tests of their own, {} are not yet.",
+        first.all,
+        first.scenes(),
+        first.files,
+        first.values,
+        first.elsewhere,
+        first.not_yet
     );
-    assert!(page.contains(&head), "docs/cases.md should begin: {head}");
-    let claim = format!("{} of {all} reference problems", scenes + elsewhere);
+    assert!(reference.contains(&head), "docs/cases.md should begin: {head}");
+    let head = format!(
+        "{} cases of `beyond.json`; {} are scenes in `tests/cases/` ({} files, {} expected values), {} are not yet.",
+        second.all,
+        second.scenes(),
+        second.files,
+        second.values,
+        second.not_yet
+    );
+    assert!(further.contains(&head), "docs/cases.md, the further cases, should begin: {head}");
+    let claim = format!("{} of {} reference problems", first.scenes() + first.elsewhere, first.all);
     assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
+}
+
+/// What the rows of a table come to.
+#[derive(Default)]
+struct Table {
+    all: usize,
+    elsewhere: usize,
+    not_yet: usize,
+    files: usize,
+    values: usize,
+}
+
+impl Table {
+    /// Compares the rows with what was found, and takes from that what has a row.
+    fn of(page: &str, found: &mut BTreeMap<String, (usize, usize)>, tests: &str, faults: &mut Vec<String>) -> Table {
+        let mut table = Table::default();
+        for row in page.lines().filter(|l| l.starts_with("| `")) {
+            let cells: Vec<&str> = row.split(" | ").map(|c| c.trim_matches([' ', '|'])).collect();
+            let (name, told, remarks) = (cells[0].trim_matches('`'), cells[2], cells[4..].join(" | "));
+            table.all += 1;
+            match (found.remove(name), told.parse::<usize>()) {
+                (None, Err(_)) if told == "not yet" => table.not_yet += 1,
+                (None, Ok(_)) => {
+                    table.elsewhere += 1;
+                    let test = remarks.split('`').find(|word| tests.contains(&format!("fn {word}()")));
+                    if test.is_none() {
+                        faults.push(format!("{name}: has no file, and its row names no test"));
+                    }
+                }
+                // One value of one case may be asked in several poses.
+                (Some((files, values)), Ok(told)) if files > 1 && remarks.starts_with(&format!("{files} files")) || values == told => {
+                    table.files += files;
+                    table.values += values;
+                }
+                (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
+            }
+        }
+        table
+    }
+
+    fn scenes(&self) -> usize {
+        self.all - self.elsewhere - self.not_yet
+    }
 }

@@ -3,11 +3,11 @@
 
 use hodograph::accuracy::toggle::with_driver_at;
 use hodograph::analytic;
-use hodograph::answer::{Value, evaluate};
+use hodograph::answer::evaluate;
 use hodograph::diag::Diagnostic;
+use hodograph::digits::significant;
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
-use hodograph::quantity::significant;
 use hodograph::scene::{Angle, DriverKind, Lang, Scene, edit, read, templates};
 use hodograph::sweep::batch::{Batch, Block, Choice};
 use hodograph::sweep::long::Long;
@@ -86,10 +86,7 @@ fn solved(scene: &Scene, m: &Mechanism, value: f64) -> Option<(Vec<f64>, f64)> {
     let solution = analytic::solve(&there, m, &at, &demand).ok()?;
     let mut row = Vec::new();
     for f in &scene.find {
-        match evaluate(&there, &at, &solution, &f.what)? {
-            Value::Scalar(s) => row.push(s),
-            Value::Vector(v) => row.extend([v.x, v.y, v.norm()]),
-        }
+        row.extend(evaluate(&there, &at, &solution, &f.what)?.columns());
     }
     Some((row, solution.condition))
 }

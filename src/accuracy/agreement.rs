@@ -1,6 +1,7 @@
 //! Drawing against analysis, question by question.
 
 use crate::answer::Value;
+use crate::scene::quantity::Form;
 
 /// How one question's two answers compare.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,12 +45,10 @@ pub const ROUNDING: f64 = STEPS * f64::EPSILON;
 /// `scale` is the largest vector (or rate) of its level; `magnification` is by how much the worst crossing magnifies
 /// rounding there (see [`crate::construct::Construction::magnification`]).
 pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) -> Agreement {
-    let (difference, size) = match (drawn, computed) {
-        (Value::Vector(a), Value::Vector(b)) => ((a - b).norm(), b.norm()),
-        (Value::Scalar(a), Value::Scalar(b)) => ((a - b).abs(), b.abs()),
-        _ => (f64::INFINITY, 1.0),
-    };
-    let reference = size.max(scale * 1e-3);
+    let difference = drawn.apart(&computed).unwrap_or(f64::INFINITY);
+    // A place is counted from a chosen origin: how near it lies to that says nothing of its error.
+    let least = if computed.form() == Form::Point { scale } else { scale * 1e-3 };
+    let reference = computed.magnitude().max(least);
     let difference = if difference == 0.0 { 0.0 } else { difference / reference };
     Agreement { difference, bound: WELL_CONDITIONED.max(STEPS * f64::EPSILON * magnification), noise: ROUNDING * scale }
 }

@@ -4,12 +4,12 @@ use super::drafting::{CrossingTolerance, Drawn, Tolerance, crossings, drafting};
 use crate::construct::pencil::Exact;
 use crate::construct::{Action, Construction, Layout, by_hand};
 use crate::diag::{Both, Diagnostic, both};
+use crate::digits::{shortest, significant};
 use crate::mechanism::Level;
 use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Spot, Step, VertexId};
 use crate::position::Configuration;
 use crate::position::newton::{driver_values, moved};
-use crate::quantity::{shortest, significant};
 use crate::scene::DriverKind;
 use std::collections::BTreeMap;
 

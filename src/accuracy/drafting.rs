@@ -7,7 +7,7 @@
 //! [`simulate`](super::simulate()) is the check.
 
 use super::larger::{Larger, larger};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::construct::pencil::{Pencil, WITHIN, radius_in_deviations};
 use crate::construct::{Construction, Layout, by_hand, read_by_hand, scale};
 use crate::diag::Faults;
@@ -15,7 +15,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism};
 use crate::plan::{Plan, VertexId};
 use crate::position::Configuration;
-use crate::scene::{Asked, Scene};
+use crate::scene::{Asked, Kind, Scene};
 
 /// A finished construction with all that is needed to draw it again.
 #[derive(Clone, Debug)]
@@ -132,13 +132,13 @@ pub fn drafting(drawn: &Drawn, pencil_mm: f64) -> Drafting {
     let spreads = spreads(drawn, &layout, pencil_mm / radius_in_deviations());
     let tolerances = drawn.values.iter().enumerate().map(|(find, value)| {
         // Where nothing moves there is no polygon, no scale, and nothing to read.
-        if drawn.size_mm(level_of(&drawn.scene.find[find].what)) == [0.0, 0.0] {
+        if drawn.size_mm(drawn.scene.find[find].what.level()) == [0.0, 0.0] {
             return None;
         }
         let spread = spreads.as_ref()?[find]?;
         let value = (*value)?;
         let absolute = spread.total().radius(WITHIN);
-        let free = matches!(drawn.scene.find[find].what, Asked::Coordinate(..) | Asked::LinkAngle(_));
+        let free = drawn.scene.find[find].what.entry().from_origin;
         let relative = (!free && value.magnitude() > 0.0).then(|| absolute / value.magnitude());
         let parts = spread.0.map(|c| c.radius(WITHIN));
         let larger = relative.map(|r| larger(&drawn.scene.paper, drawn, &layout, r, parts));
@@ -218,11 +218,10 @@ fn spreads(drawn: &Drawn, layout: &Layout, deviation_mm: f64) -> Option<Vec<Opti
 pub(super) fn difference(what: &Asked, a: Value, b: Value) -> Vec2 {
     match (a, b) {
         (Value::Vector(a), Value::Vector(b)) => a - b,
-        (Value::Scalar(a), Value::Scalar(b)) if matches!(what, Asked::LinkAngle(_)) && level_of(what) == Level::Position => {
-            Vec2::new(Vec2::from_angle(a - b).angle(), 0.0)
-        }
+        (Value::Point(a), Value::Point(b)) => a - b,
+        (Value::Scalar(a), Value::Scalar(b)) if what.kind() == Kind::Angle => Vec2::new(Vec2::from_angle(a - b).angle(), 0.0),
         (Value::Scalar(a), Value::Scalar(b)) => Vec2::new(a - b, 0.0),
-        _ => Vec2::new(f64::INFINITY, 0.0),
+        (Value::Vector(_) | Value::Scalar(_) | Value::Point(_), _) => Vec2::new(f64::INFINITY, 0.0),
     }
 }
 

@@ -4,17 +4,18 @@
 //! motions group by group. Neither the drawing nor the loop equations take part; that they agree is said elsewhere.
 
 use super::apart::apart;
+pub use super::printed::Part;
 use super::printed::with_printed;
 use crate::answer::{Value, evaluate};
 use crate::construct::scale;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::digits;
 use crate::geom::Vec2;
 use crate::mechanism::Demand;
 use crate::number::decimal::{Certain, Enclosure};
 use crate::number::{Ball, Big, Dd, Real, within};
 use crate::position::Configuration;
-use crate::quantity;
-use crate::scene::{Asked, Kind, Lang, Scene};
+use crate::scene::{Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 use crate::{motion, position};
 
@@ -65,40 +66,6 @@ pub trait Climb {
     fn with<N: Certain>(&self) -> Self::Found;
 }
 
-/// Which number of an answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// Length of a vector (SI).
-    Magnitude,
-    /// Its direction, degrees in (−180, 180].
-    Direction,
-    /// Its component to the right (SI).
-    X,
-    /// Its component up (SI).
-    Y,
-    /// A scalar in SI units (an angle in radians).
-    Scalar,
-    /// An angle in degrees.
-    Degrees,
-    /// The magnitude or the scalar in the unit that the scene asks for.
-    Printed,
-}
-
-impl Part {
-    /// For programs.
-    pub fn key(self) -> &'static str {
-        match self {
-            Part::Magnitude => "magnitude",
-            Part::Direction => "angle_deg",
-            Part::X => "x",
-            Part::Y => "y",
-            Part::Scalar => "value",
-            Part::Degrees => "value_deg",
-            Part::Printed => "in_unit",
-        }
-    }
-}
-
 /// A number with an interval that surely contains it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Number {
@@ -121,7 +88,7 @@ impl Number {
     /// not even one is certain.
     pub fn text(&self, digits: usize) -> Option<(String, usize)> {
         let (e, digits) = self.scientific(digits)?;
-        Some((quantity::plain(&e), digits))
+        Some((digits::plain(&e), digits))
     }
 
     /// The same in e notation.
@@ -144,7 +111,7 @@ impl Number {
         let (e, digits) = self.scientific(digits)?;
         let (mantissa, exponent) = e.split_once('e')?;
         let exponent: i32 = exponent.parse().ok()?;
-        Some((quantity::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
+        Some((digits::plain(&format!("{mantissa}e{}", if self.zero { 0 } else { exponent + shift })), digits))
     }
 
     /// −1, 0 or 1.
@@ -339,7 +306,7 @@ impl Climb for Look<'_> {
             let r = &self.worked.results[*i];
             let find = &scene.find[r.find];
             match evaluate(scene, &at, &motion, &find.what) {
-                Some(value) => parts(find.what, value, r.scale, self.digits)
+                Some(value) => parts(find.what.kind(), value, r.scale, self.digits)
                     .and_then(|list| with_printed(&scene.book, &find.what, value, list))
                     .map(|list| (list, reading(scene, &at, r, value))),
                 None => Err(match motion.singular.first() {
@@ -385,7 +352,7 @@ fn reading<N: Certain>(scene: &Scene, at: &Configuration<N>, r: &Outcome, value:
 ///
 /// # Errors
 /// An answer whose equations may be singular.
-pub fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize) -> Parts {
+pub fn parts<N: Certain>(kind: Kind, value: Value<N>, scale: f64, digits: usize) -> Parts {
     // Ten digits below the last that is asked for.
     let nothing = libm::exp10(-(digits as f64 + 10.0));
     let number = |x: N, against: f64| -> Result<Number, Why> {
@@ -397,11 +364,12 @@ pub fn parts<N: Certain>(what: Asked, value: Value<N>, scale: f64, digits: usize
     match value {
         Value::Scalar(s) => {
             let mut list = vec![(Part::Scalar, number(s, scale)?)];
-            if matches!(what, Asked::LinkAngle(_)) {
+            if kind == Kind::Angle {
                 list.push((Part::Degrees, number(s * N::from_f64(180.0) / N::pi(), 360.0)?));
             }
             Ok(list)
         }
+        Value::Point(p) => Ok(vec![(Part::X, number(p.x, scale)?), (Part::Y, number(p.y, scale)?)]),
         Value::Vector(v) => {
             let magnitude = number(v.norm(), scale)?;
             let size = magnitude.enclosure.approx;

@@ -8,7 +8,7 @@ pub mod ladder;
 mod larger;
 mod near;
 mod places;
-mod printed;
+pub(crate) mod printed;
 mod simulate;
 pub mod steps;
 pub mod toggle;

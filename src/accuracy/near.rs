@@ -6,11 +6,11 @@
 use super::agreement::{Agreement, compare};
 use super::written::{Regular, regular};
 use crate::analytic::{Near, Solution};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::diag::{Diagnostic, both};
+use crate::digits::significant;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
-use crate::quantity::significant;
 use crate::scene::Scene;
 
 /// How many digits text answers print unless more are asked for; where fewer are kept, a warning is due.
@@ -49,7 +49,7 @@ pub fn kept<S: Fn(Level, &Value) -> f64>(
 ) -> Option<Kept> {
     let truth = truth.or_else(|| regular(scene, m, demand, at, &scene.find))?;
     let error = |i: usize, value: Option<Value>| {
-        let (level, true_value) = (level_of(&scene.find[i].what), truth.values[i]?);
+        let (level, true_value) = (scene.find[i].what.level(), truth.values[i]?);
         (level > Level::Position).then_some(compare(value?, true_value, (ways.scale)(level, &true_value), 1.0).difference)
     };
     let computed: Vec<Option<f64>> =

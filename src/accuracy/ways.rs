@@ -8,12 +8,11 @@ use super::ladder::Rung;
 use super::truth::Differences;
 use super::{simulate, toggle};
 use crate::analytic;
-use crate::answer::{Source, Value, evaluate, level_of};
+use crate::answer::{Source, Value, evaluate};
 use crate::construct::pencil::Single;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Layout};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
 use crate::position::{Configuration, newton};
@@ -185,19 +184,17 @@ fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Long>>, Faults> {
         let plain = |x: Ball<Big>| x.is_decided().then(|| x.middle());
         Ok(answers
             .into_iter()
-            .map(|a| match a? {
-                Value::Scalar(s) => kept(Value::Scalar(plain(s)?)),
-                Value::Vector(v) => kept(Value::Vector(Vec2::new(plain(v.x)?, plain(v.y)?))),
+            .map(|a| {
+                let (x, y) = a?.numbers();
+                std::iter::once(x).chain(y).map(|x| plain(x)?.keep()).collect()
             })
             .collect())
     })
 }
 
 fn kept(value: Value<Big>) -> Option<Long> {
-    match value {
-        Value::Scalar(s) => Some(vec![s.keep()?]),
-        Value::Vector(v) => Some(vec![v.x.keep()?, v.y.keep()?]),
-    }
+    let (x, y) = value.numbers();
+    std::iter::once(x).chain(y).map(|x| x.keep()).collect()
 }
 
 type Answers<N> = Vec<Option<Value<N>>>;
@@ -264,10 +261,7 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
         }),
         Way::ClosedSingle => {
             let (answers, seconds) = timed(patience, || closed::<f32>(scene, worked).ok());
-            let wide = |v: Value<f32>| match v {
-                Value::Scalar(s) => Value::Scalar(f64::from(s)),
-                Value::Vector(v) => Value::Vector(v.approx()),
-            };
+            let wide = |v: Value<f32>| v.map(f64::from);
             let answers = answers.map(|l| l.into_iter().map(|v| v.map(wide)).collect());
             (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
         }
@@ -276,7 +270,7 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
             let (answers, seconds) = timed(patience, || closed::<Dd>(scene, worked).ok());
             let long = |x: Dd| Big::from_f64(x.parts().0) + Big::from_f64(x.parts().1);
             let answers =
-                within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(mapped(v, long)))).collect::<Vec<_>>()));
+                within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(v.map(long)))).collect::<Vec<_>>()));
             (worst(scene, worked, truth, answers), Some(seconds))
         }
         Way::ClosedLong(bits) => {
@@ -312,9 +306,9 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
 /// The radius of each answer in one rung.
 fn certified(scene: &Scene, worked: &Worked, rung: Rung) -> Vec<Option<f64>> {
     fn radii<M: crate::number::ball::Middle>(scene: &Scene, worked: &Worked) -> Vec<Option<f64>> {
-        let radius = |v: Value<Ball<M>>| match v {
-            Value::Scalar(s) => s.radius(),
-            Value::Vector(v) => libm::hypot(v.x.radius(), v.y.radius()),
+        let radius = |v: Value<Ball<M>>| match v.numbers() {
+            (s, None) => s.radius(),
+            (x, Some(y)) => libm::hypot(x.radius(), y.radius()),
         };
         closed::<Ball<M>>(scene, worked).map(|l| l.into_iter().map(|v| v.map(radius)).collect()).unwrap_or_default()
     }
@@ -344,15 +338,8 @@ fn off(scene: &Scene, worked: &Worked, h: f64) -> Option<Configuration> {
     newton::moved(scene, &worked.mechanism, &worked.configuration, &drivers)
 }
 
-fn mapped<A: Real, B: Real>(v: Value<A>, f: impl Fn(A) -> B) -> Value<B> {
-    match v {
-        Value::Scalar(s) => Value::Scalar(f(s)),
-        Value::Vector(v) => Value::Vector(Vec2::new(f(v.x), f(v.y))),
-    }
-}
-
 fn lifted(v: Option<Value>) -> Option<Long> {
-    kept(mapped(v?, Big::from_f64))
+    kept(v?.map(Big::from_f64))
 }
 
 /// What an answer's error is counted against.
@@ -365,7 +352,7 @@ fn size(worked: &Worked, i: usize) -> f64 {
 /// The worst of each level; `None` where nothing of the level is asked.
 fn by_level(scene: &Scene, worked: &Worked, error: impl Fn(usize) -> f64) -> [Option<f64>; 2] {
     Level::RATES.map(|level| {
-        let of_level = (0..worked.results.len()).filter(|&i| level_of(&scene.find[worked.results[i].find].what) == level);
+        let of_level = (0..worked.results.len()).filter(|&i| scene.find[worked.results[i].find].what.level() == level);
         of_level.map(&error).map(|e| if e.is_nan() { f64::INFINITY } else { e }).reduce(f64::max)
     })
 }

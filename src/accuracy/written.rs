@@ -6,7 +6,6 @@
 
 use super::ladder::{Climb, Rung};
 use crate::answer::{Value, evaluate};
-use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::motion;
 use crate::number::Real;
@@ -82,9 +81,9 @@ impl Climb for Written<'_> {
             return None;
         }
         let answers: Vec<Option<Value<N>>> = self.questions.iter().map(|f| evaluate(self.scene, &at, &motion, &f.what)).collect();
-        let kind = |i: usize| matches!(answers[i], Some(Value::Scalar(_)));
+        let form = |i: usize| answers[i].map(|v| v.form());
         let largest = |i: usize| {
-            let of_kind = (0..answers.len()).filter(|k| kind(*k) == kind(i));
+            let of_kind = (0..answers.len()).filter(|k| form(*k) == form(i));
             of_kind.filter_map(|k| Some(approx(&answers[k]?).magnitude())).fold(0.0, f64::max)
         };
         let mut known = true;
@@ -97,12 +96,10 @@ impl Climb for Written<'_> {
                 known &= x.is_decided() && x.radius() <= if zero { nothing } else { KNOWN * size };
                 if zero { 0.0 } else { x.approx() }
             };
+            // The components of a vector are known as it is; other numbers each by itself.
             values.push(answer.map(|value| match value {
-                Value::Scalar(s) => Value::Scalar(number(s, s.approx().abs())),
-                Value::Vector(v) => {
-                    let size = v.approx().norm();
-                    Value::Vector(Vec2::new(number(v.x, size), number(v.y, size)))
-                }
+                Value::Vector(v) => value.map(|x| number(x, v.approx().norm())),
+                Value::Scalar(_) | Value::Point(_) => value.map(|x| number(x, x.approx().abs())),
             }));
         }
         let decided = values.iter().flatten().all(|v| v.magnitude().is_finite());
@@ -111,10 +108,7 @@ impl Climb for Written<'_> {
 }
 
 fn approx<N: Real>(value: &Value<N>) -> Value {
-    match value {
-        Value::Scalar(s) => Value::Scalar(s.approx()),
-        Value::Vector(v) => Value::Vector(v.approx()),
-    }
+    value.map(|x| x.approx())
 }
 
 /// The groups on which a question rests.

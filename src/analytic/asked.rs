@@ -8,10 +8,11 @@
 use super::Solution;
 use super::relation::{Handle, Pair, Row};
 use super::rows::{along_line, distance, projection};
-use crate::answer::{Source, Value, place};
+use crate::answer::{Source, Value, evaluate};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Joined, Level, joined};
 use crate::position::{Configuration, Path};
+use crate::scene::quantity::{Meaning, Split};
 use crate::scene::{Asked, GuideId, LinkId, OnLink, Scene};
 use nalgebra::DVector;
 
@@ -42,24 +43,25 @@ struct Parts {
 impl Solution {
     /// What the loop equations answer to a question; `None` where they have no answer.
     pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
-        use Level::{Acceleration, Velocity};
-        let vector = |level, p: &OnLink| self.vector(level, p.point, p.link);
-        let relative = |level, a: &OnLink, b: &OnLink| Some(Value::Vector(vector(level, a)? - vector(level, b)?));
-        match what {
-            Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => place(scene, at, what),
-            Asked::Velocity(p) => vector(Velocity, p).map(Value::Vector),
-            Asked::Acceleration(p) => vector(Acceleration, p).map(Value::Vector),
-            Asked::RelativeVelocity(a, b) => relative(Velocity, a, b),
-            Asked::RelativeAcceleration(a, b) => relative(Acceleration, a, b),
-            Asked::NormalAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.normal)),
-            Asked::TangentialAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.tangential)),
-            Asked::SlidingVelocity(a, b) => self.sliding_velocity(scene, at, a, b).map(Value::Vector),
-            Asked::SlidingAcceleration(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.sliding[1])),
-            Asked::Coriolis(a, b) => self.parts(scene, at, a, b).map(|p| Value::Vector(p.coriolis)),
-            Asked::Omega(l) => self.turning(Velocity, *l).map(Value::Scalar),
-            Asked::Alpha(l) => self.turning(Acceleration, *l).map(Value::Scalar),
-            Asked::RelativeOmega(a, b) => Some(Value::Scalar(self.turning(Velocity, *a)? - self.turning(Velocity, *b)?)),
-            Asked::RelativeAlpha(a, b) => Some(Value::Scalar(self.turning(Acceleration, *a)? - self.turning(Acceleration, *b)?)),
+        let level = what.level();
+        let vector = |p: &OnLink| self.vector(level, p.point, p.link);
+        match what.meaning() {
+            Some(Meaning::Vector(p)) => vector(&p).map(Value::Vector),
+            Some(Meaning::Relative(split, a, b)) => {
+                let parts = || self.parts(scene, at, &a, &b);
+                Some(Value::Vector(match (split, level) {
+                    (Split::Whole, _) => vector(&a)? - vector(&b)?,
+                    (Split::Along, _) => parts()?.normal,
+                    (Split::Across, _) => parts()?.tangential,
+                    (Split::Sliding, Level::Acceleration) => parts()?.sliding[1],
+                    (Split::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
+                    (Split::Coriolis, _) => parts()?.coriolis,
+                }))
+            }
+            Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),
+            Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
+            // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
+            Some(Meaning::Place(_)) | None => evaluate(scene, at, self, what),
         }
     }
 

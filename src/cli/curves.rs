@@ -8,7 +8,8 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::curves::{Diagram, figure};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
-use crate::scene::{Asked, PointId};
+use crate::scene::PointId;
+use crate::scene::quantity::Meaning;
 use crate::sweep::{self, Placed, Width};
 use std::process::ExitCode;
 
@@ -58,12 +59,12 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
-        match find.what {
-            Asked::Omega(l) | Asked::Alpha(l) => words.push(format!("phi_{}", scene.link_name(l))),
-            Asked::Velocity(p) | Asked::Acceleration(p) if p.link.is_none() => {
+        match find.what.meaning() {
+            Some(Meaning::Turning(l, None)) => words.push(format!("phi_{}", scene.link_name(l))),
+            Some(Meaning::Vector(p)) if p.link.is_none() => {
                 words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
-            _ => {}
+            Some(Meaning::Turning(..) | Meaning::Vector(_) | Meaning::Relative(..) | Meaning::Place(_)) | None => {}
         }
         words.push(find.text.clone());
     }

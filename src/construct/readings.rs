@@ -5,13 +5,14 @@
 
 use super::pencil::Pencil;
 use super::{Construction, Mark};
-use crate::answer::{Value, level_of, place};
+use crate::answer::{Value, place};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism, Passive};
 use crate::number::Real;
 use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
 use crate::position::Configuration;
-use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
+use crate::scene::quantity::{Meaning, Of};
+use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,12 +87,12 @@ impl<N: Real> OnPaper<'_, N> {
 
     /// Whether all points of a question have their images, at every level that it is made of.
     fn is_drawn(&self, what: &Asked) -> bool {
-        what.points().iter().all(|p| self.image(level_of(what), p).is_some())
+        what.points().iter().all(|p| self.image(what.level(), p).is_some())
     }
 
     /// Where a question lies on paper; `None` where no edge shows it.
     fn find(&self, what: &Asked) -> Option<Found<N>> {
-        let polygon = self.paper.polygon(level_of(what))?;
+        let polygon = self.paper.polygon(what.level())?;
         match asking(self.scene, self.m, self.plan, what)? {
             Asking::Vector { of, reversed } => {
                 let (pole, tip) = ((Mark::Pole, Point::origin()), (polygon.mark(self.plan, of), polygon.images[of.0]?));
@@ -122,27 +123,6 @@ impl<N: Real> OnPaper<'_, N> {
         }
         self.paper.rate(level, body)
     }
-
-    /// The turning rate that a question asks for; `None` where it was not read, or where it asks for something else.
-    fn rate(&self, what: &Asked) -> Option<N> {
-        let level = level_of(what);
-        match *what {
-            Asked::Omega(l) | Asked::Alpha(l) => self.turning(level, l),
-            Asked::RelativeOmega(a, b) | Asked::RelativeAlpha(a, b) => Some(self.turning(level, a)? - self.turning(level, b)?),
-            Asked::Coordinate(..)
-            | Asked::LinkAngle(_)
-            | Asked::Distance(..)
-            | Asked::Velocity(_)
-            | Asked::Acceleration(_)
-            | Asked::RelativeVelocity(..)
-            | Asked::RelativeAcceleration(..)
-            | Asked::NormalAcceleration(..)
-            | Asked::TangentialAcceleration(..)
-            | Asked::SlidingVelocity(..)
-            | Asked::SlidingAcceleration(..)
-            | Asked::Coriolis(..) => None,
-        }
-    }
 }
 
 /// The points at the ends of a line, if the arm is their distance (a special point is no point of the scene, and some arms
@@ -158,20 +138,27 @@ fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), ar
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
     let one = |(find, f): (usize, &Find)| {
-        let level = level_of(&f.what);
+        let level = f.what.level();
         if level == Level::Position {
             return Some(Answer { find, value: place(scene, at, &f.what)?, measured: None });
         }
-        if let Asked::Omega(l) | Asked::Alpha(l) | Asked::RelativeOmega(l, _) | Asked::RelativeAlpha(l, _) = f.what {
-            let value = Value::Scalar(source.rate(&f.what)?);
-            let own = matches!(f.what, Asked::Omega(_) | Asked::Alpha(_)).then(|| source.body(l));
-            let reading = paper.rates.iter().find(|r| r.level == level && Some(r.body) == own);
-            let measured = reading.zip(paper.polygon(level)).and_then(|(r, p)| {
-                let m = r.measured?;
-                let arm_of = points_of(at, plan, m.line, m.arm);
-                Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
-            });
-            return Some(Answer { find, value, measured });
+        match f.what.meaning() {
+            Some(Meaning::Turning(l, None)) => {
+                let reading = paper.rates.iter().find(|r| r.level == level && r.body == source.body(l));
+                let measured = reading.zip(paper.polygon(level)).and_then(|(r, p)| {
+                    let m = r.measured?;
+                    let arm_of = points_of(at, plan, m.line, m.arm);
+                    Some(Measured { length_mm: m.length, mu: p.mu, arm_m: Some(m.arm), arm_of, marks: m.marks, shown: None })
+                });
+                return Some(Answer { find, value: Value::Scalar(source.turning(level, l)?), measured });
+            }
+            Some(Meaning::Turning(l, Some(against))) => {
+                let value = source.turning(level, l)? - source.turning(level, against)?;
+                return Some(Answer { find, value: Value::Scalar(value), measured: None });
+            }
+            Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
+            // No edge is of it.
+            Some(Meaning::Place(_)) | None => return None,
         }
         if !source.is_drawn(&f.what) {
             return None;
@@ -202,13 +189,14 @@ pub fn read_by_hand<P: Pencil>(
     let mu_l = paper.diagram.mu_l;
     let drawn = read(scene, m, shown, plan, paper);
     let mut measure = |find: &Find, answer: Option<Answer>| -> Option<Value> {
-        let level = level_of(&find.what);
+        let level = find.what.level();
         Some(match (answer?.value, paper.polygon(level)) {
             (Value::Vector(v), Some(p)) => Value::Vector(pencil.read(level, v * (1.0 / p.mu)) * p.mu),
             // Rates were read when they were first needed; a difference of two is reckoned.
-            (value @ Value::Scalar(_), Some(_)) | (value @ Value::Vector(_), None) => value,
-            (Value::Scalar(s), None) => Value::Scalar(match find.what {
-                Asked::LinkAngle(l) => {
+            (value @ (Value::Scalar(_) | Value::Point(_)), Some(_)) | (value @ Value::Vector(_), None) => value,
+            (Value::Point(p), None) => Value::Point((pencil.read(level, p.to_vec2() * (1.0 / mu_l)) * mu_l).to_point()),
+            (Value::Scalar(s), None) => Value::Scalar(match find.what.of() {
+                Of::Link(l) if find.what.kind() == Kind::Angle => {
                     let apart = shown.link_direction(scene, l).map_or(shown.extent(), Vec2::norm) / mu_l;
                     pencil.ruler(level, Vec2::from_angle(s), apart).angle()
                 }

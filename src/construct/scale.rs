@@ -1,11 +1,11 @@
 //! The one door between SI and millimetres of paper: scales μ from the series 1, 2, 2.5, 5 × 10^k.
 
+use crate::digits::shortest;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
-use crate::quantity::shortest;
 use crate::scene::Paper;
 
 /// Room for each drawing, in mm.

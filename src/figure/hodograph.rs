@@ -4,9 +4,9 @@
 //! positions are marked. The vectors come from [`crate::sweep::points`].
 
 use crate::construct::scale;
+use crate::digits::{inked, shortest};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::quantity::{inked, shortest};
 use crate::scene::Book;
 
 use super::drawing::{Drawing, Part};

@@ -6,10 +6,10 @@
 
 use crate::construct::scale::{self, Boxes};
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::digits::direction_degrees;
 use crate::geom::Vec2;
 use crate::mechanism::Level;
 use crate::plan::names::point_label;
-use crate::quantity::direction_degrees;
 use crate::report::phrase::{Phrase, fill, tr};
 use crate::scene::{Kind, PointId, Scene};
 use crate::sweep::points::{Moment, Motion, alone, at_equal_steps, bounded, motion, questions};
@@ -251,7 +251,7 @@ impl Page<'_> {
             row("driver", Label::math(format!("{driver},\\, {unit}")), &|k| {
                 let value = marks[k].driver;
                 let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
-                Label::math(crate::quantity::inked(&crate::quantity::shortest((shown * parts).round() / parts)))
+                Label::math(crate::digits::inked(&crate::digits::shortest((shown * parts).round() / parts)))
             });
             for (p, point) in self.moved.points.iter().enumerate() {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {
@@ -314,7 +314,7 @@ impl Page<'_> {
                 (_, [true, true]) => tr(lang, "the travel between its limits", "两极限位置之间的行程"),
                 _ => tr(lang, "the travel", "行程"),
             };
-            let plain = |v: f64| crate::quantity::significant(v, 3);
+            let plain = |v: f64| crate::digits::significant(v, 3);
             let book = &self.scene().book;
             let speed = |v: f64| plain(book.value(Kind::Velocity, v));
             let fast = if self.cut { "∞".to_owned() } else { speed(fast) };

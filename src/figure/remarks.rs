@@ -3,9 +3,9 @@
 
 use crate::accuracy::BadAngle;
 use crate::analytic::SingularKind;
+use crate::digits::{shortest, significant};
 use crate::mechanism::Core;
 use crate::plan::text::{point_label, vertex_name};
-use crate::quantity::{shortest, significant};
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};

@@ -2,17 +2,18 @@
 //! and loop equations are apart.
 
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::construct::ShownAs;
+use crate::digits::{direction_degrees, inked, significant};
 use crate::mechanism::Level;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::{direction_degrees, inked, significant};
 use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
 use crate::report::drafting::{self, Amount};
 use crate::report::phrase::{Phrase, fill};
-use crate::scene::{Asked, Axis, Book, Find, Kind, Scene};
+use crate::scene::quantity::{Of, Over};
+use crate::scene::{Book, Find, Kind, Scene};
 use crate::worked::{Outcome, Worked};
 
 use super::drawing;
@@ -106,7 +107,7 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
         let sign = |what: &str| cell(Label::math("="), Anchor::Middle, what);
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
-        let nothing = worked.construction.is_empty(level_of(&find.what));
+        let nothing = worked.construction.is_empty(find.what.level());
         let measured = if nothing { None } else { measured(&scene.book, r, c, find, words) };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
@@ -174,7 +175,7 @@ pub fn sentence(answers: &Answers) -> String {
 /// `v^{r}_{B2B3} = −v^{r}_{B3B2}`.
 pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
     let asked = symbol(find, w.notation);
-    let level = level_of(&find.what);
+    let level = find.what.level();
     let Some(shown) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()).and_then(|m| m.shown.as_ref()) else { return asked };
     let drawn = match &shown.vector {
         ShownAs::Image(v) => w.vector(level, *v),
@@ -192,22 +193,17 @@ pub fn named(w: &Writer, find: &Find, r: &Outcome) -> String {
 pub fn symbol(find: &Find, notation: &Notation) -> String {
     // Names may be parted by a comma or a hyphen; a hyphen would be read as a minus.
     let sub = find.text.split_once('_').map_or("", |(_, s)| s).replace('-', ",");
-    let (letter, sup) = match find.what {
-        Asked::Coordinate(_, Axis::X) => ("x", ""),
-        Asked::Coordinate(_, Axis::Y) => ("y", ""),
-        Asked::LinkAngle(_) => ("\\varphi", ""),
-        Asked::Distance(..) => ("l", ""),
-        Asked::Velocity(_) | Asked::RelativeVelocity(..) => ("v", ""),
-        Asked::Acceleration(_) | Asked::RelativeAcceleration(..) => ("a", ""),
-        Asked::NormalAcceleration(..) => ("a", "n"),
-        Asked::TangentialAcceleration(..) => ("a", "t"),
-        Asked::SlidingVelocity(..) => ("v", notation.sliding.as_str()),
-        Asked::SlidingAcceleration(..) => ("a", notation.sliding.as_str()),
-        Asked::Coriolis(..) => ("a", notation.coriolis.as_str()),
-        Asked::Omega(_) | Asked::RelativeOmega(..) => ("\\omega", ""),
-        Asked::Alpha(_) | Asked::RelativeAlpha(..) => ("\\alpha", ""),
+    let entry = find.what.entry();
+    let sup = match entry.over {
+        Over::Nothing => "",
+        Over::Sign(sign) => sign,
+        Over::Sliding => notation.sliding.as_str(),
+        Over::Coriolis => notation.coriolis.as_str(),
     };
-    let sub = if matches!(find.what, Asked::Coordinate(..)) { point_label(sub.trim()) } else { name_label(&sub) };
+    // A coordinate is of the point itself, and so is written below as it stands on the diagram.
+    let place = matches!((find.what.of(), entry.kind), (Of::Point(_), Kind::Length));
+    let sub = if place { point_label(sub.trim()) } else { name_label(&sub) };
+    let letter = entry.letter;
     if sup.is_empty() { format!("{letter}_{{{sub}}}") } else { format!("{letter}^{{{sup}}}_{{{sub}}}") }
 }
 
@@ -223,7 +219,7 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
 pub fn measured(book: &Book, r: &Outcome, c: &Certified, find: &Find, words: &Words) -> Option<Label> {
-    let level = level_of(&find.what);
+    let level = find.what.level();
     if level == Level::Position {
         return None;
     }
@@ -272,33 +268,40 @@ pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usi
             return format!("{} mm", certain(c, Part::Scalar, digits, 3, s * 1e3));
         }
         Value::Scalar(s) => {
-            let part = match kind {
-                _ if chosen => Part::Printed,
-                Kind::Angle => Part::Degrees,
-                Kind::Length | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha => Part::Scalar,
+            let part = match (chosen, kind == Kind::Angle) {
+                (true, _) => Part::Printed,
+                (false, true) => Part::Degrees,
+                (false, false) => Part::Scalar,
             };
             certain(c, part, digits, 0, book.value(kind, s))
+        }
+        Value::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
+            let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
+            // A unit is upright behind a number; behind a parenthesis it has to be said.
+            return format!("({}, {})\\,\\text{{mm}}", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
+        }
+        Value::Point(p) => {
+            let [x, y] = if chosen { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
+            let coordinate = |part, si: f64| certain(c, part, digits, 0, book.value(kind, si));
+            return format!("({}, {})\\,{}", coordinate(x, p.x), coordinate(y, p.y), book.upright(kind));
         }
         Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
     };
     // The sense is told in words.
-    let turns = matches!(kind, Kind::Omega | Kind::Alpha);
-    book.label(kind, if turns { number.trim_start_matches('−') } else { &number })
+    book.label(kind, if kind.turns() { number.trim_start_matches('−') } else { &number })
 }
 
 /// An answer's direction or sense of turning, in words.
 pub fn sense(find: &Find, value: Value, c: &Certified, words: &Words, digits: usize) -> Label {
-    match (find.what, value) {
-        (_, Value::Vector(v)) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
+    match value {
+        Value::Vector(v) if c.part(Part::Direction).is_some() || (c.rough_digits(digits).1 && v.norm() > 0.0) => {
             let degrees = certain(c, Part::Direction, digits, 0, direction_degrees(v.angle()));
             // A number alone is upright in the label language; only one with a power of ten needs it.
             let number = if degrees.contains('\\') { Label::math(degrees) } else { Label::text(degrees) };
             Label::text("∠ ").then(number).then(Label::text("°"))
         }
-        (Asked::Omega(_) | Asked::RelativeOmega(..) | Asked::Alpha(_) | Asked::RelativeAlpha(..), Value::Scalar(s)) => {
-            Label::text(words.sense(c.part(Part::Scalar).map_or(s, |n| n.sign())))
-        }
-        _ => Label::text(""),
+        Value::Scalar(s) if find.what.kind().turns() => Label::text(words.sense(c.part(Part::Scalar).map_or(s, |n| n.sign()))),
+        Value::Vector(_) | Value::Scalar(_) | Value::Point(_) => Label::text(""),
     }
 }
 

@@ -4,12 +4,12 @@
 
 use crate::construct::Polygon;
 use crate::diag::Faults;
+use crate::digits::{inked, shortest};
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::{inked, shortest};
 use crate::scene::{Book, Kind, Lang, Scene};
 use crate::worked::Worked;
 

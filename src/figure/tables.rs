@@ -3,10 +3,10 @@
 
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
+use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Spot, Step, VertexId};
-use crate::quantity::inked;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::{PointId, Scene};
 

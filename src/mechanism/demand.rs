@@ -1,72 +1,8 @@
 //! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
 
 use super::{Mechanism, Node};
-use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
-
-/// How deep a thing is asked for. Each level needs the ones before it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Level {
-    /// Where it is.
-    #[default]
-    Position,
-    /// How fast.
-    Velocity,
-    /// With which acceleration.
-    Acceleration,
-}
-
-impl Level {
-    /// All of them, each after those that it needs.
-    pub const ALL: [Level; 3] = [Level::Position, Level::Velocity, Level::Acceleration];
-
-    /// Those that have equations and a polygon.
-    pub const RATES: [Level; 2] = [Level::Velocity, Level::Acceleration];
-
-    /// What its vectors are: lengths on the diagram, velocities, accelerations.
-    pub fn kind(self) -> Kind {
-        match self {
-            Level::Position => Kind::Length,
-            Level::Velocity => Kind::Velocity,
-            Level::Acceleration => Kind::Acceleration,
-        }
-    }
-
-    /// What the turning of a link is.
-    pub fn turning(self) -> Kind {
-        match self {
-            Level::Position => Kind::Angle,
-            Level::Velocity => Kind::Omega,
-            Level::Acceleration => Kind::Alpha,
-        }
-    }
-}
-
-/// The level of a question.
-pub fn level_of(what: &Asked) -> Level {
-    match what {
-        Asked::Coordinate(..) | Asked::LinkAngle(_) | Asked::Distance(..) => Level::Position,
-        Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) | Asked::Omega(_) | Asked::RelativeOmega(..) => {
-            Level::Velocity
-        }
-        Asked::Acceleration(_)
-        | Asked::RelativeAcceleration(..)
-        | Asked::NormalAcceleration(..)
-        | Asked::TangentialAcceleration(..)
-        | Asked::SlidingAcceleration(..)
-        | Asked::Coriolis(..)
-        | Asked::Alpha(_)
-        | Asked::RelativeAlpha(..) => Level::Acceleration,
-    }
-}
-
-/// A thing asked for: the motion of a point (of a certain link) or the turning of a link.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Need {
-    /// The vector of a point; with a link, of the point of that link that lies there.
-    Point(PointId, Option<LinkId>),
-    /// The turning of a link.
-    Turning(LinkId),
-}
+use crate::scene::quantity::{Level, Need};
+use crate::scene::{Find, LinkId, Scene};
 
 /// What the questions call for.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +25,7 @@ impl Demand {
     pub fn of_questions<'a>(scene: &Scene, m: &Mechanism, questions: impl IntoIterator<Item = &'a Find>) -> Demand {
         let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
         for f in questions {
-            for (need, level) in needs_of(&f.what) {
+            for (need, level) in f.what.needs() {
                 d.add(scene, m, need, level);
             }
         }
@@ -160,29 +96,5 @@ pub(crate) fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
             }
             nodes
         }
-    }
-}
-
-fn needs_of(what: &Asked) -> Vec<(Need, Level)> {
-    use Level::{Acceleration, Position, Velocity};
-    let at = |o: &OnLink| Need::Point(o.point, o.link);
-    match what {
-        Asked::Coordinate(p, _) => vec![(Need::Point(*p, None), Position)],
-        Asked::LinkAngle(l) => vec![(Need::Turning(*l), Position)],
-        Asked::Distance(a, b) => vec![(Need::Point(*a, None), Position), (Need::Point(*b, None), Position)],
-        Asked::Velocity(p) => vec![(at(p), Velocity)],
-        Asked::Acceleration(p) => vec![(at(p), Acceleration)],
-        Asked::RelativeVelocity(a, b) | Asked::SlidingVelocity(a, b) => vec![(at(a), Velocity), (at(b), Velocity)],
-        Asked::RelativeAcceleration(a, b) | Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
-            vec![(at(a), Acceleration), (at(b), Acceleration)]
-        }
-        // 2 ω × v_r is made of velocities.
-        Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => {
-            vec![(at(a), Velocity), (at(b), Velocity), (at(a), Acceleration), (at(b), Acceleration)]
-        }
-        Asked::Omega(l) => vec![(Need::Turning(*l), Velocity)],
-        Asked::Alpha(l) => vec![(Need::Turning(*l), Acceleration)],
-        Asked::RelativeOmega(a, b) => vec![(Need::Turning(*a), Velocity), (Need::Turning(*b), Velocity)],
-        Asked::RelativeAlpha(a, b) => vec![(Need::Turning(*a), Acceleration), (Need::Turning(*b), Acceleration)],
     }
 }

@@ -6,19 +6,19 @@
 
 mod demand;
 mod groups;
-mod joined;
 mod leg;
 mod mobility;
 
+pub use demand::Demand;
 pub(crate) use demand::nodes_of;
-pub use demand::{Demand, Level, Need, level_of};
 pub use groups::{Core, Group};
-pub use joined::{Joined, joined};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
 
+pub use crate::scene::quantity::{Joined, Level, Need, joined};
+
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -90,7 +90,7 @@ impl Mechanism {
         let passive = find_passive(scene);
         let mut faults = curved_sliders(scene, &passive);
         cylinder_parts(scene, &passive, &mut faults);
-        faults.list.extend(joined::check(scene).list);
+        faults.list.extend(quantity::undefined(scene).list);
         if faults.has_errors() {
             return Err(faults);
         }

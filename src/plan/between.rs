@@ -6,7 +6,8 @@
 
 use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
-use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, level_of, nodes_of};
+use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
+use crate::scene::quantity::{Meaning, Split};
 use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
@@ -56,56 +57,45 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
     let guide = |guide| By::Guide { guide, driver: None };
     let even =
         |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
-    match what {
-        Asked::Velocity(p) | Asked::Acceleration(p) => whole(p, false),
-        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(b) => whole(a, false),
-        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) if fixed(a) => whole(b, true),
-        Asked::RelativeVelocity(a, b) | Asked::RelativeAcceleration(a, b) => match joined(scene, a, b) {
-            Some(Joined::Guide(g)) if matches!(what, Asked::RelativeVelocity(..)) || (still(g) && !arc(g)) => {
-                terms(a, b, &[Slide], guide(g))
-            }
-            Some(Joined::Guide(g)) => terms(a, b, &[Relative], guide(g)),
-            Some(Joined::Cylinder(d)) => terms(a, b, &[Relative], By::Cylinder(d)),
-            Some(Joined::Link(l)) => terms(a, b, &[Relative], By::Turning(body_of(scene, m, l))),
-            None => terms(a, b, &[Relative], By::Apart),
+    let level = what.level();
+    match what.meaning()? {
+        Meaning::Vector(p) => whole(&p, false),
+        Meaning::Relative(Split::Whole, a, b) if fixed(&b) => whole(&a, false),
+        Meaning::Relative(Split::Whole, a, b) if fixed(&a) => whole(&b, true),
+        Meaning::Relative(Split::Whole, a, b) => match joined(scene, &a, &b) {
+            Some(Joined::Guide(g)) if level == Level::Velocity || (still(g) && !arc(g)) => terms(&a, &b, &[Slide], guide(g)),
+            Some(Joined::Guide(g)) => terms(&a, &b, &[Relative], guide(g)),
+            Some(Joined::Cylinder(d)) => terms(&a, &b, &[Relative], By::Cylinder(d)),
+            Some(Joined::Link(l)) => terms(&a, &b, &[Relative], By::Turning(body_of(scene, m, l))),
+            None => terms(&a, &b, &[Relative], By::Apart),
         },
-        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => {
-            let kind = if matches!(what, Asked::NormalAcceleration(..)) { Normal } else { Tangential };
-            match joined(scene, a, b)? {
-                Joined::Link(l) => terms(a, b, &[kind], By::Turning(body_of(scene, m, l))),
-                Joined::Cylinder(d) => terms(a, b, &[kind], By::Turning(Body::Cylinder(d))),
+        Meaning::Relative(part @ (Split::Along | Split::Across), a, b) => {
+            let kind = if part == Split::Along { Normal } else { Tangential };
+            match joined(scene, &a, &b)? {
+                Joined::Link(l) => terms(&a, &b, &[kind], By::Turning(body_of(scene, m, l))),
+                Joined::Cylinder(d) => terms(&a, &b, &[kind], By::Turning(Body::Cylinder(d))),
                 Joined::Guide(_) => None,
             }
         }
-        Asked::SlidingVelocity(a, b) => match joined(scene, a, b)? {
-            Joined::Guide(g) => terms(a, b, &[Slide], guide(g)),
-            Joined::Cylinder(d) => terms(a, b, &[Extension], By::Cylinder(d)),
-            Joined::Link(_) => None,
-        },
-        Asked::SlidingAcceleration(a, b) => match joined(scene, a, b)? {
+        Meaning::Relative(Split::Sliding, a, b) => match (joined(scene, &a, &b)?, level) {
+            (Joined::Guide(g), Level::Position | Level::Velocity) => terms(&a, &b, &[Slide], guide(g)),
             // What is driven at a constant rate has no acceleration along its way.
-            Joined::Guide(g) => match (arc(g), even(g)) {
-                (true, true) => terms(a, b, &[SlideNormal], guide(g)),
-                (true, false) => terms(a, b, &[SlideNormal, Slide], guide(g)),
+            (Joined::Guide(g), Level::Acceleration) => match (arc(g), even(g)) {
+                (true, true) => terms(&a, &b, &[SlideNormal], guide(g)),
+                (true, false) => terms(&a, &b, &[SlideNormal, Slide], guide(g)),
                 (false, true) => None,
-                (false, false) => terms(a, b, &[Slide], guide(g)),
+                (false, false) => terms(&a, &b, &[Slide], guide(g)),
             },
-            Joined::Cylinder(d) if scene.drivers[d].acceleration.is_none() => None,
-            Joined::Cylinder(d) => terms(a, b, &[Extension], By::Cylinder(d)),
+            (Joined::Cylinder(d), Level::Acceleration) if scene.drivers[d].acceleration.is_none() => None,
+            (Joined::Cylinder(d), _) => terms(&a, &b, &[Extension], By::Cylinder(d)),
+            (Joined::Link(_), _) => None,
+        },
+        Meaning::Relative(Split::Coriolis, a, b) => match joined(scene, &a, &b)? {
+            Joined::Guide(g) => terms(&a, &b, &[Coriolis], guide(g)),
+            Joined::Cylinder(d) => terms(&a, &b, &[Coriolis], By::Cylinder(d)),
             Joined::Link(_) => None,
         },
-        Asked::Coriolis(a, b) => match joined(scene, a, b)? {
-            Joined::Guide(g) => terms(a, b, &[Coriolis], guide(g)),
-            Joined::Cylinder(d) => terms(a, b, &[Coriolis], By::Cylinder(d)),
-            Joined::Link(_) => None,
-        },
-        Asked::Coordinate(..)
-        | Asked::LinkAngle(_)
-        | Asked::Distance(..)
-        | Asked::Omega(_)
-        | Asked::Alpha(_)
-        | Asked::RelativeOmega(..)
-        | Asked::RelativeAlpha(..) => None,
+        Meaning::Place(_) | Meaning::Turning(..) => None,
     }
 }
 
@@ -143,9 +133,12 @@ fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
 
 /// The point whose acceleration a question asks in parts.
 fn parts_of(what: &Asked) -> Option<Need> {
-    match what {
-        Asked::NormalAcceleration(a, _) | Asked::TangentialAcceleration(a, _) => Some(Need::Point(a.point, a.link)),
-        _ => None,
+    match what.meaning()? {
+        Meaning::Relative(Split::Along | Split::Across, a, _) => Some(Need::Point(a.point, a.link)),
+        Meaning::Relative(Split::Whole | Split::Sliding | Split::Coriolis, ..)
+        | Meaning::Vector(_)
+        | Meaning::Turning(..)
+        | Meaning::Place(_) => None,
     }
 }
 
@@ -179,7 +172,7 @@ impl Builder<'_> {
             self.between(level, group, &[Term { kind, of, to, by: By::Turning(body), known: false }]);
         }
         let scene = self.scene;
-        for find in scene.find.iter().filter(|f| level_of(&f.what) == level) {
+        for find in scene.find.iter().filter(|f| f.what.level() == level) {
             for p in find.what.points() {
                 // A fixed point may not have been met yet.
                 if p.link.map_or_else(|| scene.links[scene.ground.0].points.contains(&p.point), |l| l == scene.ground) {

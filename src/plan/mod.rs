@@ -10,6 +10,7 @@
 mod between;
 mod build;
 mod effects;
+mod group;
 mod locus;
 pub mod names;
 pub mod notation;

@@ -266,8 +266,8 @@ impl<'a, N: Real> Assembly<'a, N> {
                 poses.into_iter().map(|pose| self.trial_of_link(group, *link, pose, legs)).collect::<Result<Vec<_>, _>>()?
             }
             Core::Higher => {
-                if all_pins && group.links.iter().all(|l| self.poses[l.0].is_some()) {
-                    let poses = group.links.iter().map(|l| (*l, Pose::ground())).collect();
+                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.told_pose(*l, &given_pins)?))).collect();
+                if let (true, Some(poses)) = (all_pins, told) {
                     vec![self.trial(given_pins.clone(), poses)]
                 } else {
                     vec![self.newton_trial(index, group)?]

@@ -3,10 +3,10 @@
 use super::assemble::Assembly;
 use super::{Configuration, Path, Pose, Rolled, Shapes, rolling};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
+use crate::digits::significant;
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Passive};
 use crate::number::Real;
-use crate::quantity::significant;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {

@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
@@ -234,6 +234,18 @@ impl<N: Real> Assembly<'_, N> {
             return Ok(vec![Pose { origin, axis }]);
         }
         let [a, b] = holds else { return Err(self.no_closure(link)) };
+        if let Some((pair, kept)) = rolling_beside(a, b) {
+            let line = self.triad_leg(link, kept)?.locus(axis);
+            let Some(rolled) = self.origin_of_rack(link, axis, pair) else {
+                // At the instant a rack stands anywhere along its guide.
+                return match (line, self.instant) {
+                    (Locus::Line { through, .. }, None) => Ok(vec![Pose { origin: through, axis }]),
+                    _ => Err(self.no_closure(link)),
+                };
+            };
+            let origins = kernel::meet(line, rolled).map_err(|_| self.no_closure(link))?;
+            return Ok(origins.into_iter().map(|origin| Pose { origin, axis }).collect());
+        }
         let (la, lb) = (self.triad_leg(link, a)?.locus(axis), self.triad_leg(link, b)?.locus(axis));
         let origins = kernel::meet(la, lb).map_err(|miss| {
             let how = match miss {
@@ -338,5 +350,13 @@ impl<N: Real> Assembly<'_, N> {
             .help(both!("change a length of the group or the driver's position", "请改变该杆组的某一长度或原动件的位置")));
         }
         Ok(found.into_iter().map(|(origin, axis)| Pose { origin: origin.lift(), axis: axis.lift() }).collect())
+    }
+}
+
+/// Of two holds the rolling pair, where one of them rolls, and the other hold.
+fn rolling_beside<'a>(a: &'a Hold, b: &'a Hold) -> Option<(RollingId, &'a Hold)> {
+    match (a, b) {
+        (Hold::Rolls { pair, .. }, other) | (other, Hold::Rolls { pair, .. }) => Some((*pair, other)),
+        _ => None,
     }
 }

@@ -6,20 +6,23 @@
 
 use super::assemble::Assembly;
 use super::finish::same_place;
+use super::kernel::Locus;
 use super::shape::{Frame, given_place};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Hold;
 use crate::number::Real;
-use crate::scene::{Contours, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use crate::scene::{Contours, DriverKind, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
-    /// The unit normal at a contact, from the first link's contour toward the second's centre of curvature (of a wheel inside a ring:
-    /// toward the wheel's centre where that lies beyond the ring's, else away from it); `None` where it is not placed.
+    /// The unit normal n at a contact, from the first link's contour to the second's: the centres of curvature are Q − ρ₁n and Q + ρ₂n.
+    /// `None` where the pair is not placed.
     pub fn normal(&self, scene: &Scene, pair: RollingId) -> Option<Vec2<N>> {
-        normal(&scene.rolling[pair.0], &self.points, &self.guides)
+        let (r, [r1, r2]) = (&scene.rolling[pair.0], self.shapes.rolling[pair.0]);
+        let n = normal(r, &self.points, &self.guides)?;
+        Some(if (r1 + r2).approx() < 0.0 { -n } else { n })
     }
 }
 
@@ -128,6 +131,11 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     all.collect()
 }
 
+/// An angle that is known but for whole turns, near to one that is known roughly.
+fn whole<N: Real>(wrapped: N, near: f64) -> N {
+    wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
+}
+
 impl<N: Real> Assembly<'_, N> {
     /// The pose of a link that rolls on a known one, as far as something tells it: coordinates of its points, the phase of the pair, or
     /// nothing where it has no line of its own.
@@ -154,11 +162,20 @@ impl<N: Real> Assembly<'_, N> {
         Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
     }
 
+    /// The pose of a link that coordinates tell at the instant: all of it, or, of a wheel without a line of its own, its centre.
+    pub(super) fn told_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
+        let shape = &self.shapes[link.0];
+        let wheel = || self.scene.rolling.iter().any(|r| r.links.contains(&link)) && shape.frame == Frame::Loose && self.instant.is_none();
+        let centre = || shape.points.iter().find_map(|(p, local)| Some((*local, given.iter().find(|(q, _)| q == p)?.1)));
+        let loose = || centre().filter(|_| wheel()).map(|(local, at)| Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() });
+        self.poses[link.0].or_else(loose)
+    }
+
     /// The direction that rolling gives the frame of a link whose wheel has its centre at `at`, from the pose at the instant, or from the
     /// phase of the pair.
     fn rolled(&self, link: LinkId, id: RollingId, other: LinkId, at: Point<N>) -> Option<Vec2<N>> {
         let pair = &self.scene.rolling[id.0];
-        let Contours::Circles { centres, .. } = pair.contours else { return None };
+        let Contours::Circles { centres, .. } = pair.contours else { return self.rolled_on_track(link, id, at) };
         let own = usize::from(pair.links[1] == link);
         let [r1, r2] = pair.sizes(&self.inputs);
         // Of this link, and of the one on which it rolls.
@@ -170,9 +187,7 @@ impl<N: Real> Assembly<'_, N> {
         let other_axis = self.poses[other.0]?.axis;
         if let Some(then) = self.instant {
             let (before, was) = (then.points[centres[1].0]? - then.points[centres[0].0]?, then.poses[other.0]?.axis);
-            // Whole turns are those of the pose that is meant, which is next to this one.
-            let meant = self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned);
-            let whole = |wrapped: N, near: f64| wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi());
+            let meant = self.turned_as_meant(id);
             let line = whole(line.divide_by(before).angle(), meant[2]);
             let its_turn = whole(other_axis.divide_by(was).angle(), meant[1 - own]);
             let rolled = line - (its_turn - line) * (its / mine);
@@ -181,14 +196,69 @@ impl<N: Real> Assembly<'_, N> {
         // ρ₁(φ₁ − β) + ρ₂(φ₂ − β) = ρ₂·phase, with the angles of the links' lines.
         let (s, c) = self.inputs.sin_cos(pair.phase.as_ref()?);
         let phase = Vec2::new(c, s).angle();
-        let mark = |l: LinkId| match &self.scene.links[l.0].points[..] {
-            [p, q, ..] => self.shapes[l.0].local(*p).zip(self.shapes[l.0].local(*q)).map(|(p, q)| q - p),
-            _ => Some(Vec2::unit_x()),
-        };
-        let others = mark(other)?.unit()?.rotate_by(other_axis).divide_by(line.unit()?).angle();
+        let line = line.unit()?;
+        let others = self.mark(other)?.rotate_by(other_axis).divide_by(line).angle();
+        let others = whole(others, self.written(other).map_or(others.approx(), |angle| angle - line.angle().approx()));
         let angle = (if own == 1 { phase } else { phase * (r2 / r1) }) - others * (its / mine);
-        let direction = line.unit()?.rotate_by(Vec2::from_angle(angle));
-        direction.divide_by(mark(link)?.unit()?).unit()
+        line.rotate_by(Vec2::from_angle(angle)).divide_by(self.mark(link)?).unit()
+    }
+
+    /// The same of a wheel on a straight track, or of the track's link on a wheel, at a later time: the way along the track turns the wheel.
+    fn rolled_on_track(&self, link: LinkId, id: RollingId, at: Point<N>) -> Option<Vec2<N>> {
+        let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
+        let [on, wheel] = pair.links;
+        if link != wheel {
+            return None;
+        }
+        let Path::Line { through, direction } = self.guides[pair.guide?.0]? else { return None };
+        let way = |pose: &Pose<N>, centre: Point<N>| direction.dot(pose.to_local(centre) - through);
+        let (now, before) = (self.poses[on.0]?, then.poses[on.0]?);
+        let gone = way(&now, at) - way(&before, then.points[pair.centres()[1]?.0]?);
+        let turned = whole(now.axis.divide_by(before.axis).angle(), self.turned_as_meant(id)[0]);
+        let [_, radius] = pair.sizes(&self.inputs);
+        then.poses[wheel.0]?.axis.rotate_by(Vec2::from_angle(turned - gone / radius)).unit()
+    }
+
+    /// The line, square to the track, on which a wheel that has rolled keeps the origin of a rack whose direction is known; `None` at the
+    /// instant, when the rack may stand anywhere.
+    pub(super) fn origin_of_rack(&self, link: LinkId, axis: Vec2<N>, id: RollingId) -> Option<Locus<N>> {
+        let (pair, then) = (&self.scene.rolling[id.0], self.instant?);
+        let ([on, wheel], Some(centre)) = (pair.links, pair.centres()[1]) else { return None };
+        let Path::Line { direction, .. } = self.guides[pair.guide?.0]? else { return None };
+        if link != on {
+            return None;
+        }
+        let (before, [_, radius]) = (then.poses[on.0]?, pair.sizes(&self.inputs));
+        let meant = self.turned_as_meant(id);
+        let of = |i: usize, l: LinkId, axis: Vec2<N>| Some(whole(axis.divide_by(then.poses[l.0]?.axis).angle(), meant[i]));
+        let turned = of(1, wheel, self.poses[wheel.0]?.axis)? - of(0, on, axis)?;
+        // t·(K − O) + ρ(φ₂ − φ₁) is what it was.
+        let way = direction.dot(before.turn_back(then.points[centre.0]? - before.origin)) - radius * turned;
+        let along = direction.rotate_by(axis);
+        Some(Locus::Line { through: self.points[centre.0]? + along * -way, direction: along.perp() })
+    }
+
+    /// By how much links and line of a pair have turned since the instant in the pose that is meant, which is next to this one.
+    fn turned_as_meant(&self, id: RollingId) -> [f64; 3] {
+        self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned)
+    }
+
+    /// The line of a link from which its angle counts, in its frame: a unit vector.
+    fn mark(&self, l: LinkId) -> Option<Vec2<N>> {
+        match &self.scene.links[l.0].points[..] {
+            [p, q, ..] => (self.shapes[l.0].local(*q)? - self.shapes[l.0].local(*p)?).unit(),
+            _ => Some(Vec2::unit_x()),
+        }
+    }
+
+    /// The angle of a link's line as a driver writes it, whole turns among it.
+    fn written(&self, l: LinkId) -> Option<f64> {
+        self.scene.drivers.iter().find_map(|d| match &d.kind {
+            DriverKind::Turn { link, against, angle: Some(angle), line: None, .. } if *link == l && *against == self.scene.ground => {
+                Some(angle.value.radians())
+            }
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        })
     }
 
     fn no_phase(&self, link: LinkId) -> Diagnostic {

@@ -5,13 +5,13 @@ use super::drafting;
 use super::phrase::{fill, formula, sense, tr};
 use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
-use crate::answer::{Value, level_of};
+use crate::answer::Value;
 use crate::construct::Measured;
 use crate::diag::{Diagnostic, Severity};
+use crate::digits::{direction_degrees, shortest, significant};
 use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::quantity::{direction_degrees, shortest, significant};
 use crate::scene::{Book, Find, Kind, Lang, Scene};
 use crate::worked::{Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
@@ -145,14 +145,17 @@ fn value_words(book: &Book, find: &Find, value: Value, c: &Certified, digits: us
             };
             format!("{}{direction}", amount(v.norm(), ""))
         }
-        Value::Scalar(s) => match kind {
-            Kind::Omega | Kind::Alpha => {
-                let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
-                let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
-                format!("{}{sense}", amount(s, "-"))
-            }
-            Kind::Length | Kind::Angle | Kind::Velocity | Kind::Acceleration => amount(s, ""),
-        },
+        Value::Scalar(s) if kind.turns() => {
+            let sign = c.part(Part::Scalar).map_or(s, |n| n.sign());
+            let sense = if sign == 0.0 { String::new() } else { format!(" {}", sense(lang, sign)) };
+            format!("{}{sense}", amount(s, "-"))
+        }
+        Value::Scalar(s) => amount(s, ""),
+        Value::Point(p) => {
+            let [x, y] = if book.chosen(kind).is_some() { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
+            let coordinate = |part: Part, si: f64| number(part, digits, book.value(kind, si));
+            book.text(kind, &format!("({}, {})", coordinate(x, p.x), coordinate(y, p.y)))
+        }
     }
 }
 
@@ -167,7 +170,12 @@ fn certainty_words(c: &Certified, digits: usize, lang: Lang) -> String {
             Lang::Zh => format!("[仅 {known} 位数字可靠：{}]", why.words(lang)),
         };
     }
-    let certain = c.parts.iter().filter(|(p, _)| !matches!(p, Part::X | Part::Y)).map(|(_, n)| n.text(digits).map_or(0, |t| t.1)).min();
+    let certain = c
+        .parts
+        .iter()
+        .filter(|(p, _)| !matches!(p, Part::X | Part::Y) || c.prints(*p))
+        .map(|(_, n)| n.text(digits).map_or(0, |t| t.1))
+        .min();
     let why = why.words(lang);
     match (certain, lang) {
         (Some(k @ 1..), Lang::En) => format!("[{k} digits are certain: {why}]"),
@@ -189,7 +197,7 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
         None => tr(lang, "(loop equations)", "（解析）").into(),
         Some(a) => match &a.measured {
             // Where nothing moves there is no polygon and no scale.
-            Some(_) if worked.construction.is_empty(level_of(&find.what)) => String::new(),
+            Some(_) if worked.construction.is_empty(find.what.level()) => String::new(),
             Some(m) => {
                 let certain = |n: Option<&Number>| n.and_then(|n| n.text(READING_DIGITS)).map(|t| t.0);
                 let book = &w.scene.book;
@@ -198,7 +206,7 @@ fn measured_words(w: &Writer, worked: &Worked, find: &Find, r: &Outcome, c: &Cer
                 let arm = m.arm_m.map(|l| format!(" / {}", book.text(Kind::Length, &arm.unwrap_or_else(|| rough(l))))).unwrap_or_default();
                 let length = if r.value().magnitude() == 0.0 { 0.0 } else { m.length_mm };
                 let length = certain(c.reading.as_ref().map(|r| &r.length_mm)).unwrap_or_else(|| significant(length, READING_DIGITS));
-                let level = level_of(&find.what);
+                let level = find.what.level();
                 format!("({} {length} mm · μ {}{arm})", between(w, level, m), scale_words(book, level, m))
             }
             None => String::new(),
@@ -234,10 +242,6 @@ fn agreement_words(r: &Outcome, lang: Lang) -> String {
 pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usize, notes: &[Diagnostic]) -> Json {
     let notation = Notation::of_language(Lang::En);
     let w = Writer { scene, plan: &worked.plan, notation: &notation, lang: Lang::En };
-    let value = |v: Value| match v {
-        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
-        Value::Scalar(s) => json!({"value": s}),
-    };
     let answers: Vec<Json> = lines(worked, certified)
         .into_iter()
         .map(|line| {
@@ -257,7 +261,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 "analysis": r.longer.is_none().then(|| value(r.computed)),
                 "longer_numbers": r.longer.map(|rung| rung.name()),
                 "measured_mm": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.length_mm),
-                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, level_of(&find.what), &mark)))),
+                "measured_between": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.marks.map(|(mark, _)| formula(&construction::mark(&w, find.what.level(), &mark)))),
                 "scale": r.drawn.as_ref().and_then(|a| a.measured.as_ref()).map(|m| m.mu),
                 "difference": r.agreement.map(|a| a.difference),
                 "agrees": r.agreement.map(|a| a.holds()),
@@ -290,16 +294,29 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     all
 }
 
+/// The SI numbers of a value.
+fn value(v: Value) -> Json {
+    match v {
+        Value::Vector(v) => json!({"x": v.x, "y": v.y, "magnitude": v.norm(), "angle_deg": v.angle().to_degrees()}),
+        Value::Scalar(s) => json!({"value": s}),
+        Value::Point(p) => json!({"x": p.x, "y": p.y}),
+    }
+}
+
 /// The value in the unit that the scene asks for, with its name; null where it asks for none.
 fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize) -> Json {
     let kind = find.what.kind();
     let Some(unit) = book.chosen(kind) else { return Json::Null };
-    let si = match value {
-        Value::Vector(v) => v.norm(),
-        Value::Scalar(s) => s,
-    };
-    let text = c.part(Part::Printed).and_then(|n| n.text(digits)).map(|t| t.0);
-    json!({"unit": unit.name(), "value": unit.of(si), "text": text})
+    let text = |part: Part| c.part(part).and_then(|n| n.text(digits)).map(|t| t.0);
+    let one = |si: f64| json!({"unit": unit.name(), "value": unit.of(si), "text": text(Part::Printed)});
+    match value {
+        Value::Vector(v) => one(v.norm()),
+        Value::Scalar(s) => one(s),
+        Value::Point(p) => {
+            let text = text(Part::PrintedX).zip(text(Part::PrintedY)).map(|(x, y)| format!("({x}, {y})"));
+            json!({"unit": unit.name(), "x": unit.of(p.x), "y": unit.of(p.y), "text": text})
+        }
+    }
 }
 
 /// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
@@ -377,3 +394,6 @@ pub fn diagnostic(d: &Diagnostic) -> Json {
         "span": d.span.map(|s| [s.start, s.end]),
     })
 }
+
+#[cfg(test)]
+mod tests;

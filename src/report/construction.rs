@@ -5,11 +5,11 @@ use crate::accuracy::Steps;
 use crate::accuracy::ladder::Number;
 use crate::accuracy::steps::What;
 use crate::construct::{Action, Construction, Mark, Polygon};
+use crate::digits::{inked, shortest, significant};
 use crate::figure::sheet::of_level;
 use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Term, VertexId};
-use crate::quantity::{inked, shortest, significant};
 use crate::scene::{Book, Kind, Lang};
 
 /// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of

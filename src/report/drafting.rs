@@ -3,9 +3,9 @@
 use super::phrase::{formula, tr};
 use crate::accuracy::steps::What;
 use crate::accuracy::{CrossingTolerance, Drafting, Steps, Tolerance};
+use crate::digits::{shortest, significant};
 use crate::mechanism::Level;
 use crate::plan::text::{Writer, vertex_name};
-use crate::quantity::{shortest, significant};
 use crate::scene::{Book, Find, Kind, Scene};
 use crate::worked::Worked;
 use serde_json::{Value as Json, json};

@@ -1,7 +1,7 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
 use super::phrase::tr;
-use crate::quantity::significant;
+use crate::digits::significant;
 use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
 use crate::sweep::limit::{Event, Kind as EventKind};

@@ -2,6 +2,7 @@
 
 pub mod answers;
 pub mod centres;
+pub mod centres_json;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;

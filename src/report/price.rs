@@ -3,7 +3,7 @@
 use super::phrase::tr;
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::ways::{Measured, Near, Way};
-use crate::quantity::significant;
+use crate::digits::significant;
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;

@@ -5,7 +5,7 @@ use crate::answer::Source;
 use crate::mechanism::Level;
 use crate::plan::Body;
 use crate::plan::names::name_label;
-use crate::quantity::{inked, significant};
+use crate::digits::{inked, significant};
 use crate::scene::{Kind, Lang, LinkId, Scene};
 use crate::trains::{Train, Turns, given, trains};
 use crate::worked::Worked;

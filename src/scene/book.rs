@@ -1,10 +1,10 @@
 //! The units of the book: in which unit each kind of quantity is printed.
 //!
-//! Decided here, and nowhere else: which kind a question is of, its SI unit, the unit that a scene's `answers` asks for, and how
+//! Decided here, and nowhere else: the SI unit of each kind, the unit that a scene's `answers` asks for, and how
 //! either is written. All values of the program stay SI; what is printed goes through [`Book`] once, at the end.
 
 use super::expr::{self, Expr, ExprKind, Op};
-use super::model::Asked;
+use super::quantity::Level;
 use super::units::{Dim, UNITS, Unit, Wanted, radians};
 use crate::number::Real;
 
@@ -53,6 +53,20 @@ impl Kind {
         }
     }
 
+    /// Which derivative of a place or an angle it is.
+    pub const fn level(self) -> Level {
+        match self {
+            Kind::Length | Kind::Angle => Level::Position,
+            Kind::Velocity | Kind::Omega => Level::Velocity,
+            Kind::Acceleration | Kind::Alpha => Level::Acceleration,
+        }
+    }
+
+    /// Whether it counts turning: its sign is a sense, told in words.
+    pub const fn turns(self) -> bool {
+        matches!(self, Kind::Omega | Kind::Alpha)
+    }
+
     /// The units of it that consist of a unit of length or angle and seconds, and those with a name of their own.
     fn fitting(self) -> Vec<String> {
         let dim = self.wanted().dim();
@@ -64,25 +78,6 @@ impl Kind {
         let base = Dim { time: 0, ..dim };
         let made = UNITS.iter().filter(|u| u.dim == base && u.name != "°").map(|u| format!("{}{per}", u.name));
         made.chain(UNITS.iter().filter(|u| dim.time != 0 && u.dim == dim).map(|u| u.name.to_owned())).collect()
-    }
-}
-
-impl Asked {
-    /// The kind of the quantity: which unit it has.
-    pub fn kind(&self) -> Kind {
-        match self {
-            Asked::Coordinate(..) | Asked::Distance(..) => Kind::Length,
-            Asked::LinkAngle(_) => Kind::Angle,
-            Asked::Velocity(_) | Asked::RelativeVelocity(..) | Asked::SlidingVelocity(..) => Kind::Velocity,
-            Asked::Acceleration(_)
-            | Asked::RelativeAcceleration(..)
-            | Asked::NormalAcceleration(..)
-            | Asked::TangentialAcceleration(..)
-            | Asked::SlidingAcceleration(..)
-            | Asked::Coriolis(..) => Kind::Acceleration,
-            Asked::Omega(_) | Asked::RelativeOmega(..) => Kind::Omega,
-            Asked::Alpha(_) | Asked::RelativeAlpha(..) => Kind::Alpha,
-        }
     }
 }
 

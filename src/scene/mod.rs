@@ -13,6 +13,7 @@ mod keys;
 mod lang;
 pub mod model;
 mod names;
+pub mod quantity;
 mod raw;
 mod resolve;
 pub mod rolling;
@@ -28,6 +29,7 @@ mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
+pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
 pub use written::Told;
 

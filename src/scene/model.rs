@@ -5,6 +5,7 @@
 //! [`crate::position`].
 
 use super::book::Book;
+use super::quantity::Asked;
 use super::rolling::{Rolling, RollingId};
 use super::statement::Statement;
 use super::units::Unit;
@@ -289,75 +290,6 @@ pub struct Find {
     pub text: String,
     /// Where.
     pub span: Span,
-}
-
-/// An axis of the plane.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Axis {
-    /// To the right.
-    X,
-    /// Up.
-    Y,
-}
-
-/// The quantities that can be asked for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Asked {
-    /// `x_E`, `y_E` (m).
-    Coordinate(PointId, Axis),
-    /// `phi_3` (rad): angle of the link's first two points from the x axis.
-    LinkAngle(LinkId),
-    /// `l_AB` (m): distance at the instant.
-    Distance(PointId, PointId),
-    /// `v_E`, `v_B3`.
-    Velocity(OnLink),
-    /// `a_E`, `a_B3`.
-    Acceleration(OnLink),
-    /// `v_CB`, `v_B3B2`: of the first relative to the second.
-    RelativeVelocity(OnLink, OnLink),
-    /// `a_CB`, `a_B3B2`: difference of the two accelerations.
-    RelativeAcceleration(OnLink, OnLink),
-    /// `an_CB`: part along the line of the two points.
-    NormalAcceleration(OnLink, OnLink),
-    /// `at_CB`: part square to it.
-    TangentialAcceleration(OnLink, OnLink),
-    /// `vr_B3B2`: sliding velocity. Both are at one point; one may be the pin itself (`vr_BB3`).
-    SlidingVelocity(OnLink, OnLink),
-    /// `ar_B3B2`: sliding acceleration.
-    SlidingAcceleration(OnLink, OnLink),
-    /// `ak_B3B2`: Coriolis acceleration.
-    Coriolis(OnLink, OnLink),
-    /// `omega_3`.
-    Omega(LinkId),
-    /// `alpha_3`.
-    Alpha(LinkId),
-    /// `omega_3/2`: of link 3 against link 2.
-    RelativeOmega(LinkId, LinkId),
-    /// `alpha_3/2`.
-    RelativeAlpha(LinkId, LinkId),
-}
-
-impl Asked {
-    /// The points of whose motion it is asked, the one from which the other is seen last.
-    pub fn points(&self) -> Vec<OnLink> {
-        match *self {
-            Asked::Velocity(p) | Asked::Acceleration(p) => vec![p],
-            Asked::RelativeVelocity(a, b)
-            | Asked::RelativeAcceleration(a, b)
-            | Asked::NormalAcceleration(a, b)
-            | Asked::TangentialAcceleration(a, b)
-            | Asked::SlidingVelocity(a, b)
-            | Asked::SlidingAcceleration(a, b)
-            | Asked::Coriolis(a, b) => vec![a, b],
-            Asked::Coordinate(..)
-            | Asked::LinkAngle(_)
-            | Asked::Distance(..)
-            | Asked::Omega(_)
-            | Asked::Alpha(_)
-            | Asked::RelativeOmega(..)
-            | Asked::RelativeAlpha(..) => Vec::new(),
-        }
-    }
 }
 
 /// Paper and scales. A fixed scale is in SI per millimetre of paper.

@@ -3,7 +3,13 @@
 mod meant;
 
 use super::*;
+use crate::scene::quantity::Of;
 use crate::scene::units::radians;
+
+/// A question as its line of the table and what it is of.
+fn written(what: &Asked) -> (&'static str, Of) {
+    (what.entry().symbol, what.of())
+}
 
 /// Reads a scene that must be good and without remarks.
 fn good(source: &str) -> Scene {
@@ -62,7 +68,7 @@ fn the_first_example() {
     };
     assert_eq!(angle.value, Angle::Deg(60.0));
     assert_eq!(scene.drivers[0].rate.value, 10.0);
-    assert_eq!(scene.find[2].what, Asked::Omega(LinkId(2)));
+    assert_eq!(written(&scene.find[2].what), ("omega", Of::Link(LinkId(2))));
 }
 
 /// The example scenes of `docs/scene.md`, section "Guides": each with a mechanism around it.
@@ -115,7 +121,7 @@ fn guides_of_all_kinds() {
     );
     assert_eq!(scene.links[3].points, []);
     assert_eq!(scene.guides[1].pin, None);
-    assert_eq!(scene.find[0].what, Asked::Velocity(OnLink { point: PointId(1), link: Some(LinkId(3)) }));
+    assert_eq!(written(&scene.find[0].what), ("v", Of::Point(OnLink { point: PointId(1), link: Some(LinkId(3)) })));
 }
 
 #[test]
@@ -148,24 +154,24 @@ fn all_that_can_be_asked() {
     ));
     let on = |point: usize, link: Option<usize>| OnLink { point: PointId(point), link: link.map(LinkId) };
     let (b3, b2) = (on(1, Some(2)), on(1, Some(1)));
-    let asked: Vec<_> = scene.find.iter().map(|f| f.what).collect();
+    let asked: Vec<_> = scene.find.iter().map(|f| written(&f.what)).collect();
     assert_eq!(
         asked,
         [
-            Asked::Velocity(on(3, None)),
-            Asked::Velocity(b3),
-            Asked::RelativeAcceleration(on(2, None), on(1, None)),
-            Asked::NormalAcceleration(on(2, None), on(1, None)),
-            Asked::TangentialAcceleration(on(2, None), on(1, None)),
-            Asked::SlidingVelocity(b3, b2),
-            Asked::SlidingAcceleration(b3, b2),
-            Asked::Coriolis(b3, b2),
-            Asked::RelativeOmega(LinkId(2), LinkId(1)),
-            Asked::Alpha(LinkId(2)),
-            Asked::Coordinate(PointId(3), Axis::X),
-            Asked::LinkAngle(LinkId(1)),
-            Asked::Distance(PointId(0), PointId(2)),
-            Asked::RelativeVelocity(b3, b2),
+            ("v", Of::Point(on(3, None))),
+            ("v", Of::Point(b3)),
+            ("a", Of::Points(on(2, None), on(1, None))),
+            ("an", Of::Points(on(2, None), on(1, None))),
+            ("at", Of::Points(on(2, None), on(1, None))),
+            ("vr", Of::Points(b3, b2)),
+            ("ar", Of::Points(b3, b2)),
+            ("ak", Of::Points(b3, b2)),
+            ("omega", Of::Links(LinkId(2), LinkId(1))),
+            ("alpha", Of::Link(LinkId(2))),
+            ("x", Of::Point(on(3, None))),
+            ("phi", Of::Link(LinkId(1))),
+            ("l", Of::Line(PointId(0), PointId(2))),
+            ("v", Of::Points(b3, b2)),
         ]
     );
 }
@@ -312,13 +318,13 @@ fn names_that_overlap() {
             "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["{find}"]}}"#
         )
     };
-    let asked = |find: &str| good(&scene(find)).find[0].what;
+    let asked = |find: &str| written(&good(&scene(find)).find[0].what);
     let on = |point: usize, link: Option<usize>| OnLink { point: PointId(point), link: link.map(LinkId) };
-    assert_eq!(asked("v_O2"), Asked::Velocity(on(1, None)));
-    assert_eq!(asked("v_O1"), Asked::Velocity(on(0, Some(0))));
-    assert_eq!(asked("v_AB"), Asked::Velocity(on(2, None)));
-    assert_eq!(asked("v_A,B"), Asked::RelativeVelocity(on(3, None), on(4, None)));
-    assert_eq!(asked("v_AB4B2"), Asked::RelativeVelocity(on(2, Some(2)), on(4, Some(1))));
+    assert_eq!(asked("v_O2"), ("v", Of::Point(on(1, None))));
+    assert_eq!(asked("v_O1"), ("v", Of::Point(on(0, Some(0)))));
+    assert_eq!(asked("v_AB"), ("v", Of::Point(on(2, None))));
+    assert_eq!(asked("v_A,B"), ("v", Of::Points(on(3, None), on(4, None))));
+    assert_eq!(asked("v_AB4B2"), ("v", Of::Points(on(2, Some(2)), on(4, Some(1)))));
     assert_eq!(faults(&scene("l_ABB")), "[\"l_ABB\"] `ABB` can be read in 2 ways (write \"A,BB\" or \"AB,B\")\n");
 }
 
@@ -409,17 +415,6 @@ mod any_input {
             survives(source.as_bytes());
         }
     }
-}
-
-#[test]
-fn a_loose_pin_in_two_slots_and_a_height_called_h() {
-    let scene = good(
-        r#"{"parameters": {"h": "200 mm"}, "links": {"1": ["O", "F"], "2": ["O", "E"], "3": ["O"]}, "ground": "3", "lengths": {"OF": "h", "OE": "2*h"},
-        "guides": [{"pin": "M", "on": "1", "line": "OF", "angle": "90 deg", "through": "F"}, {"pin": "M", "on": "2", "line": "OE"}],
-        "driver": [{"link": "1", "angle": "0 deg", "omega": "6 rad/s"}, {"link": "2", "angle": "40 deg", "omega": "1 rev/s"}], "find": ["v_M", "vr_MM1"]}"#,
-    );
-    let on = |link: Option<usize>| OnLink { point: PointId(3), link: link.map(LinkId) };
-    assert_eq!(scene.find[1].what, Asked::SlidingVelocity(on(None), on(Some(0))));
 }
 
 /// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.

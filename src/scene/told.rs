@@ -27,13 +27,13 @@ impl Scene {
     /// millimetres, in metres from 10 m on.
     pub fn length_words(&self, value_m: f64) -> String {
         if let Some(unit) = self.book.chosen(Kind::Length) {
-            return unit.text(&crate::quantity::significant(unit.of(value_m), 4));
+            return unit.text(&crate::digits::significant(unit.of(value_m), 4));
         }
         match self.length_unit.name {
-            "mm" => crate::quantity::metres(value_m),
+            "mm" => crate::digits::metres(value_m),
             name => {
                 let value = value_m * self.length_unit.denominator / self.length_unit.numerator;
-                format!("{} {name}", crate::quantity::significant(value, 4))
+                format!("{} {name}", crate::digits::significant(value, 4))
             }
         }
     }

@@ -5,10 +5,9 @@ use super::limit::Event;
 use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
-use crate::answer::Value;
 use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::significant;
 use crate::position::{self, Configuration};
-use crate::quantity::significant;
 use crate::scene::{Kind, Lang, LinkId, Scene};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -52,10 +51,7 @@ impl<'a> General<'a> {
             let value = solution.answer(scene, at, &f.what).ok_or_else(|| {
                 Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", f.text)).at(f.span)
             })?;
-            match value {
-                Value::Scalar(s) => row.push(s),
-                Value::Vector(v) => row.extend([v.x, v.y, v.norm()]),
-            }
+            row.extend(value.columns());
         }
         match row.iter().all(|v| v.is_finite()) {
             true => Ok(row),
@@ -67,10 +63,9 @@ impl<'a> General<'a> {
 /// A driver's value for people: `phi_1 = 92.5°`.
 pub(super) fn driver_words(scene: &Scene, driver: usize, value: f64) -> String {
     let (name, kind) = scene.driver_name(driver);
-    match kind {
-        Kind::Angle => format!("{name} = {}", scene.book.text(kind, &significant(scene.book.value(kind, value), 6))),
-        Kind::Length | Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha => format!("{name} = {}", scene.length_words(value)),
-    }
+    let turning = kind == Kind::Angle;
+    let words = if turning { scene.book.text(kind, &significant(scene.book.value(kind, value), 6)) } else { scene.length_words(value) };
+    format!("{name} = {words}")
 }
 
 /// The links of an event for a sentence: `links 2, 3`.

@@ -11,6 +11,7 @@ use crate::answer::Value;
 use crate::geom::Vec2;
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::Configuration;
+use crate::scene::quantity::{PointMotion, Rate};
 use crate::scene::{Asked, Find, Given, OnLink, PointId, Scene};
 
 /// Steps through a turn: 1°, the resolution of a printed curve.
@@ -148,7 +149,10 @@ pub fn questions(scene: &Scene, point: PointId) -> [Find; 2] {
     let of = OnLink { point, link: None };
     let name = scene.point_name(point);
     let span = scene.points[point.0].span;
-    [(Asked::Velocity(of), 'v'), (Asked::Acceleration(of), 'a')].map(|(what, letter)| Find { what, text: format!("{letter}_{name}"), span })
+    Rate::ALL.map(|rate| {
+        let what = Asked::from(PointMotion { rate, of });
+        Find { text: format!("{}_{name}", what.entry().symbol), what, span }
+    })
 }
 
 impl Tracer<'_> {
@@ -158,7 +162,7 @@ impl Tracer<'_> {
         let solution = analytic::solve(&scene, self.mechanism, at, &self.demand).ok();
         let vector = |find: &Find| match solution.as_ref()?.answer(&scene, at, &find.what)? {
             Value::Vector(v) => v.is_finite().then_some(v),
-            Value::Scalar(_) => None,
+            Value::Scalar(_) | Value::Point(_) => None,
         };
         let vectors = self.points.iter().map(|p| questions(&scene, *p).each_ref().map(vector)).collect();
         Moment { travel: pose.travel, driver: self.now + pose.travel, configuration: at.clone(), vectors }

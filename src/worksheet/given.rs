@@ -3,11 +3,11 @@
 mod rolling;
 
 use super::Maker;
+use crate::digits::{self, shortest};
 use crate::figure::results::number;
 use crate::figure::sheet::scale;
 use crate::plan::names::name_label;
 use crate::plan::text::point_label;
-use crate::quantity::{self, shortest};
 use crate::report::phrase::Phrase;
 use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Through, Told};
 
@@ -252,5 +252,5 @@ fn inked(value: f64) -> String {
 
 /// A number in the label language with the digits with which it is written.
 fn as_written(number: &str) -> String {
-    quantity::inked(&number.replace('E', "e"))
+    digits::inked(&number.replace('E', "e"))
 }

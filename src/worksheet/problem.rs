@@ -7,7 +7,8 @@ use crate::mechanism::Level;
 use crate::plan::text::point_label;
 use crate::report::phrase::Phrase;
 use crate::report::statement::paragraphs;
-use crate::scene::{Asked, Axis, Find, Lang, LinkId, OnLink};
+use crate::scene::quantity::Of;
+use crate::scene::{Asked, Find, Lang, OnLink};
 use crate::worked::Worked;
 
 impl Maker<'_> {
@@ -52,13 +53,10 @@ impl Maker<'_> {
 
     /// The name of several quantities whose symbols say of what they are.
     fn kind(&self, what: &Asked) -> Option<&'static str> {
-        Some(match what {
-            Asked::Velocity(OnLink { link: None, .. }) => self.tr("velocities", "各点的速度"),
-            Asked::Acceleration(OnLink { link: None, .. }) => self.tr("accelerations", "各点的加速度"),
-            Asked::Omega(_) => self.tr("angular velocities of the links", "各构件的角速度"),
-            Asked::Alpha(_) => self.tr("angular accelerations of the links", "各构件的角加速度"),
-            _ => return None,
-        })
+        match what.of() {
+            Of::Point(OnLink { link: None, .. }) | Of::Link(_) => what.entry().several(self.lang()),
+            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) => None,
+        }
     }
 
     /// The mechanism as it is given: without what the solution finds on it, and described without answers.
@@ -78,51 +76,27 @@ impl Maker<'_> {
             (Some(l), Lang::En) => format!("the point of link {} at {}", self.link(l), self.point(p.point)),
             (Some(l), Lang::Zh) => format!("构件 {} 上与 {} 重合的点", self.link(l), self.point(p.point)),
         };
-        let of = |en: &str, zh: &str, p: &OnLink| match self.lang() {
-            Lang::En => format!("{en} of {}", spot(p)),
-            Lang::Zh => format!("{} 的{zh}", spot(p)),
-        };
-        let relative = |en: &str, zh: &str, a: &OnLink, b: &OnLink| {
-            // Coincident points are told by their place and the two links.
-            let of_link = |p: &OnLink| p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)));
-            match (a.point == b.point, self.lang()) {
-                (true, Lang::En) => format!("{en} at {}, of {} relative to {}", self.point(a.point), of_link(a), of_link(b)),
-                (true, Lang::Zh) => format!("{} 处{} 相对{} 的{zh}", self.point(a.point), of_link(a), of_link(b)),
-                (false, Lang::En) => format!("{en} of {} relative to {}", spot(a), spot(b)),
-                (false, Lang::Zh) => format!("{} 相对 {} 的{zh}", spot(a), spot(b)),
+        // Coincident points are told by their place and the two links.
+        let of_link = |p: &OnLink| p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)));
+        let name = what.entry().name(self.lang());
+        match (what.of(), self.lang()) {
+            (Of::Point(p), Lang::En) => format!("{name} of {}", spot(&p)),
+            (Of::Point(p), Lang::Zh) => format!("{} 的{name}", spot(&p)),
+            (Of::Points(a, b), Lang::En) if a.point == b.point => {
+                format!("{name} at {}, of {} relative to {}", self.point(a.point), of_link(&a), of_link(&b))
             }
-        };
-        let link = |en: &str, zh: &str, l: LinkId| match self.lang() {
-            Lang::En => format!("{en} of link {}", self.link(l)),
-            Lang::Zh => format!("构件 {} 的{zh}", self.link(l)),
-        };
-        let against = |en: &str, zh: &str, a: LinkId, b: LinkId| match self.lang() {
-            Lang::En => format!("{en} of link {} against link {}", self.link(a), self.link(b)),
-            Lang::Zh => format!("构件 {} 相对构件 {} 的{zh}", self.link(a), self.link(b)),
-        };
-        match what {
-            Asked::Coordinate(p, axis) => {
-                let axis = if *axis == Axis::X { "x" } else { "y" };
-                of(&format!("coordinate ${axis}$"), &format!("坐标 ${axis}$"), &OnLink { point: *p, link: None })
+            (Of::Points(a, b), Lang::Zh) if a.point == b.point => {
+                format!("{} 处{} 相对{} 的{name}", self.point(a.point), of_link(&a), of_link(&b))
             }
-            Asked::Distance(a, b) => {
-                let ends = format!("${}{}$", point_label(self.scene.point_name(*a)), point_label(self.scene.point_name(*b)));
-                format!("{}{ends}", self.tr("distance ", "距离 "))
+            (Of::Points(a, b), Lang::En) => format!("{name} of {} relative to {}", spot(&a), spot(&b)),
+            (Of::Points(a, b), Lang::Zh) => format!("{} 相对 {} 的{name}", spot(&a), spot(&b)),
+            (Of::Link(l), Lang::En) => format!("{name} of link {}", self.link(l)),
+            (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
+            (Of::Links(a, b), Lang::En) => format!("{name} of link {} against link {}", self.link(a), self.link(b)),
+            (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
+            (Of::Line(a, b), _) => {
+                format!("{name} ${}{}$", point_label(self.scene.point_name(a)), point_label(self.scene.point_name(b)))
             }
-            Asked::LinkAngle(l) => link("angle", "位置角", *l),
-            Asked::Velocity(p) => of("velocity", "速度", p),
-            Asked::Acceleration(p) => of("acceleration", "加速度", p),
-            Asked::RelativeVelocity(a, b) => relative("velocity", "速度", a, b),
-            Asked::RelativeAcceleration(a, b) => relative("acceleration", "加速度", a, b),
-            Asked::NormalAcceleration(a, b) => relative("normal acceleration", "法向加速度", a, b),
-            Asked::TangentialAcceleration(a, b) => relative("tangential acceleration", "切向加速度", a, b),
-            Asked::SlidingVelocity(a, b) => relative("sliding velocity", "相对滑动速度", a, b),
-            Asked::SlidingAcceleration(a, b) => relative("sliding acceleration", "相对滑动加速度", a, b),
-            Asked::Coriolis(a, b) => relative("Coriolis acceleration", "科氏加速度", a, b),
-            Asked::Omega(l) => link("angular velocity", "角速度", *l),
-            Asked::Alpha(l) => link("angular acceleration", "角加速度", *l),
-            Asked::RelativeOmega(a, b) => against("angular velocity", "角速度", *a, *b),
-            Asked::RelativeAlpha(a, b) => against("angular acceleration", "角加速度", *a, *b),
         }
     }
 }

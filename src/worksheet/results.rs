@@ -92,13 +92,14 @@ impl Maker<'_> {
         blocks.push(Block::Paragraph(Phrase::new(&text)));
     }
 
-    /// A vector by its magnitude, a number as it is: in the unit of the book, else in SI.
+    /// A vector by its magnitude, a number as it is, a place by its coordinates: in the unit of the book, else in SI.
     fn size(&self, find: &Find, value: Value, digits: usize) -> String {
-        let si = match value {
-            Value::Vector(v) => v.norm(),
-            Value::Scalar(s) => s,
-        };
-        number(self.scene.book.in_chosen(find.what.kind(), si), digits)
+        let told = |si: f64| number(self.scene.book.in_chosen(find.what.kind(), si), digits);
+        match value {
+            Value::Vector(v) => told(v.norm()),
+            Value::Scalar(s) => told(s),
+            Value::Point(p) => format!("({}, {})", told(p.x), told(p.y)),
+        }
     }
 
     /// How the magnitude of the first vector follows from the components that the equations give.

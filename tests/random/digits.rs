@@ -7,9 +7,8 @@ use crate::told::told;
 use hodograph::accuracy::ladder::{Part, certify, parts};
 use hodograph::accuracy::{steps, toggle, truth};
 use hodograph::answer::Value;
-use hodograph::geom::Vec2;
 use hodograph::number::{Ball, Big, Real, within};
-use hodograph::scene::{Asked, LinkId, Scene, read, templates};
+use hodograph::scene::{Kind, Scene, read, templates};
 use hodograph::worked::{Scope, Worked, work};
 
 /// What was compared.
@@ -45,12 +44,9 @@ impl Tally {
                     continue;
                 };
                 let ball = |x: Big| Ball::new(x, 1e-60 * r.scale);
-                let t = match t {
-                    Value::Scalar(s) => Value::Scalar(ball(s)),
-                    Value::Vector(v) => Value::Vector(Vec2::new(ball(v.x), ball(v.y))),
-                };
+                let t = t.map(ball);
                 for (digits, printed) in DIGITS.iter().zip(&printed) {
-                    let Ok(expected) = parts(find.what, t, r.scale, *digits) else { continue };
+                    let Ok(expected) = parts(find.what.kind(), t, r.scale, *digits) else { continue };
                     let c = &printed[i];
                     *self.by_rung.entry(c.rung.name()).or_default() += c.parts.len();
                     for (part, n) in &c.parts {
@@ -89,7 +85,7 @@ impl Tally {
                             (Value::Vector(v), "magnitude") => Some(v.norm()),
                             _ => None,
                         };
-                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::quantity::significant(x, certain) != text));
+                        self.plain += usize::from(f64s.is_some_and(|x| hodograph::digits::significant(x, certain) != text));
                     }
                 }
             }
@@ -119,7 +115,7 @@ impl Tally {
                 continue;
             }
             let ball = Ball::new(t.value, 1e-60 * t.value.approx().abs());
-            let expected = parts(Asked::Omega(LinkId(0)), Value::Scalar(ball), 0.0, digits).ok();
+            let expected = parts(Kind::Omega, Value::Scalar(ball), 0.0, digits).ok();
             let truth = expected.and_then(|e| e[0].1.text(certain)).map_or_else(|| format!("{:e}", t.value.approx()), |t| t.0);
             if truth != text {
                 self.wrong.push(format!("{} is told as {text}, it is {truth}", place()));

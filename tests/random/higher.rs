@@ -3,10 +3,10 @@
 use hodograph::accuracy::ladder::Part;
 use hodograph::accuracy::{certify, truth};
 use hodograph::answer::Value;
+use hodograph::digits::significant;
 use hodograph::geom::Point;
 use hodograph::number::{Real, within};
 use hodograph::position::newton::{driver_values, moved};
-use hodograph::quantity::significant;
 use hodograph::scene::{self, PointId, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
@@ -60,6 +60,7 @@ fn a_slider_inside_a_higher_group_is_proved() {
             let t = match t.unwrap() {
                 Value::Scalar(s) => s.approx(),
                 Value::Vector(v) => v.norm().approx(),
+                Value::Point(_) => panic!("{} is no place", find.text),
             };
             let part = c.part(Part::Scalar).or(c.part(Part::Magnitude)).unwrap();
             assert_eq!(part.text(12).unwrap().0, significant(t, 12), "{}", find.text);

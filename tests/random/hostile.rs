@@ -4,7 +4,6 @@ use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use hodograph::accuracy::{certify, steps};
-use hodograph::answer::Value;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::diagnostics::render;
@@ -31,11 +30,8 @@ fn survive(input: &[u8], what: &str) -> bool {
         let done = work(&scene, if input.len().is_multiple_of(2) { Scope::Figure } else { Scope::Questions })?.value;
         for o in &done.results {
             for v in o.drawn.iter().map(|d| d.value).chain([o.computed]) {
-                let finite = match v {
-                    Value::Vector(v) => v.is_finite(),
-                    Value::Scalar(s) => s.is_finite(),
-                };
-                assert!(finite, "{} is {v:?}", scene.find[o.find].text);
+                let (x, y) = v.numbers();
+                assert!(x.is_finite() && y.is_none_or(f64::is_finite), "{} is {v:?}", scene.find[o.find].text);
             }
         }
         // Everything that `solve --steps --drafting` prints.

@@ -6,7 +6,7 @@ use crate::properties::{mechanism, seeds, style};
 use crate::singular::{FOUR_BAR, FRAMES, RATES, drive, scene_in};
 use hodograph::accuracy::ladder::{Certified, Part, Why, certify};
 use hodograph::accuracy::{Agreement, toggle};
-use hodograph::answer::{Value, level_of};
+use hodograph::answer::Value;
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
 use hodograph::scene::{Scene, read, templates};
@@ -52,7 +52,7 @@ impl Seen {
         let done = done.value;
         for (r, c) in done.results.iter().zip(certify(scene, &done, 12)) {
             let find = &scene.find[r.find];
-            if level_of(&find.what) == Level::Position || matches!(c.why, Some(Why::NextOrder(_))) {
+            if find.what.level() == Level::Position || matches!(c.why, Some(Why::NextOrder(_))) {
                 continue;
             }
             let Some(truth) = certified(&c) else { continue };

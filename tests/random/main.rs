@@ -5,6 +5,7 @@
 
 mod asked;
 mod bad;
+mod centres;
 mod dead;
 mod digits;
 mod emit;
@@ -20,5 +21,6 @@ mod properties;
 mod readings;
 mod regressions;
 mod rng;
+mod rolling;
 mod singular;
 mod told;

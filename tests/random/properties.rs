@@ -511,8 +511,7 @@ fn a_power_of_two_changes_no_digit() {
             for ((text, drawn, was), (_, other_drawn, is)) in c.results().zip(b.results()) {
                 let scale = |v: Value| match v {
                     _ if !goes_with_length(text) => v,
-                    Value::Vector(v) => Value::Vector(v * stretch),
-                    Value::Scalar(s) => Value::Scalar(s * stretch),
+                    v => v.map(|x| x * stretch),
                 };
                 let near = 1e-9 * is.magnitude() + 1e-11 * scale(Value::Scalar(1.0)).magnitude();
                 // Positions that `f64` loses digits of are those of the decimals as written, and 2^k times a decimal is another one.

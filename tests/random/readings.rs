@@ -3,7 +3,7 @@
 
 use crate::emit;
 use crate::properties::{mechanism, seeds, style};
-use hodograph::answer::{Value, evaluate, level_of};
+use hodograph::answer::{Value, evaluate};
 use hodograph::construct::{Mark, ShownAs};
 use hodograph::figure::results::named;
 use hodograph::figure::sheet::{Options, sheet};
@@ -14,6 +14,7 @@ use hodograph::plan::text::Writer;
 use hodograph::plan::{Spot, VertexId};
 use hodograph::render::svg;
 use hodograph::report::construction::mark;
+use hodograph::scene::quantity::{Meaning, Of, Rate, Relative, Sliding, Split, Turning, relative, sliding};
 use hodograph::scene::{self, Asked, DriverKind, Find, Lang, LinkId, OnLink, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::BTreeMap;
@@ -23,10 +24,8 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     let pin = |point| OnLink { point, link: None };
     let moving = |p: &OnLink| !scene.links[scene.ground.0].points.contains(&p.point);
     let mut all: Vec<Asked> = Vec::new();
-    let parts = |a: OnLink, b: OnLink| {
-        let whole = [Asked::RelativeVelocity(a, b), Asked::RelativeAcceleration(a, b)];
-        whole.into_iter().chain([Asked::NormalAcceleration(a, b), Asked::TangentialAcceleration(a, b)])
-    };
+    let parts = |of, to| relative::Part::ALL.map(|part| Asked::from(Relative { part, of, to }));
+    let slidings = |of, to| sliding::Part::ALL.map(|part| Asked::from(Sliding { part, of, to }));
     for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| *l != scene.ground.0) {
         for (i, p) in link.points.iter().enumerate().take(3) {
             for q in &link.points[i + 1..] {
@@ -38,11 +37,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     for driver in &scene.drivers {
         if let DriverKind::Cylinder { a, b, .. } = driver.kind {
             all.extend(parts(pin(a), pin(b)));
-            all.extend([
-                Asked::SlidingVelocity(pin(b), pin(a)),
-                Asked::SlidingAcceleration(pin(b), pin(a)),
-                Asked::Coriolis(pin(b), pin(a)),
-            ]);
+            all.extend(slidings(pin(b), pin(a)));
         }
     }
     for guide in &scene.guides {
@@ -54,20 +49,20 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
         let Some(a) = runner else { continue };
         let b = OnLink { point: a.point, link: Some(guide.on) };
         for (a, b) in [(a, b), (b, a)] {
-            all.extend([Asked::SlidingVelocity(a, b), Asked::SlidingAcceleration(a, b), Asked::Coriolis(a, b)]);
-            all.extend([Asked::RelativeVelocity(a, b), Asked::RelativeAcceleration(a, b)]);
+            all.extend(slidings(a, b));
+            all.extend(&parts(a, b)[..2]);
         }
     }
     let movers: Vec<OnLink> = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p))).filter(moving).collect();
     if let [first, .., last] = movers[..] {
-        all.extend([Asked::RelativeVelocity(first, last), Asked::RelativeAcceleration(last, first)]);
+        all.extend([parts(first, last)[0], parts(last, first)[1]]);
     }
     for (l, _) in scene.links.iter().enumerate().filter(|(l, link)| *l != scene.ground.0 && link.points.len() > 1) {
-        all.extend([Asked::Omega(LinkId(l)), Asked::Alpha(LinkId(l))]);
+        all.extend(Rate::ALL.map(|rate| Asked::from(Turning { rate, of: LinkId(l), against: None })));
     }
-    all.retain(|what| match what {
-        Asked::NormalAcceleration(a, b) | Asked::TangentialAcceleration(a, b) => a.point != b.point && joined(scene, a, b).is_some(),
-        Asked::SlidingVelocity(a, b) | Asked::SlidingAcceleration(a, b) | Asked::Coriolis(a, b) => joined(scene, a, b).is_some(),
+    all.retain(|what| match what.meaning() {
+        Some(Meaning::Relative(Split::Along | Split::Across, a, b)) => a.point != b.point && joined(scene, &a, &b).is_some(),
+        Some(Meaning::Relative(Split::Sliding | Split::Coriolis, a, b)) => joined(scene, &a, &b).is_some(),
         _ => true,
     });
     all
@@ -76,17 +71,10 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
 /// As a question is written.
 fn text(scene: &Scene, what: &Asked) -> String {
     let name = |p: &OnLink| format!("{}{}", scene.point_name(p.point), p.link.map_or("", |l| scene.link_name(l)));
-    let pair = |symbol: &str, a: &OnLink, b: &OnLink| format!("{symbol}_{}{}", name(a), name(b));
-    match what {
-        Asked::RelativeVelocity(a, b) => pair("v", a, b),
-        Asked::RelativeAcceleration(a, b) => pair("a", a, b),
-        Asked::NormalAcceleration(a, b) => pair("an", a, b),
-        Asked::TangentialAcceleration(a, b) => pair("at", a, b),
-        Asked::SlidingVelocity(a, b) => pair("vr", a, b),
-        Asked::SlidingAcceleration(a, b) => pair("ar", a, b),
-        Asked::Coriolis(a, b) => pair("ak", a, b),
-        Asked::Omega(l) => format!("omega_{}", scene.link_name(*l)),
-        Asked::Alpha(l) => format!("alpha_{}", scene.link_name(*l)),
+    let symbol = what.entry().symbol;
+    match what.of() {
+        Of::Points(a, b) => format!("{symbol}_{}{}", name(&a), name(&b)),
+        Of::Link(l) => format!("{symbol}_{}", scene.link_name(l)),
         other => panic!("{other:?} is not asked here"),
     }
 }
@@ -116,7 +104,7 @@ fn check_readings(name: &str, scene: &Scene, worked: &Worked) -> usize {
     let mut read = 0;
     for r in &worked.results {
         let find = &scene.find[r.find];
-        let (level, what) = (level_of(&find.what), format!("{name}: {}", find.text));
+        let (level, what) = (find.what.level(), format!("{name}: {}", find.text));
         let (Some(drawn), true) = (&r.drawn, level > Level::Position) else { continue };
         let size = if matches!(drawn.value, Value::Scalar(_)) { r.scale } else { scale(worked, level) };
         let off = |a: Value, b: Value| match (a, b) {
@@ -177,7 +165,7 @@ fn check_names(name: &str, scene: &Scene, worked: &Worked) {
                     call(w.vector(level, v), at.to_vec2());
                 }
             }
-            for r in worked.results.iter().filter(|r| level_of(&scene.find[r.find].what) == level) {
+            for r in worked.results.iter().filter(|r| scene.find[r.find].what.level() == level) {
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
                 let Some(shown) = &m.shown else { continue };
                 let drawn = match &shown.vector {
@@ -256,10 +244,10 @@ fn printed_lengths_are_distances_in_the_svg() {
             for r in &worked.results {
                 let find = &scene.find[r.find];
                 let Some(m) = r.drawn.as_ref().and_then(|d| d.measured.as_ref()) else { continue };
-                if worked.construction.is_empty(level_of(&find.what)) {
+                if worked.construction.is_empty(find.what.level()) {
                     continue;
                 }
-                let level = level_of(&find.what);
+                let level = find.what.level();
                 let kind = if level == Level::Acceleration { "acceleration" } else { "velocity" };
                 let place = |k: usize| {
                     let id = hodograph::figure::drawing::id(kind, &format!("mark-{}", mark(&w, level, &m.marks[k].0)));

@@ -25,6 +25,11 @@ impl Rng {
         a + (b - a) * ((self.next() >> 11) as f64 / (1u64 << 53) as f64)
     }
 
+    /// A unit vector.
+    pub fn direction(&mut self) -> hodograph::geom::Vec2 {
+        hodograph::geom::Vec2::from_angle(self.between(-std::f64::consts::PI, std::f64::consts::PI))
+    }
+
     pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n as u64) as usize
     }

@@ -4,7 +4,8 @@ use hodograph::analytic::SingularKind;
 use hodograph::answer::Value;
 use hodograph::diag::Faults;
 use hodograph::geom::Vec2;
-use hodograph::scene::{self, Asked, DriverKind, Scene};
+use hodograph::scene::quantity::Meaning;
+use hodograph::scene::{self, DriverKind, Scene};
 use hodograph::worked::{Scope, Worked, work};
 
 /// A turn, a scale and a shift of all coordinates, as they are written: products and sums of short decimals, so that a pose that
@@ -71,8 +72,8 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
     assert_eq!(unanswered.len() + results.len(), scene.find.len(), "{text}");
     for u in unanswered {
         assert!(done.notes.contains(&u.refused.diagnostic), "no word of {:?}\n{text}", u.refused);
-        let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what) {
-            (DriverKind::Turn { link, against, .. }, Asked::Omega(l) | Asked::Alpha(l)) => l == link && against == scene.ground,
+        let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what.meaning()) {
+            (DriverKind::Turn { link, against, .. }, Some(Meaning::Turning(l, None))) => l == link && against == scene.ground,
             _ => false,
         };
         assert!(!scene.drivers.iter().any(given), "{} is given\n{text}", scene.find[u.find].text);
@@ -83,7 +84,7 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
 pub fn number(v: Value) -> f64 {
     match v {
         Value::Scalar(s) => s,
-        Value::Vector(v) => v.norm(),
+        Value::Vector(_) | Value::Point(_) => v.magnitude(),
     }
 }
 

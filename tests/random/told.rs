@@ -5,12 +5,12 @@ use hodograph::accuracy::steps::What;
 use hodograph::accuracy::truth::Differences;
 use hodograph::answer::Source;
 use hodograph::construct::{Action, Polygon};
+use hodograph::digits::shortest;
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::mechanism::{Core, Leg, Level};
 use hodograph::number::{Big, Real};
 use hodograph::plan::{Body, By, Spot, Term, TermKind, VertexId};
 use hodograph::position::{Configuration, Path};
-use hodograph::quantity::shortest;
 use hodograph::scene::{DriverKind, LinkId, Scene};
 use hodograph::worked::Worked;
 

@@ -46,6 +46,7 @@ fn answers_are_as_expected() {
                     let (x, y) = (component("x"), component("y"));
                     (v.x - x).hypot(v.y - y) / x.hypot(y).max(1e-3)
                 }
+                Value::Point(p) => (p.x - component("x")).hypot(p.y - component("y")),
             };
             let drawn = outcome.drawn.as_ref().map_or(f64::INFINITY, |a| off(a.value));
             let computed = off(outcome.computed);

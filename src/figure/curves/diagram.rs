@@ -3,6 +3,7 @@
 use crate::figure::results::symbol;
 use crate::figure::sheet::driver_symbol;
 use crate::plan::notation::Notation;
+use crate::scene::quantity::{Level, Of};
 use crate::scene::{Asked, Kind, Scene};
 use crate::sweep::{Placed, Table, zoom};
 use std::f64::consts::TAU;
@@ -55,7 +56,7 @@ impl Diagram {
         let (driver_unit, factor) = scene.book.fine(moves);
         let si: &[f64] = first.map_or(&[], |c| &c.values);
         let places = si.iter().map(|v| v * factor).collect();
-        let mut panels: Vec<(usize, Panel)> = Vec::new();
+        let mut panels: Vec<((Level, bool), Panel)> = Vec::new();
         for find in &scene.find {
             let (order, kind) = (order(&find.what), find.what.kind());
             let (unit, times) = scene.book.fine(kind);
@@ -95,25 +96,18 @@ impl Diagram {
     }
 }
 
-/// Which panel a quantity belongs to, from the top.
-fn order(what: &Asked) -> usize {
-    match what.kind() {
-        Kind::Length => 0,
-        Kind::Angle => 1,
-        Kind::Velocity => 2,
-        Kind::Omega => 3,
-        Kind::Acceleration => 4,
-        Kind::Alpha => 5,
-    }
+/// Which panel a quantity belongs to, from the top: level by level, that of the links below that of the points.
+fn order(what: &Asked) -> (Level, bool) {
+    let kind = what.kind();
+    (kind.level(), kind != kind.level().kind())
 }
 
 /// The link whose motion it is: of a pin's links the first that moves.
 fn link(scene: &Scene, what: &Asked) -> Option<usize> {
-    let link = match *what {
-        Asked::LinkAngle(l) | Asked::Omega(l) | Asked::Alpha(l) => Some(l),
-        Asked::Velocity(p) | Asked::Acceleration(p) => p.link.or_else(|| scene.mover(p.point)),
-        Asked::Coordinate(p, _) => scene.mover(p),
-        _ => None,
+    let link = match what.of() {
+        Of::Link(l) => Some(l),
+        Of::Point(p) => p.link.or_else(|| scene.mover(p.point)),
+        Of::Points(..) | Of::Links(..) | Of::Line(..) => None,
     };
     link.map(|l| l.0)
 }

@@ -15,6 +15,7 @@ use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
+use super::centres;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -41,6 +42,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::ACCELERATION,
     &equations::ENTRY,
     &results::ENTRY,
+    &centres::ENTRY,
     &kutzbach::ENTRY,
     &gears::ENTRY,
 ];

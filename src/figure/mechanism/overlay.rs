@@ -1,6 +1,7 @@
 //! What can be drawn with the mechanism besides itself: vectors at its points, other positions behind it, paths of points.
 
 use crate::construct::scale;
+use crate::digits::{inked, shortest};
 use crate::figure::drawing::Part;
 use crate::figure::item::{Colour, Dash, Shape, Stroke};
 use crate::figure::label::Label;
@@ -12,7 +13,6 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
-use crate::quantity::{inked, shortest};
 use crate::scene::{Given, Kind, PointId, Scene, Told};
 use crate::sweep::follow::Follower;
 use crate::sweep::points::at_equal_steps;

@@ -15,7 +15,8 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
 use crate::report::construction::mark as mark_name;
-use crate::scene::{Asked, DriverKind};
+use crate::scene::DriverKind;
+use crate::scene::quantity::Meaning;
 
 use crate::figure::drawing::{Drawing, Part};
 use crate::figure::item::Shape;
@@ -121,11 +122,9 @@ impl Draft<'_> {
     /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
     fn needed(&self) -> Vec<String> {
         let (w, level) = (self.w, self.p.level);
-        let asked = w.scene.find.iter().filter_map(|f| match (f.what, level) {
-            (Asked::Velocity(p), Level::Velocity) | (Asked::Acceleration(p), Level::Acceleration) => {
-                w.plan.find_vertex(w.scene, p.point, p.link)
-            }
-            _ => None,
+        let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning()? {
+            Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
+            Meaning::Relative(..) | Meaning::Turning(..) | Meaning::Place(_) => None,
         });
         let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(Step::chains).map(|c| c.start);

@@ -3,6 +3,7 @@
 use super::cells::{Column, Shows};
 use super::{Table, text};
 use crate::diag::{Diagnostic, Faults, both};
+use crate::digits::{inked, shortest};
 use crate::figure::arrange::AIM_MM;
 use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
@@ -10,7 +11,6 @@ use crate::figure::path::turned;
 use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol, of_level};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::quantity::{inked, shortest};
 use crate::report::phrase::{fill, formula, tr};
 use crate::scene::Kind;
 

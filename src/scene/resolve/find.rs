@@ -1,23 +1,7 @@
 //! The section `find`: what is asked.
 
 use super::*;
-
-/// The quantities that can be asked, as they are written, with an example.
-const QUANTITIES: [(&str, &str); 13] = [
-    ("v", "v_E"),
-    ("a", "a_E"),
-    ("an", "an_CB"),
-    ("at", "at_CB"),
-    ("vr", "vr_B3B2"),
-    ("ar", "ar_B3B2"),
-    ("ak", "ak_B3B2"),
-    ("omega", "omega_3"),
-    ("alpha", "alpha_3"),
-    ("x", "x_E"),
-    ("y", "y_E"),
-    ("phi", "phi_3"),
-    ("l", "l_AB"),
-];
+use crate::scene::quantity::{self, Asked, Entry, PointMotion, Rate, Turning};
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
@@ -38,13 +22,12 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
 fn everything(c: &Context) -> Vec<Find> {
     let (points, links) = (c.names.points, c.names.links);
     let mut out = Vec::new();
-    let mut ask = |symbol: &str, name: &str, span, what| out.push(Find { what, text: format!("{symbol}_{name}"), span });
+    let mut ask = |name: &str, span, what: Asked| out.push(Find { what, text: format!("{}_{name}", what.entry().symbol), span });
     for (i, p) in points.iter().enumerate() {
         let id = PointId(i);
         if !c.carries(c.ground, id) && !c.contacts.contains(&id) {
             let on = OnLink { point: id, link: None };
-            ask("v", &p.name, p.span, Asked::Velocity(on));
-            ask("a", &p.name, p.span, Asked::Acceleration(on));
+            Rate::ALL.into_iter().for_each(|rate| ask(&p.name, p.span, PointMotion { rate, of: on }.into()));
         }
     }
     for (i, l) in links.iter().enumerate() {
@@ -56,8 +39,7 @@ fn everything(c: &Context) -> Vec<Find> {
             .iter()
             .any(|d| matches!(&d.kind, RawDriverKind::Cylinder { links, .. } if links.iter().any(|w| w.text == l.name)));
         if id != c.ground && (l.points.len() >= 2 || carries_guide || in_cylinder || c.rolls(id)) {
-            ask("omega", &l.name, l.span, Asked::Omega(id));
-            ask("alpha", &l.name, l.span, Asked::Alpha(id));
+            Rate::ALL.into_iter().for_each(|rate| ask(&l.name, l.span, Turning { rate, of: id, against: None }.into()));
         }
     }
     out
@@ -75,7 +57,7 @@ fn spelt(symbol: &str) -> &str {
 
 /// Whether a text begins as a question does: a quantity's symbol and `_`.
 pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
-    text.split_once('_').is_some_and(|(symbol, _)| QUANTITIES.iter().any(|(s, _)| *s == spelt(symbol)))
+    text.split_once('_').is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
 fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
@@ -88,120 +70,182 @@ fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
         )));
     };
     let symbol = spelt(symbol);
-    if !QUANTITIES.iter().any(|(s, _)| *s == symbol) {
+    let symbols = quantity::symbols();
+    let Some(entry) = symbols.iter().find(|e| e.symbol == symbol) else {
         let d = fault(both!("`{symbol}` in `{}` is not a quantity that can be asked", "`{}` 中的 `{symbol}` 不是可求的量", word.text));
-        return Err(d.help(suggest(symbol, QUANTITIES.iter().map(|q| q.0), both!("the quantities are", "量有"))));
+        return Err(d.help(suggest(symbol, symbols.iter().map(|e| e.symbol), both!("the quantities are", "量有"))));
+    };
+    let question = Question { c, word, symbol: entry.symbol, names: rest };
+    match Asked::read(&question)? {
+        Some(asked) => Ok(asked),
+        // Every family that knows the symbol wants two points.
+        None => Err(question.names_one_point()),
     }
-    Ok(match symbol {
-        "omega" | "alpha" => return angular(c, word, symbol, rest),
-        "phi" => {
-            let link = c.names.link_in(rest, word)?;
-            let guided = c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == rest));
-            if c.names.links[link.0].points.len() < 2 && !guided {
-                return Err(fault(both!("link `{rest}` has no two points, so it has no angle", "构件 `{rest}` 没有两个点，因而没有角度")));
-            }
-            Asked::LinkAngle(link)
+}
+
+/// A question whose symbol is known: what a family of quantities may ask of the names behind it.
+pub(in crate::scene) struct Question<'a> {
+    c: &'a Context<'a>,
+    word: &'a Word,
+    symbol: &'static str,
+    names: &'a str,
+}
+
+impl Question<'_> {
+    /// The question as it is written.
+    pub fn text(&self) -> &str {
+        &self.word.text
+    }
+
+    /// What stands before the `_`, in Latin letters.
+    pub fn symbol(&self) -> &'static str {
+        self.symbol
+    }
+
+    /// What stands behind it.
+    pub fn names(&self) -> &str {
+        self.names
+    }
+
+    /// Whether a table has its symbol.
+    pub fn is_among(&self, table: &[Entry]) -> bool {
+        table.iter().any(|e| e.symbol == self.symbol)
+    }
+
+    /// The line of a table that has its symbol; the first where none has.
+    pub fn row(&self, table: &[Entry]) -> usize {
+        table.iter().position(|e| e.symbol == self.symbol).unwrap_or(0)
+    }
+
+    /// A fault of it.
+    pub fn fault(&self, message: Both) -> Diagnostic {
+        Diagnostic::error("find", message).at(self.word.span)
+    }
+
+    /// The link of a name.
+    ///
+    /// # Errors
+    /// A name that is no link's.
+    pub fn link(&self, name: &str) -> Result<LinkId, Diagnostic> {
+        self.c.names.link_in(name, self.word)
+    }
+
+    /// Two different links, their names one after the other: `24`, `2,10`, `2/4`.
+    ///
+    /// # Errors
+    /// Names that are no two links, that could be read in two ways, or twice the same.
+    pub fn two_links(&self) -> Result<[LinkId; 2], Diagnostic> {
+        let names = self.names;
+        if let Some((a, b)) = names.split_once([',', '/']) {
+            return self.different([self.link(a.trim())?, self.link(b.trim())?]);
         }
-        "l" => {
-            let (a, b) = c.names.pair_in(rest, word)?;
-            Asked::Distance(a, b)
+        let cuts = names.char_indices().skip(1).map(|(k, _)| names.split_at(k));
+        let found: Vec<[LinkId; 2]> = cuts.filter_map(|(a, b)| Some([self.link(a).ok()?, self.link(b).ok()?])).collect();
+        match found[..] {
+            [links] => self.different(links),
+            _ => {
+                let d = self.fault(both!("`{}` does not name two links", "`{}` 没有写明两个构件", self.text()));
+                Err(d.help(both!("write the two names with a comma, such as {}_1,3", "请用逗号隔开两个构件名，如 {}_1,3", self.symbol)))
+            }
         }
-        _ if c.names.is_link_only(rest) => return Err(of_a_link(c, word, symbol, rest)),
-        "x" | "y" => match c.names.on_links(rest, word)? {
-            (OnLink { point, .. }, None) => {
-                Asked::Coordinate(point, if symbol == "x" { crate::scene::Axis::X } else { crate::scene::Axis::Y })
-            }
-            _ => return Err(fault(both!("`{}` names two points; a coordinate has one", "`{}` 写了两个点；坐标只属于一个点", word.text))),
-        },
-        _ => match (symbol, c.names.on_links(rest, word)?) {
-            ("v", (a, None)) => Asked::Velocity(a),
-            ("a", (a, None)) => Asked::Acceleration(a),
-            (_, (_, None)) => {
-                let example = QUANTITIES.iter().find(|q| q.0 == symbol).map_or("", |q| q.1);
-                return Err(fault(both!(
-                    "`{}` names one point; `{symbol}` is of one point relative to another",
-                    "`{}` 只写了一个点；`{symbol}` 是一点相对另一点的量",
-                    word.text
-                ))
-                .help(both!("write for example {example}", "例如写 {example}")));
-            }
-            (_, (of, Some(to))) => relative(c, word, symbol, of, to)?,
-        },
-    })
-}
-
-/// A velocity is of a point: which points of a link can be asked, where a link is named.
-fn of_a_link(c: &Context, word: &Word, symbol: &str, link: &str) -> Diagnostic {
-    let d = Diagnostic::error(
-        "find",
-        both!("`{link}` in `{}` is a link; `{symbol}` is of a point", "`{}` 中的 `{link}` 是构件；`{symbol}` 是点的量", word.text),
-    )
-    .at(word.span);
-    let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
-    let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
-    // Where a pin runs in the link's guide, the link has a point at the same place.
-    let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
-    let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
-    let all: Vec<String> = if symbol == "v" || symbol == "a" { own.chain(pins).collect() } else { own.collect() };
-    d.help(if all.is_empty() { both!("name a point", "请写一个点") } else { super::super::names::written(&all) })
-}
-
-fn are_ends_of_a_cylinder(c: &Context, a: PointId, b: PointId) -> bool {
-    c.raw.drivers.iter().any(|d| match &d.kind {
-        RawDriverKind::Cylinder { ends, .. } => c.names.pair_in(&ends.text, ends).is_ok_and(|(p, q)| (p, q) == (a, b) || (q, p) == (a, b)),
-        RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
-    })
-}
-
-fn relative(c: &Context, word: &Word, symbol: &str, of: OnLink, to: OnLink) -> Result<Asked, Diagnostic> {
-    let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
-    if of == to {
-        return Err(fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", word.text)));
     }
-    let sliding = matches!(symbol, "vr" | "ar" | "ak");
-    // The ends of a cylinder slide along their line; elsewhere sliding is at one place. There one of the two may be the pin itself:
-    // vr_BB3 is the sliding of pin B on link 3.
-    if sliding && of.point != to.point && !are_ends_of_a_cylinder(c, of.point, to.point) {
-        let d = fault(both!("`{}`: sliding is between two links at one place", "`{}`：相对滑动是同一位置上两构件之间的", word.text));
-        return Err(d.help(both!(
-            "name the place twice, each time with its link: {symbol}_{0}3{0}2",
-            "请两次写同一位置，各加构件名：{symbol}_{0}3{0}2",
-            c.point_name(of.point)
-        )));
-    }
-    if matches!(symbol, "an" | "at") && of.point == to.point {
-        let d = fault(both!("`{}`: two links at one place have no line between them", "`{}`：重合点之间没有连线", word.text));
-        return Err(d.help(both!("ask for ar_ or ak_ with {}", "请用 {} 求 ar_ 或 ak_", &word.text[3..])));
-    }
-    Ok(match symbol {
-        "v" => Asked::RelativeVelocity(of, to),
-        "a" => Asked::RelativeAcceleration(of, to),
-        "an" => Asked::NormalAcceleration(of, to),
-        "at" => Asked::TangentialAcceleration(of, to),
-        "vr" => Asked::SlidingVelocity(of, to),
-        "ar" => Asked::SlidingAcceleration(of, to),
-        _ => Asked::Coriolis(of, to),
-    })
-}
 
-fn angular(c: &Context, word: &Word, symbol: &str, rest: &str) -> Result<Asked, Diagnostic> {
-    let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
-    let omega = symbol == "omega";
-    if let Some((of, to)) = rest.split_once('/') {
-        let (of, to) = (c.names.link_in(of.trim(), word)?, c.names.link_in(to.trim(), word)?);
+    fn different(&self, links: [LinkId; 2]) -> Result<[LinkId; 2], Diagnostic> {
+        if links[0] == links[1] {
+            return Err(self.fault(both!("`{}` names one link twice", "`{}` 两次写了同一构件", self.text())));
+        }
+        Ok(links)
+    }
+
+    /// The first point of a link.
+    pub fn first_point(&self, link: LinkId) -> Option<PointId> {
+        self.c.names.links[link.0].points.first().copied()
+    }
+
+    /// Two different points.
+    ///
+    /// # Errors
+    /// Names that are no two points.
+    pub fn pair(&self) -> Result<(PointId, PointId), Diagnostic> {
+        self.c.names.pair_in(self.names, self.word)
+    }
+
+    /// One or two points, each perhaps of a certain link.
+    ///
+    /// # Errors
+    /// Names that are no points.
+    pub fn points(&self) -> Result<(OnLink, Option<OnLink>), Diagnostic> {
+        if self.c.names.is_link_only(self.names) {
+            return Err(self.of_a_link());
+        }
+        self.c.names.on_links(self.names, self.word)
+    }
+
+    /// Two points of which the one is seen from the other.
+    ///
+    /// # Errors
+    /// Names that are no two points, or twice the same.
+    pub fn two_points(&self) -> Result<(OnLink, OnLink), Diagnostic> {
+        let (of, to) = self.points()?;
+        let to = to.ok_or_else(|| self.names_one_point())?;
         if of == to {
-            return Err(fault(both!("`{}` is of a link against itself: zero", "`{}` 是构件相对自身的量，为零", word.text)));
+            return Err(self.fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", self.text())));
         }
-        return Ok(if omega { Asked::RelativeOmega(of, to) } else { Asked::RelativeAlpha(of, to) });
+        Ok((of, to))
     }
-    let link = c.names.link_in(rest, word)?;
-    if link == c.ground {
-        let d = fault(both!(
-            "link `{rest}` is the ground: it does not turn, so `{}` is zero",
-            "构件 `{rest}` 是机架，不转动，`{}` 为零",
-            word.text
+
+    /// How a point is called.
+    pub fn point_name(&self, p: PointId) -> &str {
+        self.c.point_name(p)
+    }
+
+    /// Whether it is the ground.
+    pub fn is_ground(&self, link: LinkId) -> bool {
+        link == self.c.ground
+    }
+
+    /// Whether a link has an angle: by two points, or by a guide.
+    pub fn has_angle(&self, link: LinkId) -> bool {
+        let name = self.c.link_name(link);
+        let guided = self.c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == name));
+        guided || self.c.names.links[link.0].points.len() >= 2
+    }
+
+    /// Whether a cylinder has these ends.
+    pub fn are_ends_of_a_cylinder(&self, a: PointId, b: PointId) -> bool {
+        self.c.raw.drivers.iter().any(|d| match &d.kind {
+            RawDriverKind::Cylinder { ends, .. } => {
+                self.c.names.pair_in(&ends.text, ends).is_ok_and(|(p, q)| (p, q) == (a, b) || (q, p) == (a, b))
+            }
+            RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
+        })
+    }
+
+    fn names_one_point(&self) -> Diagnostic {
+        let symbol = self.symbol;
+        let example = quantity::symbols().iter().find(|e| e.symbol == symbol).map_or("", |e| e.example);
+        let d = self.fault(both!(
+            "`{}` names one point; `{symbol}` is of one point relative to another",
+            "`{}` 只写了一个点；`{symbol}` 是一点相对另一点的量",
+            self.text()
         ));
-        return Err(d.help(both!("ask for a moving link", "请求活动构件的量")));
+        d.help(both!("write for example {example}", "例如写 {example}"))
     }
-    Ok(if omega { Asked::Omega(link) } else { Asked::Alpha(link) })
+
+    /// A velocity is of a point: which points of a link can be asked, where a link is named.
+    fn of_a_link(&self) -> Diagnostic {
+        let (c, symbol, link) = (self.c, self.symbol, self.names);
+        let d = self.fault(both!(
+            "`{link}` in `{}` is a link; `{symbol}` is of a point",
+            "`{}` 中的 `{link}` 是构件；`{symbol}` 是点的量",
+            self.text()
+        ));
+        let own = c.names.links.iter().find(|l| l.name == link).map_or(&[][..], |l| &l.points);
+        let own = own.iter().map(|p| format!("{symbol}_{}", c.point_name(*p)));
+        // Where a pin runs in the link's guide, the link has a point at the same place, and a motion of its own there.
+        let pins = c.raw.guides.iter().filter(|g| g.on.as_ref().is_some_and(|on| on.text == link)).filter_map(|g| g.pin.as_ref());
+        let pins = pins.map(|pin| format!("{symbol}_{}", c.names.run(&pin.text, link)));
+        let all: Vec<String> = if PointMotion::takes(self) { own.chain(pins).collect() } else { own.collect() };
+        d.help(if all.is_empty() { both!("name a point", "请写一个点") } else { super::super::names::written(&all) })
+    }
 }

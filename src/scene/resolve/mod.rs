@@ -86,7 +86,7 @@ fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
     result.map_err(|d| faults.push(d)).ok()
 }
 
-pub(super) use find::begins_a_question;
+pub(super) use find::{Question, begins_a_question};
 
 /// `Some(None)` for what is absent, `None` for what has a fault.
 fn transpose<T>(found: Option<Option<T>>) -> Option<Option<T>> {

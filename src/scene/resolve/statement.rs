@@ -146,18 +146,18 @@ impl<'a> Reader<'a, '_> {
         let (_, given) = self.parameters.iter().rev().find(|p| p.0 == name)?;
         let dim = self.values.dim(name)?;
         let text = given.text.trim();
-        let number = |value: f64| crate::quantity::inked(&crate::quantity::shortest(value));
+        let number = |value: f64| crate::digits::inked(&crate::digits::shortest(value));
         let Some(kind) = Kind::ALL.into_iter().find(|kind| dim == kind.wanted().dim()) else {
             let bare = text.parse::<f64>().is_ok();
             return Some(match (bare, dim == Wanted::ScaleOfLengths.dim()) {
-                (true, _) => crate::quantity::inked(text),
+                (true, _) => crate::digits::inked(text),
                 (false, true) => number(given.value),
                 (false, false) => format!("\\text{{{}}}", text.replace(['{', '}'], "")),
             });
         };
         // As written, whatever unit the answers have.
         Some(match as_written(self.parameters, kind, text, given.value) {
-            Told::AsWritten(digits, unit) => unit.label(&crate::quantity::inked(&digits.replace('E', "e"))),
+            Told::AsWritten(digits, unit) => unit.label(&crate::digits::inked(&digits.replace('E', "e"))),
             Told::Computed(value, unit) => unit.label(&number(value)),
             Told::Usual => {
                 let book = Book::default();

@@ -1,10 +1,11 @@
 //! What a scene means where it says a thing in another way than usual, says it twice, or does not quite say it.
 
-use super::{faults, good, read, with};
+use super::{faults, good, read, with, written};
 use crate::analytic::SingularKind;
 use crate::answer::Value;
 use crate::diag::Diagnostic;
-use crate::scene::{Angle, Asked, DriverKind, Scene};
+use crate::scene::quantity::Of;
+use crate::scene::{Angle, DriverKind, LinkId, OnLink, PointId, Scene};
 use crate::worked::{Scope, work};
 
 /// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
@@ -83,13 +84,13 @@ fn a_comma_parts_a_point_from_its_link() {
  "driver": {{"link": "2", "omega": "1 rad/s"}}, "find": ["v_B,3", "v_O2", "v_O,2", "v_O,O2"]}}"#
     );
     let scene = read(&scene).unwrap_or_else(|f| panic!("{f}")).value;
-    let said: Vec<_> = scene.find.iter().map(|f| &f.what).collect();
+    let said: Vec<_> = scene.find.iter().map(|f| f.what.of()).collect();
     let link = |p: &crate::scene::OnLink| p.link.map(|l| scene.link_name(l));
-    let Asked::Velocity(b3) = said[0] else { panic!("{said:?}") };
-    let Asked::Velocity(o2) = said[1] else { panic!("{said:?}") };
-    let Asked::Velocity(o) = said[2] else { panic!("{said:?}") };
-    assert_eq!((link(b3), link(o2), link(o)), (Some("3"), None, Some("2")));
-    assert!(matches!(said[3], Asked::RelativeVelocity(..)));
+    let Of::Point(b3) = said[0] else { panic!("{said:?}") };
+    let Of::Point(o2) = said[1] else { panic!("{said:?}") };
+    let Of::Point(o) = said[2] else { panic!("{said:?}") };
+    assert_eq!((link(&b3), link(&o2), link(&o)), (Some("3"), None, Some("2")));
+    assert!(matches!(said[3], Of::Points(..)));
 }
 
 #[test]
@@ -164,4 +165,15 @@ fn another_assembly_is_tried_where_the_first_does_not_close() {
     let apart = text.replace(r#""AP": "80 mm", "PB": "80 mm""#, r#""AP": "1 mm", "PB": "1 mm""#);
     let said = work(&read(apart).unwrap().value, Scope::Questions).unwrap_err().to_string();
     assert!(said.contains("or say with \"side\" or \"sketch\" which assembly of links"), "{said}");
+}
+
+#[test]
+fn a_loose_pin_in_two_slots_and_a_height_called_h() {
+    let scene = good(
+        r#"{"parameters": {"h": "200 mm"}, "links": {"1": ["O", "F"], "2": ["O", "E"], "3": ["O"]}, "ground": "3", "lengths": {"OF": "h", "OE": "2*h"},
+        "guides": [{"pin": "M", "on": "1", "line": "OF", "angle": "90 deg", "through": "F"}, {"pin": "M", "on": "2", "line": "OE"}],
+        "driver": [{"link": "1", "angle": "0 deg", "omega": "6 rad/s"}, {"link": "2", "angle": "40 deg", "omega": "1 rev/s"}], "find": ["v_M", "vr_MM1"]}"#,
+    );
+    let on = |link: Option<usize>| OnLink { point: PointId(3), link: link.map(LinkId) };
+    assert_eq!(written(&scene.find[1].what), ("vr", Of::Points(on(None), on(Some(0)))));
 }

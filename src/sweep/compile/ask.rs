@@ -1,8 +1,10 @@
-//! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`].
+//! The questions as columns: which registers answer them. The definitions are those of [`crate::answer::evaluate`];
+//! what has no [`Meaning`] has no kernel, and the loop equations answer it.
 
 use super::{Compiler, NoKernel, Spot};
 use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Joined, Level, joined};
+use crate::scene::quantity::{Meaning, Place, Split};
 use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
@@ -16,84 +18,68 @@ const A: Level = Level::Acceleration;
 impl Compiler<'_> {
     /// The columns of a question: a number one, a vector its two components and its length.
     pub(super) fn answer(&mut self, find: &Find) -> Result<(), NoKernel> {
-        use scene::Asked::*;
         let one = |c: &mut Self, reg: Reg| c.columns.push(reg);
         let vector = |c: &mut Self, level: Level, v: Pair| {
             let length = c.emit(level, Length { v }, 1);
             c.columns.extend([v.x, v.y, length]);
         };
-        match find.what {
-            Coordinate(p, axis) => {
+        let level = find.what.level();
+        match find.what.meaning().ok_or_else(|| no_kernel(find))? {
+            Meaning::Place(Place::Coordinate(p, axis)) => {
                 let at = self.point(p, P)?;
                 one(self, if axis == Axis::X { at.x } else { at.y })
             }
-            LinkAngle(l) => {
+            Meaning::Place(Place::LinkAngle(l)) => {
                 let v = self.line_of(l)?;
                 let angle = self.emit(P, Direction { v }, 1);
                 one(self, angle)
             }
-            Distance(a, b) => {
+            Meaning::Place(Place::Distance(a, b)) => {
                 let v = self.line(a, b)?;
                 let length = self.emit(P, Length { v }, 1);
                 one(self, length)
             }
-            Velocity(p) => {
-                let v = self.vector(&p, V)?;
-                vector(self, V, v)
+            Meaning::Vector(p) => {
+                let v = self.vector(&p, level)?;
+                vector(self, level, v)
             }
-            Acceleration(p) => {
-                let v = self.vector(&p, A)?;
-                vector(self, A, v)
+            Meaning::Relative(Split::Whole, a, b) => {
+                let v = self.relative(&a, &b, level)?;
+                vector(self, level, v)
             }
-            RelativeVelocity(a, b) => {
-                let v = self.relative(&a, &b, V)?;
-                vector(self, V, v)
-            }
-            SlidingVelocity(a, b) => {
+            Meaning::Relative(Split::Sliding, a, b) if level == V => {
                 self.no_cylinder(&a, &b, find)?;
                 let v = self.relative(&a, &b, V)?;
                 vector(self, V, v)
             }
-            RelativeAcceleration(a, b) => {
-                let v = self.relative(&a, &b, A)?;
+            Meaning::Relative(Split::Sliding, a, b) => {
+                let (from, to) = (self.coriolis(&a, &b, find)?, self.relative(&a, &b, A)?);
+                let v = self.emit_pair(A, Arm { from, to });
                 vector(self, A, v)
             }
-            NormalAcceleration(a, b) => {
+            Meaning::Relative(Split::Along, a, b) => {
                 self.no_cylinder(&a, &b, find)?;
                 let (u, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
                 let part = self.emit_pair(A, Part { u, v });
                 vector(self, A, part)
             }
-            TangentialAcceleration(a, b) => {
+            Meaning::Relative(Split::Across, a, b) => {
                 self.no_cylinder(&a, &b, find)?;
                 let (d, v) = (self.line(b.point, a.point)?, self.relative(&a, &b, A)?);
                 let u = self.emit_pair(P, Twist { d, k: [0.0, 1.0] });
                 let part = self.emit_pair(A, Part { u, v });
                 vector(self, A, part)
             }
-            Coriolis(a, b) => {
+            Meaning::Relative(Split::Coriolis, a, b) => {
                 let v = self.coriolis(&a, &b, find)?;
                 vector(self, V, v)
             }
-            SlidingAcceleration(a, b) => {
-                let (from, to) = (self.coriolis(&a, &b, find)?, self.relative(&a, &b, A)?);
-                let v = self.emit_pair(A, Arm { from, to });
-                vector(self, A, v)
-            }
-            Omega(l) => {
-                let reg = self.turning(l, V)?;
+            Meaning::Turning(l, None) => {
+                let reg = self.turning(l, level)?;
                 one(self, reg)
             }
-            Alpha(l) => {
-                let reg = self.turning(l, A)?;
-                one(self, reg)
-            }
-            RelativeOmega(a, b) => {
-                let reg = self.relative_turning(a, b, V)?;
-                one(self, reg)
-            }
-            RelativeAlpha(a, b) => {
-                let reg = self.relative_turning(a, b, A)?;
+            Meaning::Turning(l, Some(against)) => {
+                let reg = self.relative_turning(l, against, level)?;
                 one(self, reg)
             }
         }
@@ -195,12 +181,6 @@ fn no_kernel(find: &Find) -> NoKernel {
 
 /// The columns of a question: name and unit of each.
 pub(in crate::sweep) fn names(find: &Find) -> Vec<(String, &'static str)> {
-    let components: &[&str] = if is_vector(&find.what) { &[".x", ".y", ""] } else { &[""] };
-    components.iter().map(|c| (format!("{}{c}", find.text), find.what.kind().si())).collect()
-}
-
-/// Whether a question asks for a vector: three columns.
-fn is_vector(what: &scene::Asked) -> bool {
-    use scene::Asked::*;
-    !matches!(what, Coordinate(..) | LinkAngle(_) | Distance(..) | Omega(_) | Alpha(_) | RelativeOmega(..) | RelativeAlpha(..))
+    let entry = find.what.entry();
+    entry.form.columns().iter().map(|c| (format!("{}{c}", find.text), entry.kind.si())).collect()
 }

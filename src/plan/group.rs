@@ -1,0 +1,219 @@
+//! The equations of one group, by what its core is.
+
+use super::build::{Builder, slot};
+use super::{Body, Chain, Method, Rate, Spot, Step, VertexId};
+use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
+use crate::scene::{LinkId, PointId, Scene};
+
+impl Builder<'_> {
+    /// The alternatives of one group; leaves its results known.
+    pub(super) fn group(&mut self, level: Level, g: usize) -> Vec<Vec<Step>> {
+        match self.m.groups[g].core.clone() {
+            Core::Pin { pin, legs } => {
+                self.group_of_pin(level, pin, &legs);
+                vec![std::mem::take(&mut self.pending)]
+            }
+            Core::Link { link, legs } => self.group_of_link(level, g, link, &legs),
+            Core::Higher => Vec::new(),
+        }
+    }
+
+    fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {
+        let target = self.pin(pin);
+        let holds = Entry::of(legs).holds;
+        if holds.is_empty() {
+            // The pin is carried by a known link.
+            return self.ensure(level, target);
+        }
+        let chains: Vec<Chain> = holds.iter().map(|h| self.chain(level, None, h, None)).collect();
+        let method = self.method_of_pin(&holds);
+        self.equation(level, target, chains, method);
+        for hold in &holds {
+            self.sources_of(level, hold);
+        }
+    }
+
+    /// Why the equation of a pin is written as it is.
+    fn method_of_pin(&self, holds: &[Hold]) -> Method {
+        let method = |hold: &Hold| match *hold {
+            Hold::Guide { driver: Some(_), .. } => Method::Driven,
+            Hold::Guide { guide, driver: None, .. } if self.scene.guides[guide.0].on == self.scene.ground => Method::SameLink,
+            Hold::Distance { strut: Strut::Bar(_), .. } => Method::SameLink,
+            Hold::Distance { strut: Strut::Cylinder(_), .. } => Method::Cylinder,
+            Hold::Distance { strut: Strut::Ram { .. }, .. }
+            | Hold::Guide { .. }
+            | Hold::Slot { .. }
+            | Hold::Glide { .. }
+            | Hold::Rolls { .. } => Method::Coincident,
+        };
+        let methods: Vec<Method> = holds.iter().map(method).collect();
+        let told = [Method::Driven, Method::Coincident, Method::Cylinder].into_iter().find(|m| methods.contains(m));
+        told.unwrap_or(Method::SameLink)
+    }
+
+    fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
+        // The chain that starts in the pole comes first: its terms stand on the left of the equals sign.
+        let mut chains = chains;
+        if chains.len() == 2 && !self.vertices[chains[0].start.0].fixed && self.vertices[chains[1].start.0].fixed {
+            chains.swap(0, 1);
+        }
+        if !self.is_known(level, target) {
+            self.pending.push(Step::Equation { target, chains, method });
+            self.learn(level, target);
+        }
+    }
+
+    /// What a strut turns with, once both its ends are known.
+    fn sources_of(&mut self, level: Level, hold: &Hold) {
+        let Hold::Distance { near, far, strut } = *hold else { return };
+        let (body, of) = match strut {
+            Strut::Bar(link) => (Body::Link(link), self.pin(near)),
+            Strut::Cylinder(driver) => (Body::Cylinder(driver), self.pin(near)),
+            // The carried point under the runner. The Coriolis term of the sliding needs the link's ω at the acceleration level; it is
+            // measured at the velocity level from this very point.
+            Strut::Ram { link, .. } => (Body::Link(link), self.coincident(near, link)),
+        };
+        let to = self.pin(far);
+        self.source(level, body, Rate::Measured { of, to });
+        if let Strut::Ram { guide, driver, .. } = strut {
+            // From the runner: the sliding is given.
+            let runner = self.pin(near);
+            let (terms, _) = self.sliding(level, guide, of, runner, Some(driver));
+            self.equation(level, of, vec![Chain { start: runner, known: terms, unknown: vec![] }], Method::Coincident);
+        }
+    }
+
+    fn group_of_link(&mut self, level: Level, g: usize, link: LinkId, legs: &[Leg]) -> Vec<Vec<Step>> {
+        let body = Body::Link(link);
+        let Entry { pivot, angle, holds, .. } = Entry::of(legs);
+        if let Some((of, driver)) = angle {
+            let rate = match driver {
+                _ if self.m.never_turns[link.0] => Rate::Zero,
+                Some(driver) => Rate::Given { driver, against: of },
+                None => Rate::Same(of),
+            };
+            self.source(level, body, rate);
+        }
+        match (pivot, angle, &holds[..]) {
+            // A crank, or a lever locked to a known link: its points follow when they are needed.
+            (Some(_), Some(_), _) => {}
+            (Some(pin), None, [hold]) => {
+                let pivot = self.pin(pin);
+                let target = self.near(link, hold).expect("a slot gives a coincident point");
+                let (known, unknown) = self.turning(level, body, target, pivot, false);
+                let chain = self.chain(level, Some(link), hold, None);
+                self.equation(level, target, vec![Chain { start: pivot, known, unknown }, chain], Method::Coincident);
+                self.source(level, body, Rate::Measured { of: target, to: pivot });
+            }
+            (None, Some(_), [hold @ Hold::Glide { driver: Some(_), .. }]) => {
+                let at = self.any_point(link);
+                let chain = self.chain(level, Some(link), hold, Some(at));
+                self.equation(level, at, vec![chain], Method::Driven);
+            }
+            (None, Some(_), [a, b]) => {
+                // A leg with a point of its own leads; a gliding leg serves any point.
+                let (a, b) = if matches!(a, Hold::Glide { .. }) { (b, a) } else { (a, b) };
+                let target = match self.near(link, a) {
+                    Some(v) => v,
+                    None => self.any_point(link),
+                };
+                let first = self.chain(level, Some(link), a, Some(target));
+                let mut second = self.chain(level, Some(link), b, Some(target));
+                if let Some(near) = self.near(link, b) {
+                    self.shift(level, &mut second, link, target, near);
+                }
+                self.equation(level, target, vec![first, second], Method::Coincident);
+                let near_b = self.near(link, b);
+                for hold in [a, b] {
+                    self.sources_of(level, hold);
+                }
+                if let Some(v) = near_b {
+                    self.ensure(level, v);
+                }
+            }
+            (None, None, [_, _, _]) => return self.triad(level, g, link, &holds),
+            _ => {}
+        }
+        vec![std::mem::take(&mut self.pending)]
+    }
+
+    /// Some point of a link that has none of its own in this group.
+    fn any_point(&mut self, link: LinkId) -> VertexId {
+        let own = self.scene.links[link.0].points.first().copied();
+        let runner = self.scene.guides.iter().filter(|g| g.on == link).find_map(|g| g.pin);
+        match own.or(runner) {
+            Some(p) => self.coincident(p, link),
+            None => self.coincident(PointId(0), link),
+        }
+    }
+
+    /// A link on three legs: by the special point of each pair of legs in turn.
+    fn triad(&mut self, level: Level, g: usize, link: LinkId, holds: &[Hold]) -> Vec<Vec<Step>> {
+        let body = Body::Link(link);
+        let nears: Vec<VertexId> = holds.iter().map(|h| self.near(link, h).expect("a leg of a triad has a point on the core")).collect();
+        let mut alternatives = Vec::new();
+        let before = self.known[slot(level)].clone();
+        // What the chains need of known links is written once, ahead of every alternative.
+        for hold in holds {
+            let _ = self.chain(level, Some(link), hold, None);
+        }
+        let shared = std::mem::take(&mut self.pending);
+        let base = self.known[slot(level)].clone();
+        for (i, j, k) in [(0, 1, 2), (0, 2, 1), (1, 2, 0)] {
+            self.known[slot(level)].clone_from(&base);
+            self.pending.clone_from(&shared);
+            let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
+                Some(n) => nears[[i, j][n]],
+                None => self.intern(Spot::Special { group: g, legs: (i, j) }, None),
+            };
+            let mut chains = Vec::new();
+            for n in [i, j] {
+                let mut chain = self.chain(level, Some(link), &holds[n], None);
+                if nears[n] != s {
+                    self.extend_to_special(level, &mut chain, link, s, nears[n]);
+                }
+                chains.push(chain);
+            }
+            self.equation(level, s, chains, Method::Special);
+            let (known, unknown) = self.turning(level, body, nears[k], s, false);
+            let third = self.chain(level, Some(link), &holds[k], None);
+            self.equation(level, nears[k], vec![Chain { start: s, known, unknown }, third], Method::SameLink);
+            for n in [i, j] {
+                if !self.is_known(level, nears[n]) {
+                    self.pending.push(Step::Image { link, target: nears[n], from: (s, nears[k]) });
+                    self.learn(level, nears[n]);
+                }
+            }
+            alternatives.push(std::mem::take(&mut self.pending));
+        }
+        // Special points are for this group only.
+        self.known[slot(level)] = before;
+        for v in base {
+            self.learn(level, v);
+        }
+        for &v in &nears {
+            self.learn(level, v);
+        }
+        for hold in holds {
+            self.sources_of(level, hold);
+        }
+        // Two slots over one pin have one near point: the turning is measured between two that differ.
+        let of = nears.iter().copied().find(|v| self.vertices[v.0].spot != self.vertices[nears[0].0].spot);
+        self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
+        alternatives
+    }
+}
+
+/// Which of two legs rolls, where the other is a bar that carries both centres: the bar's line and the tangent at the contact cross in the
+/// point of contact itself.
+fn contact_on_bar(scene: &Scene, a: &Hold, b: &Hold) -> Option<usize> {
+    let (pair, bar, which) = match (*a, *b) {
+        (Hold::Rolls { pair, .. }, bar) => (pair, bar, 0),
+        (bar, Hold::Rolls { pair, .. }) => (pair, bar, 1),
+        _ => return None,
+    };
+    let (Hold::Distance { near, far, strut: Strut::Bar(_) }, [Some(p), Some(q)]) = (bar, scene.rolling[pair.0].centres()) else {
+        return None;
+    };
+    ((p, q) == (near, far) || (p, q) == (far, near)).then_some(which)
+}
