@@ -44,6 +44,8 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
+//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -76,11 +78,13 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene mechanism position answer plan construct analytic accuracy
+//! gears      geom
+//! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres gears trains sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
@@ -109,6 +113,7 @@ pub mod diag;
 pub mod digits;
 pub mod effort;
 pub mod figure;
+pub mod gears;
 pub mod geom;
 mod json;
 pub mod lesson;
@@ -121,6 +126,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod trains;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

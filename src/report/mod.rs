@@ -17,3 +17,4 @@ pub mod plan_json;
 pub mod price;
 pub mod statement;
 pub mod table;
+pub mod trains;

@@ -5,6 +5,8 @@
 
 mod drawings;
 mod equations;
+mod gears;
+mod kutzbach;
 mod results;
 mod sheet;
 
@@ -41,6 +43,8 @@ pub const LIST: &[&Entry] = &[
     &equations::ENTRY,
     &results::ENTRY,
     &centres::ENTRY,
+    &kutzbach::ENTRY,
+    &gears::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.
