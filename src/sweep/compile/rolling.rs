@@ -6,6 +6,7 @@
 //! that ([`Against`]).
 
 use super::{Compiler, NoKernel, Spot};
+use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::mechanism::{Constraint, Level};
 use crate::position::{Path, Pose};
@@ -231,7 +232,14 @@ impl Compiler<'_> {
         match source {
             Source::Link(l) => self.lost(l),
             Source::Way(r) => self.lost(self.scene.rolling[r.0].links[1]),
-            Source::Line(..) | Source::Driver(_) => self.lost(self.scene.ground),
+            Source::Line(a, b) => {
+                let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
+                Diagnostic::note(
+                    "no-kernel",
+                    both!("the turns of line {a}{b} cannot be counted beforehand", "直线 {a}{b} 的转数无法预先确定"),
+                )
+            }
+            Source::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
         }
     }
 
