@@ -79,8 +79,9 @@ impl<'a> Placed<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
-    /// Those of [`position::configure`].
+    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
         let at = position::configure(scene, mechanism, &demand)?.value;
         Ok(Placed { scene, mechanism, demand, at })

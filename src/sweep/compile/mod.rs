@@ -443,10 +443,10 @@ impl<'a> Compiler<'a> {
                     _ => return self.turning(guide.on, level),
                 }
             }
-            Passive::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => (Spot::Pin(a), Spot::Pin(b)),
-                _ => return Err(self.lost(l)),
-            },
+            Passive::Cylinder(_) | Passive::Held(..) => {
+                let (a, b) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
+                (Spot::Pin(a), Spot::Pin(b))
+            }
         };
         let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
             let (from, to) = (c.spot(from, level)?, c.spot(to, level)?);
@@ -467,10 +467,10 @@ impl<'a> Compiler<'a> {
                 Some(pin) => Spot::Pin(pin),
                 None => return Err(self.lost(l)),
             },
-            Some(Passive::Cylinder(d)) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, .. } => Spot::Pin(a),
-                _ => return Err(self.lost(l)),
-            },
+            Some(Passive::Cylinder(_) | Passive::Held(..)) => {
+                let (a, _) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
+                Spot::Pin(a)
+            }
             None => Spot::Own(l),
         };
         let (from, to) = (self.spot(base, Level::Position)?, self.point(p, Level::Position)?);
