@@ -29,6 +29,7 @@
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
 //!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
 //!   ([`scene::book`]).
+//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
 //!   their legs; the demand of the questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
@@ -62,7 +63,8 @@
 //! trig       scene*
 //! number     trig scene*
 //! geom       number
-//! scene      diag json digits trig number geom
+//! cam        geom
+//! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits number scene geom mechanism
 //! answer     number scene geom mechanism position
@@ -74,12 +76,12 @@
 //! worked     diag scene mechanism position answer plan construct analytic accuracy
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag digits scene geom mechanism position answer plan construct analytic accuracy worked sweep effort figure* render*
-//! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -96,6 +98,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod cam;
 pub mod cli;
 pub mod construct;
 pub mod diag;

@@ -4,6 +4,7 @@
 
 mod arrange;
 pub mod arrow;
+pub mod cam;
 pub(crate) mod course;
 pub mod curves;
 pub mod drawing;
