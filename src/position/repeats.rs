@@ -198,7 +198,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let pair = &scene.rolling[r.0];
             let [a, b] = pair.links.map(|l| scene.link_name(l));
             let words = match pair.toothed {
-                true => both!("the mesh of links {a} and {b}", "构件 {a} 与 {b} 的啮合"),
+                true => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
                 false => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
             };
             (words, pair.span)
