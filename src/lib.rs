@@ -77,7 +77,7 @@
 //! report     diag cam digits scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
-//! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
+//! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
 //! cli        diag cam geom json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
 //! ```
