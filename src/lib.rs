@@ -27,11 +27,13 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema; in which unit a number is printed ([`scene::book`]).
+//!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
+//!   ([`scene::book`]).
 //! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
-//! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
-//!   questions.
-//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
+//! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
+//!   their legs; the demand of the questions.
+//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
+//!   whether what repeats other pairs holds by itself ([`position::redundant`]).
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
@@ -74,7 +76,7 @@
 //! worked     diag scene mechanism position answer plan construct analytic accuracy
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked sweep effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
