@@ -6,10 +6,10 @@
 
 use crate::construct::scale::choose_in;
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::digits::{inked, significant};
 use crate::gears::{Basic, Gear, Pair, distance_of, operating, standard, sum_of_shifts};
 use crate::geom::{Point, Vec2};
 use crate::plan::names::{name_label, point_label};
-use crate::digits::{inked, significant};
 use crate::report::phrase::tr;
 use crate::scene::{Contours, DriverKind, Flanks, Kind, LinkId, Rolling, Scene};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
