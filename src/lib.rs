@@ -27,10 +27,12 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema; in which unit a number is printed ([`scene::book`]).
-//! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
-//!   questions.
-//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
+//!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
+//!   ([`scene::book`]).
+//! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
+//!   their legs; the demand of the questions.
+//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
+//!   whether what repeats other pairs holds by itself ([`position::redundant`]).
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
@@ -75,7 +77,7 @@
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked centres sweep effort figure* render*
+//! report     diag digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep effort figure* render*
 //! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render

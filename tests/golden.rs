@@ -20,7 +20,7 @@ use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
-use hodograph::figure::{path, poses};
+use hodograph::figure::{groups, path, poses};
 use hodograph::lesson;
 use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::notation::Notation;
@@ -151,6 +151,7 @@ fn kinds_of_figures_look_as_accepted() {
                 let overlay = Overlay { vectors: Some(Level::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
                 diagram(&scene, &worked, &options, &overlay)
             }
+            "groups" => groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En),
             _ => sheet(&scene, &worked, &options).unwrap(),
         };
         let drawn = svg::write(&figure).unwrap().value;

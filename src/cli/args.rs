@@ -47,6 +47,8 @@ pub enum Command {
     Limits(Limits),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
+    /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
+    Mobility(Mobility),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -316,6 +318,21 @@ pub struct Centres {
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "Links and pairs are enough: without driver and lengths whatever lengths decide stays open")]
+pub struct Mobility {
+    #[command(flatten)]
+    pub common: Common,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub look: Look,
+    /// The groups drawn apart, in a file ending in .svg, .png or .pdf; the scene must tell its pose
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
 }
 
 #[derive(ClapArgs, Debug)]

@@ -13,6 +13,7 @@ mod help;
 mod journal;
 mod lang;
 mod long;
+mod mobility;
 mod part;
 mod path;
 mod spool;
@@ -66,6 +67,7 @@ pub fn main() -> ExitCode {
         Command::Path(a) => path::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Centres(a) => centres::run(a),
+        Command::Mobility(a) => mobility::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
@@ -174,6 +176,19 @@ impl Input {
 
     /// The scene that the command line names, with its parameters, its text changed.
     fn read_as(common: &Common, change: impl Fn(&str) -> Result<String, Faults>) -> Result<Input, Failure> {
+        Input::read_by(common, change, &|bytes| scene::read(bytes))
+    }
+
+    /// Its links and pairs; the rest may be missing.
+    fn read_topology(common: &Common) -> Result<Input, Failure> {
+        Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_topology(bytes))
+    }
+
+    fn read_by(
+        common: &Common,
+        change: impl Fn(&str) -> Result<String, Faults>,
+        read: &dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>,
+    ) -> Result<Input, Failure> {
         let path = common.scene.as_str();
         let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.
@@ -187,7 +202,7 @@ impl Input {
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
-        match scene::read(&bytes) {
+        match read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))
             }

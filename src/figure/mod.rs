@@ -11,6 +11,7 @@ pub mod drawing;
 pub mod extent;
 pub mod font;
 pub mod grid;
+pub mod groups;
 pub mod hodograph;
 pub mod item;
 pub mod label;

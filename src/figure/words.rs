@@ -76,6 +76,16 @@ pub struct Words {
     pub other_motion: &'static str,
     /// Instead of the scale of a polygon without vectors.
     pub no_vectors: &'static str,
+    /// What only repeats what others fix; `{}` is it, `{why}` the reason.
+    pub repeats: &'static str,
+    /// The same of a pair that is not drawn dashed: a mesh, a second pin in one place.
+    pub repeats_alike: &'static str,
+    /// A condition of velocities; `{v}` is the vector, `{}` the line, `{mm}` by how much it is missed.
+    pub along_velocity: &'static str,
+    /// The same of accelerations; `{a}` is the normal one, `{w}` the velocity.
+    pub along_acceleration: &'static str,
+    /// Between statements on one line.
+    pub semicolon: &'static str,
     /// Between the members of a list.
     pub comma: &'static str,
     /// Begins the description of a figure; `{}` is the title.
@@ -117,7 +127,12 @@ const EN: Words = Words {
     driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
     other_motion: "The other motion: {}.",
+    repeats: "Dashed: {} only repeats what the others fix ({why}).",
+    repeats_alike: "Virtual constraint: {} only repeats what the others fix ({why}).",
+    along_velocity: "${v} \\perp {}$: {mm} mm off",
+    along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
     no_vectors: "all vectors are zero, no scale",
+    semicolon: "; ",
     comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -157,7 +172,12 @@ const ZH: Words = Words {
     driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
     other_motion: "另一种运动：{}。",
+    repeats: "虚线：{} 为虚约束（{why}）。",
+    repeats_alike: "{} 为虚约束（{why}）。",
+    along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
+    along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
     no_vectors: "各矢量均为零，不需比例尺",
+    semicolon: "；",
     comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };

@@ -9,6 +9,7 @@ pub mod drafting;
 pub mod equation;
 pub mod limits;
 pub mod math;
+pub mod mobility;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;

@@ -22,9 +22,11 @@ const MAX_TITLE: usize = 500;
 const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
-pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
+///
+/// `topology`: links and pairs are enough.
+pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
-    let mut raw = RawScene::default();
+    let mut raw = RawScene { topology, ..RawScene::default() };
     if let Some(node) = f.get("title") {
         raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
     }
@@ -65,9 +67,12 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for node in items(f.get("rolling"), "\"rolling\"", faults) {
         raw.rolling.extend(rolling::wheel(node, faults));
     }
-    let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
+    let drivers = match topology {
+        true => f.get("driver"),
+        false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
+    };
     match drivers {
-        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !topology => {
             faults.push(
                 Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
                     .at(*span),
@@ -75,10 +80,10 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         }
         Some(Node { kind: Kind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
-                raw.drivers.extend(driver(node, faults));
+                raw.drivers.extend(driver(node, topology, faults));
             }
         }
-        Some(node) => raw.drivers.extend(driver(node, faults)),
+        Some(node) => raw.drivers.extend(driver(node, topology, faults)),
         None => {}
     }
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
@@ -208,12 +213,19 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
-    let through = f.get("through").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
-        _ => word(n, "\"through\"", faults).map(RawThrough::Point),
-    });
+    let through = through(&f, faults);
     // A guide with a member that could not be read must not be judged by what is left of it.
     (faults.list.len() == before).then_some(RawGuide { pin, slider, on, line, through, angle, offset, centre, radius, span: node.span })
+}
+
+/// A point by its name or by coordinates.
+fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
+    f.get("through").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Object(_) => {
+            word(n, "\"through\"", faults).map(RawThrough::Point)
+        }
+    })
 }
 
 /// The three kinds of driver: the key that tells the kind, its name, all its keys.
@@ -227,7 +239,7 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
     Both { en: en.to_owned(), zh: zh.to_owned() }
 }
 
-fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
+fn driver(node: &Node, topology: bool, faults: &mut Faults) -> Option<RawDriver> {
     let members = object(node, both!("a driver", "原动件"), faults)?;
     let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
@@ -280,11 +292,12 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
     }
     let all: Vec<&str> = KINDS.iter().flat_map(|(.., keys)| keys.iter().copied()).collect();
     let f = Fields::open(node, words_of(what), if mixed { &all } else { known }, faults)?;
-    let rate = match mark {
-        "link" => f.need("omega", "\"10 rad/s\"", faults),
-        "slide" => f.need("velocity", "\"2 m/s\"", faults),
-        _ => f.need("rate", "\"50 mm/s\"", faults),
+    let (key, example) = match mark {
+        "link" => ("omega", "\"10 rad/s\""),
+        "slide" => ("velocity", "\"2 m/s\""),
+        _ => ("rate", "\"50 mm/s\""),
     };
+    let rate = if topology { f.get(key) } else { f.need(key, example, faults) };
     let rate = rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });

@@ -62,8 +62,9 @@ pub(super) struct RawRolling {
     pub sizes: RawSizes,
     /// Whether the pair has teeth.
     pub toothed: bool,
-    /// Direction of a straight track.
+    /// Direction of a straight track, and a point of it.
     pub line: Option<Word>,
+    pub through: Option<RawThrough>,
     pub angle: Option<RawQuantity>,
     pub at: Option<Word>,
     pub phase: Option<RawQuantity>,
@@ -124,6 +125,8 @@ pub(super) struct RawPaper {
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
+    /// Whether links and pairs are enough: neither a driver, nor its rate, nor the direction of a guide is missed.
+    pub topology: bool,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,

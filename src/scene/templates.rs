@@ -14,6 +14,7 @@ const FILES: &[(&str, &str)] = &[
     ("drag-link", include_str!("../../templates/drag-link.json")),
     ("crossed-four-bar", include_str!("../../templates/crossed-four-bar.json")),
     ("parallelogram", include_str!("../../templates/parallelogram.json")),
+    ("third-crank", include_str!("../../templates/third-crank.json")),
     ("slider-crank", include_str!("../../templates/slider-crank.json")),
     ("offset-slider-crank", include_str!("../../templates/offset-slider-crank.json")),
     ("oblique-guide", include_str!("../../templates/oblique-guide.json")),

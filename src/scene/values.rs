@@ -170,6 +170,21 @@ impl<'a> Values<'a> {
         None
     }
 
+    /// A number without a dimension.
+    pub fn pure_number(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<f64> {
+        let fault = match self.evaluate(quantity) {
+            Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
+            Ok((_, value, _)) => {
+                let text = &quantity.text;
+                let message = both!("a number is wanted here, `{text}` is {}", "此处需要数值，`{text}` 是{}", value.dim.describe());
+                Some(Diagnostic::error("dimension", message).at(quantity.span).help(both!("write it without a unit", "请不带单位")))
+            }
+            Err(fault) => fault,
+        };
+        faults.list.extend(fault);
+        None
+    }
+
     /// An angle, in degrees where it is written in degrees.
     pub fn angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<Given<Angle>> {
         let (text, value, ball) = self.value(quantity, Wanted::Angle, faults)?;

@@ -9,7 +9,10 @@ use crate::accuracy::toggle::{driver_position, with_driver_at};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, Pose as Frame, newton};
-use crate::scene::{DriverKind, Given, Scene};
+use crate::scene::{DriverKind, Given, LinkId, Scene};
+
+use super::extreme::turns_seen;
+use super::train::Train;
 
 /// One pose.
 #[derive(Clone, Debug)]
@@ -25,13 +28,21 @@ pub struct Pose {
 pub struct Sweep {
     /// In the order of growing travel; the scene's own pose has the travel 0.
     pub poses: Vec<Pose>,
-    /// Whether the mechanism comes back to its first pose after a full turn.
+    /// Whether the mechanism comes back to its first pose after a full turn, or after [`Sweep::turns`].
     pub full: bool,
     /// Travel at which the mechanism can go no farther back and no farther on; the pose there is the first and the last one.
     pub limits: [Option<f64>; 2],
+    /// Through how many turns of a driver that turns: those after which everything stands as it did, one unless wheels roll; one too
+    /// where these are too many.
+    pub turns: u64,
 }
 
 impl Sweep {
+    /// The travel after which a full motion comes again (rad).
+    pub fn period(&self) -> f64 {
+        TAU * self.turns as f64
+    }
+
     /// Whether the driver can go no farther than a pose.
     pub fn is_limit(&self, k: usize) -> bool {
         k == 0 && self.limits[0].is_some() || k + 1 == self.poses.len() && self.limits[1].is_some()
@@ -88,13 +99,21 @@ impl<'a> Follower<'a> {
     /// All poses, in at least `count` steps.
     pub fn sweep(&self, count: usize) -> Sweep {
         let turns = matches!(self.scene.drivers[self.driver].kind, DriverKind::Turn { .. });
-        let reach = if turns { TAU } else { 2.0 * self.base.extent() };
-        let step = reach / count as f64;
+        let returns = if turns { self.returns() } else { 1 };
+        let seen = turns_seen(returns);
+        let one = if turns { TAU } else { 2.0 * self.base.extent() };
+        let (step, reach) = (one / count as f64, one * seen as f64);
         let (mut up, high) = self.walk(step, reach, None);
-        if turns && high.is_none() && up.last().is_some_and(|p| self.stray(&p.configuration, self.base) < 1e-6) {
+        let back = |p: &Pose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
+        if turns && high.is_none() && up.last().is_some_and(back) {
             up.pop();
             up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
-            return Sweep { poses: up, full: true, limits: [None, None] };
+            return Sweep { poses: up, full: true, limits: [None, None], turns: seen };
+        }
+        if high.is_none() && returns != seen {
+            // One turn of many.
+            up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
+            return Sweep { poses: up, full: false, limits: [None, None], turns: seen };
         }
         let (mut down, low) = self.walk(-step, reach, None);
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
@@ -108,7 +127,19 @@ impl<'a> Follower<'a> {
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
         poses.extend(up);
-        Sweep { poses, full: false, limits: [low, high] }
+        Sweep { poses, full: false, limits: [low, high], turns: seen }
+    }
+
+    /// The turns of the driver after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        Train::of(&self.scene, self.mechanism, self.base).turns()
+    }
+
+    /// Whether all links that roll stand as at the instant.
+    fn rolled_back(&self, at: &Configuration) -> bool {
+        let axis = |c: &Configuration, l: LinkId| c.poses[l.0].map(|p| p.axis);
+        let links = self.scene.rolling.iter().flat_map(|r| r.links);
+        links.filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm())).all(|off| off < 1e-6)
     }
 
     /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be

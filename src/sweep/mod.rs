@@ -3,7 +3,7 @@
 //! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
+//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
 //! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
@@ -31,6 +31,8 @@ pub mod pieces;
 pub mod points;
 pub mod program;
 pub mod reading;
+#[cfg(test)]
+mod rolling_tests;
 pub mod rows;
 pub mod run;
 pub mod station;
@@ -38,6 +40,8 @@ mod suspect;
 pub mod table;
 pub mod track;
 mod tracked;
+mod train;
+pub mod turns;
 pub mod vary;
 mod walked;
 pub mod zoom;
@@ -75,8 +79,9 @@ impl<'a> Placed<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
-    /// Those of [`position::configure`].
+    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
         let at = position::configure(scene, mechanism, &demand)?.value;
         Ok(Placed { scene, mechanism, demand, at })
@@ -153,7 +158,7 @@ impl<'a> Sweep<'a> {
 
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
 fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
-    let off = 1e-3 * Probe::of(program.clone(), placed, driver).reach();
+    let off = 1e-3 * limit::reach(placed, driver);
     let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
     let (parts, _) = branches(program.clone(), placed, driver, &sides);
     let rows = run_parts(&parts, placed, driver, &sides, Width::One);

@@ -14,7 +14,7 @@ use crate::mechanism::Mechanism;
 use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::units::Dim;
-use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Through, templates};
+use crate::scene::{Angle, Contours, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Sizes, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -52,6 +52,14 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
         }
     }
     out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
+    for r in &mut scene.rolling {
+        match &mut r.contours {
+            Contours::Circles { sizes: Sizes::Radii(both), .. } => out.extend(both.iter_mut().map(|x| Slot::Number(x, true))),
+            Contours::Circles { sizes: Sizes::Teeth(_), .. } => {}
+            Contours::Track { radius, .. } => out.push(Slot::Number(radius, true)),
+        }
+        out.extend(r.phase.iter_mut().map(Slot::Angle));
+    }
     for d in &mut scene.drivers {
         match &mut d.kind {
             DriverKind::Turn { angle, .. } => out.extend(angle.iter_mut().map(Slot::Angle)),

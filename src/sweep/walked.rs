@@ -14,7 +14,6 @@ use crate::answer::Source;
 use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, PointId, Scene};
-use std::f64::consts::TAU;
 
 /// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
 const SAMPLES: usize = 360;
@@ -38,7 +37,7 @@ impl<'a> Walk<'a> {
     pub fn range(&self) -> Range {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
         let reach = match scene.drivers[self.driver].kind {
-            DriverKind::Turn { .. } => TAU,
+            DriverKind::Turn { .. } => self.sweep.period(),
             _ => 2.0 * self.placed.at.extent(),
         };
         let mut ends = [None, None];
@@ -58,7 +57,22 @@ impl<'a> Walk<'a> {
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
         let travel = |pose: Option<&super::follow::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
-        if self.sweep.full { [self.now, self.now + TAU] } else { [travel(poses.first()), travel(poses.last())] }
+        if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
+    }
+
+    /// That after which everything stands as it did, where it has been followed through all of it.
+    pub fn period(&self) -> Option<f64> {
+        self.sweep.full.then(|| self.sweep.period())
+    }
+
+    /// The turns through which it was followed.
+    pub fn turns(&self) -> u64 {
+        self.sweep.turns
+    }
+
+    /// The turns after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        self.follower.returns()
     }
 
     /// Position, rate and acceleration of an output at a place of the driver; `None` where it has none.
@@ -77,7 +91,8 @@ impl<'a> Walk<'a> {
     /// How far two places of the driver are apart; on a full turn the end is the beginning.
     fn apart(&self, a: f64, b: f64) -> f64 {
         let d = (a - b).abs();
-        if self.sweep.full { (d % TAU).min(TAU - d % TAU) } else { d }
+        let period = self.sweep.period();
+        if self.sweep.full { (d % period).min(period - d % period) } else { d }
     }
 
     fn moving(&self, at: &Configuration, output: Output) -> Option<[f64; 3]> {

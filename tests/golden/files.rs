@@ -22,13 +22,15 @@ pub const DRAFTED: [&str; 1] = ["shaper"];
 pub const LESSONS: [&str; 2] = ["crank-rocker", "five-bar"];
 
 /// One picture of every kind of figure: template, kind, style.
-pub const KINDS: [(&str, &str, &str); 6] = [
+pub const KINDS: [(&str, &str, &str); 8] = [
     ("class-iii-six-bar", "inset", "print"),
     ("shaper", "slides", "slides"),
     ("jansen-leg", "dark", "dark"),
     ("offset-slider-crank", "overlay", "slides"),
     ("slotted-lever", "step", "print"),
     ("crank-rocker", "equations", "print"),
+    ("shaper", "groups", "print"),
+    ("third-crank", "groups", "slides"),
 ];
 
 /// Line diagrams.

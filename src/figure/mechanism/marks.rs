@@ -36,6 +36,9 @@ impl Draft<'_> {
     pub(super) fn drivers(&mut self) {
         let mut centres: Vec<Point> = Vec::new();
         for k in 0..self.scene.drivers.len() {
+            if !self.shows_driver(k) {
+                continue;
+            }
             let driver = &self.scene.drivers[k];
             match driver.kind {
                 DriverKind::Turn { link, against, .. } => {

@@ -57,7 +57,7 @@ impl Draft<'_> {
         let scene = self.scene;
         let mut drawn: Vec<(LinkId, Point, f64)> = Vec::new();
         for pair in &scene.rolling {
-            for round in self.rounds(pair) {
+            for round in self.rounds(pair).into_iter().filter(|r| self.shows(r.link)).collect::<Vec<_>>() {
                 // The gears of one link about one centre that mesh twice are drawn once.
                 let same = |d: &(LinkId, Point, f64)| {
                     d.0 == round.link && d.1.distance(round.centre) < super::SAME_MM && (d.2 - round.radius_mm).abs() < super::SAME_MM
@@ -70,7 +70,9 @@ impl Draft<'_> {
                     self.hatched_rim(pair, &round);
                 }
             }
-            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide) {
+            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide)
+                && self.shows(pair.links[0])
+            {
                 self.track(pair, guide);
             }
         }

@@ -241,7 +241,7 @@ impl Draft<'_> {
         }
         self.letter(at, self.w.image(self.p.level, v), step);
         // The special point belongs to the construction: its vector answers nothing.
-        if matches!(vertex.spot, Spot::Special { .. }) {
+        if matches!(vertex.spot, Spot::Special(_)) {
             return;
         }
         let symbol = self.w.vector(self.p.level, v);

@@ -1,13 +1,13 @@
 //! The section `find`: what is asked.
 
 use super::*;
-use crate::scene::quantity::{self, Asked, Entry, PointMotion, Rate, Turning};
+use crate::scene::quantity::{self, Asked, Entry, Level, Of, PointMotion, Rate, Turning};
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
     let Some(words) = &c.raw.find else { return everything(c) };
     for word in words {
-        let Some(what) = note(asked(c, word), faults) else { continue };
+        let Some(what) = note(asked(c, word).and_then(|what| of_links(c, word, what)), faults) else { continue };
         if out.iter().any(|f| f.text == word.text) {
             let d = Diagnostic::warning("given-twice", both!("`{}` is asked twice", "`{}` 求了两次", word.text)).at(word.span);
             faults.push(d.help(both!("ask once", "请只求一次")));
@@ -16,6 +16,28 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
         out.push(Find { what, text: word.text.clone(), span: word.span });
     }
     out
+}
+
+/// A point of contact is on no link: what moves there is a point of one of the links.
+fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> {
+    let moving = match what.of() {
+        // It has a place all the same.
+        _ if what.entry().level == Level::Position => Vec::new(),
+        Of::Point(p) => vec![p],
+        Of::Points(p, q) => vec![p, q],
+        Of::Line(..) | Of::Link(_) | Of::Links(..) => Vec::new(),
+    };
+    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.contacts.contains(&p.point)) else { return Ok(what) };
+    let name = c.point_name(contact.point);
+    let message = both!("`{}`: {name} is a point of contact, not a point of a link", "`{}`：{name} 是接触点，不是构件上的点", word.text);
+    let sides = c.raw.rolling.iter().zip(c.contacts).filter(|(_, at)| **at == contact.point).flat_map(|(pair, _)| &pair.sides);
+    let of = |side: &RawRollingSide| c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text));
+    let names: Vec<Both> = sides.map(of).map(Both::same).collect();
+    Err(Diagnostic::error("find", message).at(word.span).help(both!(
+        "name the link whose point is meant: {}",
+        "请写明是哪个构件上的点：{}",
+        Both::join(&names, " or ", " 或 ")
+    )))
 }
 
 /// A scene that asks nothing in particular wants it all: every moving point's v and a, every moving link's ω and α.

@@ -7,6 +7,7 @@ mod answers;
 mod declare;
 mod drivers;
 mod find;
+mod free;
 mod guides;
 mod lengths;
 mod paper;
@@ -123,15 +124,22 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)), contacts };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
         let mut lengths = lengths::lengths(&context, faults);
-        let places = places::places(&context, *ground, &lengths, faults);
+        let mut places = places::places(&context, *ground, &lengths, faults);
         let sketch = places::sketch(&context, faults);
         let sides = places::sides(&context, faults);
         let guides = ground.map(|_| guides::guides(&context, &places, faults));
-        let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
         let first_guide = guides.as_ref().map_or(0, Vec::len);
-        let rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
-        lengths.extend(rolling.lengths);
+        let mut rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
+        if let Some(ground) = *ground {
+            // The radii of two gears on fixed axes are a length between the pivots.
+            places::pivots(&context, ground, &rolling.lengths, &mut places);
+        }
+        let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, &rolling, faults));
         let find = ground.map(|_| find::find(&context, faults));
+        if let (Some(drivers), Some(find)) = (&drivers, &find) {
+            free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);
+        }
+        lengths.extend(rolling.lengths);
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
