@@ -29,6 +29,7 @@
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
 //!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
 //!   ([`scene::book`]).
+//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
 //! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
 //!   their legs; the demand of the questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
@@ -64,7 +65,8 @@
 //! trig       scene*
 //! number     trig scene*
 //! geom       number
-//! scene      diag json digits trig number geom
+//! cam        geom
+//! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits number scene geom mechanism
 //! answer     number scene geom mechanism position
@@ -77,12 +79,12 @@
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep effort figure* render*
-//! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -99,6 +101,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod cam;
 pub mod centres;
 pub mod cli;
 pub mod construct;

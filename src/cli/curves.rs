@@ -25,6 +25,7 @@ pub fn run(a: Curves) -> Run {
         None => with_positions(&input)?.join(","),
     };
     ask(&mut input, Some(&find))?;
+    input.over_a_turn();
     // What has been put beside the scene's questions was asked by nobody: there is no place to show.
     input.asked = a.range.find.clone();
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;

@@ -5,6 +5,7 @@
 
 mod args;
 mod batch;
+mod cam;
 mod centres;
 mod curves;
 mod draw;
@@ -65,9 +66,10 @@ pub fn main() -> ExitCode {
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
+        Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
-        Command::Centres(a) => centres::run(a),
         Command::Mobility(a) => mobility::run(a),
+        Command::Centres(a) => centres::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
@@ -239,6 +241,11 @@ impl Input {
         Input { fonts: style.fonts.clone(), ..self }
     }
 
+    /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
+    fn over_a_turn(&mut self) {
+        self.scene = self.scene.over_a_turn();
+    }
+
     /// The scene worked through, its notes added.
     fn work(&mut self, scope: Scope) -> Result<Worked, Failure> {
         match work(&self.scene, scope) {
@@ -298,6 +305,9 @@ fn lesson(a: args::Lesson) -> Run {
     }
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
+    if !a.reveal {
+        input.over_a_turn();
+    }
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);

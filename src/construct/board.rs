@@ -19,7 +19,7 @@ use crate::scene::{Contours, RollingId, Scene};
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
     let mut exact = Exact;
-    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(at), boxes.diagram));
+    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(scene, at), boxes.diagram));
     let mut board = Board::new(scene, m, at, plan, mu_l, &mut exact);
     for g in 0..m.groups.len() {
         if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {

@@ -4,6 +4,7 @@
 
 mod arrange;
 pub mod arrow;
+pub mod cam;
 mod centres;
 pub(crate) mod course;
 pub mod curves;

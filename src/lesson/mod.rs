@@ -121,7 +121,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
             },
         ));
     }
-    if scene.drivers.len() > 1 {
+    if scene.own_drivers() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",
             both!(

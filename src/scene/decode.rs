@@ -2,9 +2,9 @@
 
 mod rolling;
 
-use super::keys;
 use super::model::Lang;
 use super::raw::*;
+use super::{cams, keys};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::json::fields::{Fields, What, list, object, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
@@ -61,6 +61,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
     }
+    for node in items(f.get("cams"), "\"cams\"", faults) {
+        raw.cams.extend(cams::decode::cam(node, faults));
+    }
     for node in items(f.get("gears"), "\"gears\"", faults) {
         raw.rolling.extend(rolling::gear(node, faults));
     }
@@ -110,7 +113,7 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Fault
 }
 
 /// The items of an optional list, within the limit.
-fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
     within(items, MAX_ENTRIES, &what, faults, |n| n.span)
@@ -352,7 +355,7 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
 }
 
 /// A number or an expression in quotation marks.
-fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
+pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
         Kind::Text(_) => (word(node, what, faults)?.text, false),
@@ -362,7 +365,7 @@ fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<R
 }
 
 /// Two quantities, such as coordinates.
-fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {
         [a, b] => {

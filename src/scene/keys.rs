@@ -11,6 +11,7 @@ pub(super) const SCENE: &[&str] = &[
     "points",
     "lengths",
     "guides",
+    "cams",
     "gears",
     "rolling",
     "driver",
@@ -33,3 +34,9 @@ pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "a
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
 pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];
+pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at"];
+pub(super) const ROLLER: &[&str] = &["pin", "radius"];
+pub(super) const FACE: &[&str] = &["through", "line", "angle", "offset", "cam"];
+pub(super) const CAM_PART: &[&str] = &["centre", "radius", "corner"];
+pub(super) const CAM_LAW: &[&str] = &["base", "start", "turns", "law"];
+pub(super) const CAM_STAGE: &[&str] = &["rise", "dwell", "return", "over", "law"];

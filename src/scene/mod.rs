@@ -4,6 +4,7 @@
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 pub mod book;
+pub mod cams;
 mod decode;
 pub mod edit;
 pub mod eval;

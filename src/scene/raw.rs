@@ -1,5 +1,6 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
+use super::cams::raw::RawCam;
 use crate::diag::Span;
 use crate::json::Word;
 
@@ -139,6 +140,7 @@ pub(super) struct RawScene {
     pub points: Vec<(Word, RawPlace)>,
     pub lengths: Vec<(Word, RawQuantity)>,
     pub guides: Vec<RawGuide>,
+    pub cams: Vec<RawCam>,
     pub rolling: Vec<RawRolling>,
     pub drivers: Vec<RawDriver>,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,

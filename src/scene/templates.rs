@@ -37,6 +37,9 @@ const FILES: &[(&str, &str)] = &[
     ("atkinson", include_str!("../../templates/atkinson.json")),
     ("radial-engine", include_str!("../../templates/radial-engine.json")),
     ("jansen-leg", include_str!("../../templates/jansen-leg.json")),
+    ("cam-eccentric", include_str!("../../templates/cam-eccentric.json")),
+    ("cam-valve-train", include_str!("../../templates/cam-valve-train.json")),
+    ("cam-offset-roller", include_str!("../../templates/cam-offset-roller.json")),
 ];
 
 /// What a template is, for lists.

@@ -132,6 +132,11 @@ impl<'a> Values<'a> {
             .collect()
     }
 
+    /// The parameters that something uses.
+    pub fn used_names(&self) -> HashSet<String> {
+        self.used.borrow().clone()
+    }
+
     /// The dimension of a parameter's value, which counts as used; `None` where there is none or it has a fault.
     pub fn dim(&self, name: &str) -> Option<Dim> {
         self.used.borrow_mut().insert(name.to_owned());

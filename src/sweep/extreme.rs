@@ -117,6 +117,9 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let scene = &posed(at_unit_speed(scene, driver)?, mechanism, driver);
     let placed = placed(scene, mechanism)?;
     let found = outputs_of(scene, mechanism, driver);
+    if scene.has_laws(driver) {
+        return Ok(walked(&placed, driver, &found));
+    }
     let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
         Ok(program) => program,
         // A group without a compiled form, or one that lies on it.

@@ -3,6 +3,7 @@
 //!
 //! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::accuracy::toggle::{driver_position, with_driver_at};
@@ -222,7 +223,8 @@ impl<'a> Follower<'a> {
         if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
             return self.by_newton(guess, travel);
         }
-        let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
+        let scene = self.with_followers(travel);
+        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, travel);
         let mut best = match later(guess) {
             Ok(found) => found,
             Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
@@ -241,9 +243,30 @@ impl<'a> Follower<'a> {
         Some(best)
     }
 
+    /// The scene with the followers of its cams where the driver's travel holds them; they stand there.
+    fn with_followers(&self, travel: f64) -> Cow<'_, Scene> {
+        if !self.scene.has_laws(self.driver) {
+            return Cow::Borrowed(&self.scene);
+        }
+        let mut scene = self.scene.clone();
+        if let Some(start) = driver_position(&scene, self.driver) {
+            let rate = std::mem::replace(&mut scene.drivers[self.driver].rate.value, 0.0);
+            scene.set_followers(self.driver, Some(start + travel));
+            scene.drivers[self.driver].rate.value = rate;
+        }
+        Cow::Owned(scene)
+    }
+
     fn by_newton(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         let mut values = newton::driver_values(&self.scene, self.base);
         values.0[self.driver] += travel;
+        let scene = self.with_followers(travel);
+        for t in scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == self.driver) {
+            if let Some(k) = t.by_law {
+                let gone = |s: &Scene| driver_position(s, k);
+                values.0[k] += gone(&scene).zip(gone(&self.scene)).map_or(0.0, |(there, here)| there - here);
+            }
+        }
         newton::moved(&self.scene, self.mechanism, guess, &values)
     }
 

@@ -119,7 +119,7 @@ impl<'a> Sweep<'a> {
                 Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into()
             );
         }
-        let program = compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find);
+        let program = compiled(placed, driver);
         Ok(Sweep { placed, driver, program })
     }
 
@@ -143,6 +143,7 @@ impl<'a> Sweep<'a> {
                 }
                 rows
             }
+            Err(_) if placed.scene.has_laws(*driver) => each(&general, stations),
             Err(note) => {
                 notes.push(note.clone());
                 let (rows, limits) = moved::follow(placed, *driver, stations);
@@ -154,6 +155,26 @@ impl<'a> Sweep<'a> {
         first.extend_from_slice(&stations.values);
         rows.into_table(placed, *driver, stations, first, notes)
     }
+}
+
+/// The program of a driver; none where followers of cams move with it by laws, which have no operation.
+fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+    let scene = placed.scene;
+    if scene.has_laws(driver) {
+        let message = both!("followers of cams move by laws: each position is solved by itself", "凸轮从动件按规律运动：逐个位置求解");
+        return Err(Diagnostic::note("no-kernel", message));
+    }
+    compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find)
+}
+
+/// All rows by the general solver, each by itself.
+fn each(general: &General, stations: &Stations) -> chunks::Rows {
+    let width = general.scene().find.iter().flat_map(compile::ask::names).count();
+    let columns = vec![vec![f64::NAN; stations.len()]; width];
+    let mut rows = chunks::Rows { columns, open: (0..stations.len()).collect(), ..Default::default() };
+    rows.complete(general, stations, &never, &|_| None);
+    rows.explain(general, stations);
+    rows
 }
 
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.

@@ -91,6 +91,14 @@ impl Variation {
     /// # Errors
     /// A name that is no parameter, or is named twice.
     pub fn new(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
+        if scene.has_momentary_cams() {
+            let message = both!(
+                "a cam by a law or by several pieces is replaced for one instant: its parameters cannot be varied in one table",
+                "按运动规律或多段廓线的凸轮只在一个瞬时被替代：不能在一张表中改变参数"
+            );
+            let d = Diagnostic::error("cam-varied", message);
+            return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
+        }
         let mut faults = Faults::default();
         let known: Vec<&str> = scene.parameters.iter().map(|p| p.0.as_str()).collect();
         let mut varied = Vec::new();

@@ -6,7 +6,7 @@
 
 use super::Placed;
 use super::extreme::Output;
-use super::follow::{Follower, Sweep};
+use super::follow::{Follower, Sweep, scene_at};
 use super::limit::Range;
 use super::moved::{Moved, event};
 use crate::analytic;
@@ -14,6 +14,7 @@ use crate::answer::Source;
 use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, PointId, Scene};
+use std::borrow::Cow;
 
 /// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
 const SAMPLES: usize = 360;
@@ -80,12 +81,12 @@ impl<'a> Walk<'a> {
         let travel = value - self.now;
         let poses = &self.sweep.poses;
         if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
-            return self.moving(&pose.configuration, output);
+            return self.moving(&pose.configuration, travel, output);
         }
         // At a limit two assemblies meet: from there Newton's method may go to either, from this side of it only to its own.
         let inner = poses.iter().enumerate().filter(|(k, _)| !self.sweep.is_limit(*k)).map(|(_, pose)| pose);
         let near = inner.min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
-        self.moving(&self.follower.at(&near.configuration, travel)?, output)
+        self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
     }
 
     /// How far two places of the driver are apart; on a full turn the end is the beginning.
@@ -95,8 +96,14 @@ impl<'a> Walk<'a> {
         if self.sweep.full { (d % period).min(period - d % period) } else { d }
     }
 
-    fn moving(&self, at: &Configuration, output: Output) -> Option<[f64; 3]> {
-        let Placed { scene, mechanism, .. } = self.placed;
+    fn moving(&self, at: &Configuration, travel: f64, output: Output) -> Option<[f64; 3]> {
+        let mechanism = self.placed.mechanism;
+        let there = if self.placed.scene.has_laws(self.driver) {
+            Cow::Owned(scene_at(self.placed.scene, self.driver, travel))
+        } else {
+            Cow::Borrowed(self.placed.scene)
+        };
+        let scene: &Scene = &there;
         let demand =
             Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;

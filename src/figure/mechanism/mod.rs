@@ -6,6 +6,7 @@
 //! Links and points without a place are left out.
 
 mod apart;
+mod cams;
 mod directions;
 mod form;
 mod letters;
@@ -145,12 +146,14 @@ impl<'a> Draft<'a> {
     fn everything(&mut self) {
         self.ground_guides();
         self.wheels();
+        self.cams();
         self.plates(true);
         self.carriers();
         self.blocks();
         self.plates(false);
         self.bars();
         self.cylinders();
+        self.equivalents();
         self.joints();
         self.contacts();
         self.drivers();

@@ -74,7 +74,7 @@ impl Draft<'_> {
         }
         self.hatched[g.0] = Some(-u.perp());
         let [back, on] = self.travel(g);
-        let middle = at + direction * ((back + on) / 2.0);
+        let middle = at + self.raised(g, direction) + direction * ((back + on) / 2.0);
         let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
         let items = self.as_opened(Opened::Guide(g), items);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
@@ -194,9 +194,13 @@ impl Draft<'_> {
                 continue;
             }
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
-            let Some((at, tangent)) = self.runner(g) else { continue };
+            let Some((pin, tangent)) = self.runner(g) else { continue };
+            let at = pin + self.raised(g, tangent);
             let items = sym::block(self.style, at, tangent.angle(), through);
             self.d.of_link(Some(slider.0));
+            if at != pin {
+                self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", sym::link(self.style, &[pin, at]));
+            }
             self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
             self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }
