@@ -42,6 +42,10 @@
 //!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps()`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
 //! - [`worked`]: the whole way as one call, each stage's result kept.
+//! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
+//!   speeds by centres beside those of drawing and analysis.
+//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
+//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -74,14 +78,17 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene mechanism position answer plan construct analytic accuracy
+//! gears      geom
+//! trains     scene
+//! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked sweep effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres trains sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres gears trains sweep report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -99,12 +106,14 @@ pub mod accuracy;
 pub mod analytic;
 pub mod answer;
 pub mod cam;
+pub mod centres;
 pub mod cli;
 pub mod construct;
 pub mod diag;
 pub mod digits;
 pub mod effort;
 pub mod figure;
+pub mod gears;
 pub mod geom;
 mod json;
 pub mod lesson;
@@ -117,6 +126,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod trains;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

@@ -17,6 +17,7 @@ use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
+use crate::scene::quantity::Form;
 use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
@@ -338,9 +339,16 @@ fn stages(
                 unanswered.push(Unanswered { find: i, refused: refused.clone() });
                 continue;
             }
-            return Err(Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text))
-                .at(find.span)
-                .into());
+            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
+            // A place that a formula of motion gives may be nowhere.
+            return Err(match find.what.entry().form {
+                Form::Point => none.help(both!(
+                    "in this pose it lies at infinity, or the links do not move; `hodograph centres` tells which",
+                    "该位置上它在无穷远处，或构件不动；详见 `hodograph centres`"
+                )),
+                Form::Scalar | Form::Vector => none,
+            }
+            .into());
         };
         let level = find.what.level();
         let scale = match level {
@@ -359,7 +367,10 @@ fn stages(
                 })
             }
         };
-        let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
+        let noise_of = |of: &Solution, value: &Value| match value {
+            Value::Point(_) => blur * configuration.extent(),
+            Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
+        };
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
             (_, None) if written.is_some() => 0.0,

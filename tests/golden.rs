@@ -10,12 +10,14 @@ mod pdf;
 #[path = "golden/worksheet.rs"]
 mod worksheet;
 
-use files::{CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden};
+use files::{CENTRES, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden};
 use hodograph::accuracy::{certify, steps};
+use hodograph::centres;
 use hodograph::effort::Work;
 use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
+use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
 use hodograph::figure::{groups, path, poses};
@@ -24,7 +26,7 @@ use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
-use hodograph::report::{answers, construction, drafting, plan, plan_json};
+use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::worked::{Scope, work};
@@ -141,8 +143,8 @@ fn kinds_of_figures_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
         let figure = match kind {
-            "inset" => single(&scene, &worked, &options, Single::Polygon(Level::Acceleration)).unwrap(),
-            "equations" => single(&scene, &worked, &options, Single::Equations).unwrap(),
+            "inset" => drawing(&scene, &worked, &options, Level::Acceleration).unwrap(),
+            "equations" => equations(&scene, &worked, &options).unwrap(),
             "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
             "overlay" => {
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());
@@ -154,6 +156,27 @@ fn kinds_of_figures_look_as_accepted() {
         };
         let drawn = svg::write(&figure).unwrap().value;
         check_png(&golden(name, &format!("{kind}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+    }
+    finish(&failures);
+}
+
+/// All centres of a mechanism as figure and as text.
+#[test]
+fn centres_look_as_accepted() {
+    let mut failures = Vec::new();
+    for name in CENTRES {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let found = centres::centres(&scene).unwrap().value;
+        for (lang, suffix) in LANGS {
+            let options = Options::of_language(lang);
+            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            let page = (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
+            let drawn = svg::write(&page).unwrap();
+            assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
+            check_png(&golden(name, &format!("centres.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            check_text(&golden(name, &format!("centres.{suffix}.txt")), &report_of_centres::text(&found, lang), &mut failures);
+        }
     }
     finish(&failures);
 }

@@ -1,6 +1,7 @@
 //! The arguments of every command.
 
-use super::values::{Format, Language, Picture, Text, Vectors, digits, dpi, length, steps};
+use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
+use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -48,6 +49,8 @@ pub enum Command {
     Limits(Limits),
     /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
     Mobility(Mobility),
+    /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
+    Centres(Centres),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -102,8 +105,8 @@ pub struct Draw {
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
     /// Which figures, each with files of its own: the whole sheet, or parts of it
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
-    pub figure: Vec<Picture>,
+    #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
+    pub figure: Vec<&'static Entry>,
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<Vectors>,
@@ -351,6 +354,16 @@ pub struct Cam {
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
+pub struct Centres {
+    #[command(flatten)]
+    pub common: Common,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(ClapArgs, Debug)]

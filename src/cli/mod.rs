@@ -6,6 +6,7 @@
 mod args;
 mod batch;
 mod cam;
+mod centres;
 mod curves;
 mod draw;
 mod files;
@@ -33,7 +34,7 @@ use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -68,6 +69,7 @@ pub fn main() -> ExitCode {
         Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
+        Command::Centres(a) => centres::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),
@@ -340,6 +342,7 @@ fn solve(a: args::Solve) -> Run {
         return Ok(verdict(&worked));
     }
     files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
+    files::print(&trains::text(&input.scene, &worked, lang))?;
     let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
     if drafting || a.steps {
         let steps = steps(&input.scene, &worked, worked.drafting.as_ref().map(|d| d.pencil_mm));

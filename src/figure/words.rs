@@ -14,6 +14,10 @@ pub struct Words {
     pub velocity_polygon: &'static str,
     /// Caption of the acceleration polygon.
     pub acceleration_polygon: &'static str,
+    /// Caption of the mechanism with its instantaneous centres.
+    pub centres: &'static str,
+    /// Caption of the circle diagram.
+    pub circle_diagram: &'static str,
     /// Heading of the velocity equations.
     pub velocities: &'static str,
     /// Heading of the acceleration equations.
@@ -93,6 +97,8 @@ const EN: Words = Words {
     diagram: "Kinematic diagram",
     velocity_polygon: "Velocity polygon",
     acceleration_polygon: "Acceleration polygon",
+    centres: "Instantaneous centres",
+    circle_diagram: "Circle diagram",
     velocities: "Velocities",
     accelerations: "Accelerations",
     results: "Results",
@@ -136,6 +142,8 @@ const ZH: Words = Words {
     diagram: "机构运动简图",
     velocity_polygon: "速度多边形",
     acceleration_polygon: "加速度多边形",
+    centres: "速度瞬心",
+    circle_diagram: "点元图（点元法）",
     velocities: "速度分析",
     accelerations: "加速度分析",
     results: "结果",

@@ -40,6 +40,8 @@ pub struct Checked {
     pub verdict: Verdict,
     /// By how much it is off at most (m), the pose included.
     pub off_m: f64,
+    /// The driver that moved it, if any does.
+    pub driver: Option<usize>,
     /// By how much the driver was moved for that (rad or m); 0 in the pose.
     pub moved: f64,
     /// The bound of the error of these numbers (m), where they are proved.
@@ -145,7 +147,7 @@ pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Resu
         false => Verdict::Locked,
     };
     let reason = reason(scene, m, opened, &at, ALMOST);
-    Ok(Checked { index, verdict, off_m, moved, bound_m, positions: stations.len(), reason })
+    Ok(Checked { index, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
 }
 
 /// All positions that tell of a pair.

@@ -198,7 +198,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
             let pair = &scene.rolling[r.0];
             let [a, b] = pair.links.map(|l| scene.link_name(l));
             let words = match pair.toothed {
-                true => both!("the mesh of links {a} and {b}", "构件 {a} 与 {b} 的啮合"),
+                true => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
                 false => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
             };
             (words, pair.span)
@@ -210,12 +210,12 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
 }
 
 /// How far the driver was moved.
-fn way_words(scene: &Scene, moved: f64) -> Option<Both> {
-    let driver = scene.drivers.first().filter(|_| moved != 0.0)?;
-    let turns = matches!(driver.kind, DriverKind::Turn { .. });
-    let (name, _) = scene.driver_name(0);
+fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
+    let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
+    let turns = matches!(scene.drivers[driver].kind, DriverKind::Turn { .. });
+    let (name, _) = scene.driver_name(driver);
     let by = if turns { format!("{}°", significant(moved.to_degrees(), 3)) } else { scene.length_words(moved) };
-    Some(both!("when {name} changes by {by}", "{name} 改变 {by} 时"))
+    Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
 }
 
 /// Given lengths that are equal to that of an opened link but for a little.
@@ -243,8 +243,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
     let (what, span) = opened_words(scene, opened);
     let why = checked.reason.words(scene, checked.positions);
     let off = scene.length_words(checked.off_m);
-    let when = way_words(scene, checked.moved).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
-    let positions = checked.positions;
+    let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
+    let (positions, freedom) = (checked.positions, m.mobility.freedom);
     match checked.verdict {
         Verdict::Virtual => {
             let bound = match checked.bound_m {
@@ -288,8 +288,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
         Verdict::Shaky => Diagnostic::error(
             "shaky",
             both!(
-                "{} locks the mechanism: it holds in this pose and to first order about it only, and is off by {off} {}",
-                "{} 使机构卡死：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
+                "{} locks the mechanism, mobility F = {freedom}: it holds in this pose and to first order about it only, and is off by {off} {}",
+                "{} 使机构卡死，自由度 F = {freedom}：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
                 what,
                 when
             ),
@@ -299,8 +299,8 @@ pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Dia
         Verdict::Locked => Diagnostic::error(
             "locked",
             both!(
-                "{} locks the mechanism: {} would have to give {off} {}",
-                "{} 使机构卡死：{2}，{1}须让出 {off}",
+                "{} locks the mechanism, mobility F = {freedom}: {} would have to give {off} {}",
+                "{} 使机构卡死，自由度 F = {freedom}：{2}，{1}须让出 {off}",
                 what,
                 joint(scene, m, opened),
                 when

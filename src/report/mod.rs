@@ -2,6 +2,8 @@
 
 pub mod answers;
 pub mod cam;
+pub mod centres;
+pub mod centres_json;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;
@@ -15,3 +17,4 @@ pub mod plan_json;
 pub mod price;
 pub mod statement;
 pub mod table;
+pub mod trains;

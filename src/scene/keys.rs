@@ -26,8 +26,24 @@ pub(super) const TEXT: &[&str] = &["en", "zh"];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
 pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];
-pub(super) const GEAR: &[&str] =
-    &["links", "centres", "radii", "teeth", "module", "ring", "rack", "line", "through", "angle", "at", "phase"];
+pub(super) const GEAR: &[&str] = &[
+    "links",
+    "centres",
+    "radii",
+    "teeth",
+    "module",
+    "ring",
+    "rack",
+    "line",
+    "through",
+    "angle",
+    "at",
+    "phase",
+    "pressure_angle",
+    "shift",
+    "addendum",
+    "clearance",
+];
 pub(super) const ROLLING: &[&str] =
     &["wheel", "centre", "radius", "on", "line", "through", "angle", "track", "track_radius", "inside", "at", "phase"];
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];

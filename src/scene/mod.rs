@@ -31,7 +31,7 @@ mod written;
 pub use book::{Book, Kind};
 pub use model::*;
 pub use quantity::{Asked, Axis};
-pub use rolling::{Contours, Rolling, RollingId, Sizes};
+pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

@@ -69,7 +69,17 @@ pub(super) struct RawRolling {
     pub angle: Option<RawQuantity>,
     pub at: Option<Word>,
     pub phase: Option<RawQuantity>,
+    pub flanks: RawFlanks,
     pub span: Span,
+}
+
+/// What the file says of a gear pair's flanks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawFlanks {
+    pub pressure_angle: Option<RawQuantity>,
+    pub shift: Option<Vec<RawQuantity>>,
+    pub addendum: Option<RawQuantity>,
+    pub clearance: Option<RawQuantity>,
 }
 
 /// One link of a rolling pair.

@@ -20,8 +20,8 @@ const PLANET: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1
               {"links": ["4","1"], "centres": ["Q","O"], "radii": [30,90], "ring": "1", "at": "E"}],
     "driver": {"link": "2", "omega": "-10 rad/s"}, "find": ["v_K4","v_B","v_C","omega_6","alpha_6","a_E4","a_B","omega_3"]}"#;
 
-/// Each with how far it is swept (rad).
-const SCENES: [(&str, &str, f64); 9] = [
+/// Each with how far it is swept (rad, m).
+const SCENES: [(&str, &str, f64); 11] = [
     ("mesh", FAST, 3.0 * TAU),
     ("planet", PLANET, 0.5 * TAU),
     (
@@ -81,6 +81,22 @@ const SCENES: [(&str, &str, f64); 9] = [
         "driver": {"link": "3", "omega": "2 rad/s"}, "find": ["x_C","v_C","v_M","a_M"]}"#,
         4.0 * TAU,
     ),
+    (
+        "planet on a drag link",
+        r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A","D"], "2": ["A","B"], "3": ["B","C"], "4": ["C","D"], "6": ["C","E"]},
+        "ground": "1", "points": {"A": [0,0], "B": [0,60], "C": [70,45], "D": [20,0], "E": [80,60]},
+        "gears": [{"links": ["1","6"], "centres": ["D","C"], "teeth": [30,20]}],
+        "driver": {"link": "2", "omega": "10 rad/s"}, "find": ["phi_6","omega_6","alpha_6","v_E","a_E"]}"#,
+        4.3 * TAU,
+    ),
+    (
+        "rack that is pushed",
+        r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A"], "2": ["A","B"], "5": ["E"]}, "ground": "1",
+        "points": {"A": [0,0], "B": [30,20], "E": [50,-40]}, "guides": [{"slider": "5", "on": "1", "angle": "0 deg"}],
+        "gears": [{"links": ["2","5"], "centres": ["A"], "radii": [40], "rack": "5", "angle": "0 deg", "at": "K"}],
+        "driver": {"slide": "5", "position": "50 mm", "velocity": "0.3 m/s"}, "find": ["omega_2","alpha_2","v_B","a_B","v_E"]}"#,
+        0.9,
+    ),
 ];
 
 fn with<T>(text: &str, see: impl FnOnce(&Placed) -> T) -> T {
@@ -117,7 +133,8 @@ fn compiled_is_what_newton_finds() {
     for (name, text, reach) in SCENES {
         with(text, |placed| {
             let now = super::station::position_now(placed.scene, &placed.at, 0);
-            let stations = Stations::slid(now, now + reach, 60, 1.0);
+            let per_value = super::station::angle_per_value(placed.scene, &placed.at, 0);
+            let stations = Stations::slid(now, now + reach, 60, per_value);
             same(name, &both(name, placed, &stations), 1e-9);
         });
     }
@@ -126,11 +143,17 @@ fn compiled_is_what_newton_finds() {
 /// Every velocity is followed by the acceleration of the same point or link in `find`: differences of the first are the second.
 #[test]
 fn compiled_rates_are_differences() {
-    let pairs = [("mesh", "phi_3", "omega_3"), ("gear on a coupler", "omega_5", "alpha_5"), ("disc in a groove", "omega_4", "alpha_4")];
+    let pairs = [
+        ("mesh", "phi_3", "omega_3"),
+        ("gear on a coupler", "omega_5", "alpha_5"),
+        ("planet on a drag link", "phi_6", "omega_6"),
+        ("disc in a groove", "omega_4", "alpha_4"),
+    ];
     let points = [
         ("mesh", "C"),
         ("planet", "B"),
         ("gear on a coupler", "E"),
+        ("planet on a drag link", "E"),
         ("two planets on one arm", "B"),
         ("rack and pinion", "B"),
         ("wheel that drives itself", "M"),

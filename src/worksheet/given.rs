@@ -1,4 +1,6 @@
-//! What is given, as a list: lengths, fixed points, guides, drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides, gears and wheels ([`rolling`]), drivers. Numbers as the scene writes them.
+
+mod rolling;
 
 use super::Maker;
 use crate::digits::{self, shortest};
@@ -27,8 +29,10 @@ impl Maker<'_> {
         if !places.is_empty() {
             all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
         }
-        let guides = self.scene.guides.iter().enumerate().filter(|(g, _)| !self.is_contact(*g));
+        // The guides that rolling pairs and cams bring with them are not in the file.
+        let guides = self.scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
         all.extend(guides.map(|(_, g)| self.guide(g)));
+        all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
         all.extend(self.scene.cams.iter().map(|c| self.cam(c)));
         all.extend((0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.driver(d)));
         all.push(match self.lang() {

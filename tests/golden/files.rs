@@ -47,6 +47,9 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
 /// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
 pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
 
+/// Figures of centres: a crank-rocker, a shaper with centres at infinity.
+pub const CENTRES: [&str; 2] = ["crank-rocker", "shaper"];
+
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -68,6 +71,7 @@ fn kept() -> BTreeSet<String> {
     CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
     PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
     POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
+    CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.png", "centres.LANG.txt"]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all

@@ -103,7 +103,7 @@ impl Draft<'_> {
             return;
         }
         let radius = match wheel {
-            Some((_, _, rim)) => rim + RIM_OFF_MM + wider_mm,
+            Some((_, _, rim)) => rim + RIM_OFF_MM,
             None => (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm,
         };
         let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };

@@ -86,6 +86,16 @@ pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     draft.d
 }
 
+/// The same with its links numbered, and without what belongs to the polygons: special points and directions.
+pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
+    let alone = Course::default();
+    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    draft.constructed = false;
+    draft.everything();
+    draft.numbers();
+    draft.d
+}
+
 /// The diagram in the making.
 struct Draft<'a> {
     style: &'a Style,

@@ -17,9 +17,11 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let (ring, rack, line, at) = (name("ring"), name("rack"), name("line"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (module, angle, phase) = (value("module"), value("angle"), value("phase"));
+    let (pressure_angle, addendum, clearance) = (value("pressure_angle"), value("addendum"), value("clearance"));
     let mut values = |key: &str| f.get(key).map(|n| quantities(n, key, faults));
-    let (radii, teeth) = (values("radii"), values("teeth"));
+    let (radii, teeth, shift) = (values("radii"), values("teeth"), values("shift"));
     let through = through(&f, faults);
+    let flanks = RawFlanks { pressure_angle, shift, addendum, clearance };
     if faults.list.len() > before {
         return None;
     }
@@ -86,7 +88,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
             return None;
         }
     };
-    Some(RawRolling { sides, sizes, toothed: true, line, through, angle, at, phase, span: node.span })
+    Some(RawRolling { sides, sizes, toothed: true, line, through, angle, at, phase, flanks, span: node.span })
 }
 
 /// A wheel that rolls without slip on a straight or round track.
@@ -142,7 +144,18 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     }
     let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
     let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
-    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, through, angle, at, phase, span: node.span })
+    Some(RawRolling {
+        sides,
+        sizes: RawSizes::Radii(radii),
+        toothed: false,
+        line,
+        through,
+        angle,
+        at,
+        phase,
+        flanks: RawFlanks::default(),
+        span: node.span,
+    })
 }
 
 fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {

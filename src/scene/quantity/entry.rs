@@ -124,6 +124,11 @@ impl Entry {
         Entry { several: Some(several), ..self }
     }
 
+    /// As deep as this, where its kind alone does not say it.
+    pub(super) const fn at_level(self, level: Level) -> Entry {
+        Entry { level, ..self }
+    }
+
     /// Counted from a chosen place or direction.
     pub(super) const fn from_origin(self) -> Entry {
         Entry { from_origin: true, ..self }

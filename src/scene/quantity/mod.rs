@@ -9,6 +9,7 @@
 //! One without it is reckoned by its own formula ([`Asked::value`]) from places, vectors and angular velocities.
 
 mod cam;
+mod centre;
 mod entry;
 mod joined;
 mod level;
@@ -23,6 +24,7 @@ mod turning;
 mod value;
 
 pub use cam::CamQuantity;
+pub use centre::InstantCentre;
 pub use entry::{Entry, Form, Of, Over};
 pub use joined::{Joined, joined};
 pub use level::{Level, Need, Rate};
@@ -148,6 +150,8 @@ families! {
     Place,
     /// `s_3`, `pressure_3`, `rho_2/3`: of a cam and its follower.
     CamQuantity,
+    /// `P_24`: the instantaneous centre of two links.
+    InstantCentre,
 }
 
 impl Asked {

@@ -152,6 +152,38 @@ impl Question<'_> {
         self.c.names.link_in(name, self.word)
     }
 
+    /// Two different links, their names one after the other: `24`, `2,10`, `2/4`.
+    ///
+    /// # Errors
+    /// Names that are no two links, that could be read in two ways, or twice the same.
+    pub fn two_links(&self) -> Result<[LinkId; 2], Diagnostic> {
+        let names = self.names;
+        if let Some((a, b)) = names.split_once([',', '/']) {
+            return self.different([self.link(a.trim())?, self.link(b.trim())?]);
+        }
+        let cuts = names.char_indices().skip(1).map(|(k, _)| names.split_at(k));
+        let found: Vec<[LinkId; 2]> = cuts.filter_map(|(a, b)| Some([self.link(a).ok()?, self.link(b).ok()?])).collect();
+        match found[..] {
+            [links] => self.different(links),
+            _ => {
+                let d = self.fault(both!("`{}` does not name two links", "`{}` 没有写明两个构件", self.text()));
+                Err(d.help(both!("write the two names with a comma, such as {}_1,3", "请用逗号隔开两个构件名，如 {}_1,3", self.symbol)))
+            }
+        }
+    }
+
+    fn different(&self, links: [LinkId; 2]) -> Result<[LinkId; 2], Diagnostic> {
+        if links[0] == links[1] {
+            return Err(self.fault(both!("`{}` names one link twice", "`{}` 两次写了同一构件", self.text())));
+        }
+        Ok(links)
+    }
+
+    /// The first point of a link.
+    pub fn first_point(&self, link: LinkId) -> Option<PointId> {
+        self.c.names.links[link.0].points.first().copied()
+    }
+
     /// Two different points.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
 
-use super::super::rolling::{Contours, Rolling, RollingId, Sizes};
+use super::super::rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
 use super::*;
 
 /// Most teeth of a gear: more are a mistyped number.
@@ -68,6 +68,7 @@ fn pair(
         );
         faults.push(Diagnostic::error("contact-point", message).at(raw.at.as_ref().map_or(raw.span, |w| w.span)).help(help));
     }
+    let flanks = flanks(c, raw, faults);
     let phase = transpose(phase)?;
     if let Some(q) = &raw.phase
         && [a, b].iter().all(|side| stands(c, side.link, places))
@@ -95,7 +96,7 @@ fn pair(
         out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
         GuideId(first_guide + out.guides.len() - 1)
     });
-    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, span: raw.span })
+    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, flanks: flanks?, span: raw.span })
 }
 
 /// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
@@ -245,6 +246,8 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
             larger(c, raw, hollow, [f64::from(za), f64::from(zb)], faults)?;
             match module {
                 None => (Sizes::Teeth([za, zb]), None),
+                // Shifted gears run at the distance that their centres have.
+                Some(_) if raw.flanks.shift.is_some() => (Sizes::Teeth([za, zb]), None),
                 Some(module) => {
                     c.values.positive_length(module, both!("the module", "模数"), faults)?;
                     let radius = |z: u32, q: &RawQuantity| {
@@ -302,6 +305,78 @@ fn distance(
         return None;
     }
     Some(Length { a: p, b: q, value: sum(c, a, b, hollow)? })
+}
+
+/// Pressure angles beyond this (rad) are mistyped: 20° is usual, 14.5° to 30° are made.
+const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// The flanks of two gears; `None` where something about them is wrong, `Some(None)` where nothing is known of them.
+fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<Flanks>> {
+    let RawFlanks { pressure_angle, shift, addendum, clearance } = &raw.flanks;
+    let any = [pressure_angle, addendum, clearance].into_iter().flatten().chain(shift.iter().flatten()).next();
+    let (teeth, module) = match &raw.sizes {
+        RawSizes::Teeth(teeth, module) if raw.sides.iter().all(|s| s.centre.is_some()) && teeth.len() == 2 => (teeth, module),
+        RawSizes::Teeth(..) | RawSizes::Radii(_) => {
+            let Some(first) = any else { return Some(None) };
+            let message =
+                both!("flanks are given of a pair that is not two gears with `teeth`", "给出了齿廓参数，但该副不是给出 `teeth` 的两个齿轮");
+            faults.push(
+                Diagnostic::error("gear-flanks", message)
+                    .at(first.span)
+                    .help(both!("give \"teeth\": [20, 40], or leave the flanks away", "请给出 \"teeth\": [20, 40]，或去掉齿廓参数")),
+            );
+            return None;
+        }
+    };
+    let mut wrong = |q: &RawQuantity, what: Both| {
+        faults.push(Diagnostic::error("gear-flanks", what).at(q.span));
+        None::<f64>
+    };
+    let alpha = match pressure_angle {
+        None => Some(20.0_f64.to_radians()),
+        Some(q) => match c.values.angle(q, &mut Faults::default()).map(|a| a.value.radians()) {
+            Some(a) if a > 0.0 && a <= STEEPEST_RAD => Some(a),
+            _ => {
+                wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", "`{}` 不能作压力角：应大于 0 且不超过 45 deg", q.text))
+            }
+        },
+    };
+    let number = |q: &RawQuantity| {
+        // A number has no dimension of its own in the table of units: it is read as so many metres.
+        let text = RawQuantity { text: format!("({})*(1 m)", q.text), span: q.span, bare: false };
+        c.values.si(&text, Wanted::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
+    };
+    let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
+        None => Some(usual),
+        Some(q) => number(q).filter(|x| *x >= least && *x <= 3.0).or_else(|| {
+            wrong(
+                q,
+                both!("`{}` is no part of a module: a number from {least} to 3", "`{}` 不是模数的倍数：应为 {least} 到 3 的数", q.text),
+            )
+        }),
+    };
+    let (addendum, clearance) = (part(addendum, 1.0, 0.1), part(clearance, 0.25, 0.0));
+    let shifts: Vec<Option<f64>> = shift
+        .iter()
+        .flatten()
+        .map(|q| {
+            number(q).filter(|x| x.abs() <= 5.0).or_else(|| {
+                wrong(
+                    q,
+                    both!("`{}` is no profile shift: a number from −5 to 5, in modules", "`{}` 不是变位系数：应为 −5 到 5 的数", q.text),
+                )
+            })
+        })
+        .collect();
+    if shifts.len() > 2 {
+        wrong(&shift.as_ref()?[2], both!("two gears have two profile shifts", "两个齿轮只有两个变位系数"));
+    }
+    let teeth: Vec<u32> = teeth.iter().filter_map(|z| z.text.trim().parse().ok()).collect();
+    let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
+    let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
+    let &[a, b] = &teeth[..] else { return Some(None) };
+    let (pressure_angle, addendum, clearance) = (alpha?, addendum?, clearance?);
+    (shifts.len() <= 2).then_some(Some(Flanks { teeth: [a, b], module, pressure_angle, shifts, addendum, clearance }))
 }
 
 /// A number of teeth.

@@ -1,11 +1,10 @@
 //! Rolling pairs as operations: the angles of trains, wheels and racks on straight tracks, places of contact.
 //!
-//! What a train is made of ([`Train`]) turns by a sum of angles: the driver's, which is multiplied by a whole ratio without losing a digit
-//! ([`Geared`]), and those of lines that no train tells. Of such a line its place in a turn is not enough. It turns by so many whole
-//! turns with every turn of the driver, which is found once, by following it through a period; and less than half a turn to either side of
-//! that ([`Against`]).
+//! What a [`Train`] is made of turns by a sum of angles: the driver's times a whole ratio ([`Geared`]), and those of lines that no train
+//! tells. Such a line turns by whole turns with the driver's, found once by following it, and by less than half a turn beside ([`Against`]).
 
 use super::{Compiler, NoKernel, Spot};
+use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::mechanism::{Constraint, Level};
 use crate::position::{Path, Pose};
@@ -83,8 +82,7 @@ impl Compiler<'_> {
         Ok(true)
     }
 
-    /// The links of a group of rolling ones, each with the pin at which it hangs, in an order in which each pin is placed before;
-    /// `None` where they hang otherwise.
+    /// The links of a group of rolling ones with the pins at which they hang, each placed before; `None` where they hang otherwise.
     fn hung(&self, g: usize) -> Option<Vec<(LinkId, PointId)>> {
         let group = &self.m.groups[g];
         let constraints = || group.constraints.iter().map(|&c| self.m.constraints[c]);
@@ -231,7 +229,14 @@ impl Compiler<'_> {
         match source {
             Source::Link(l) => self.lost(l),
             Source::Way(r) => self.lost(self.scene.rolling[r.0].links[1]),
-            Source::Line(..) | Source::Driver(_) => self.lost(self.scene.ground),
+            Source::Line(a, b) => {
+                let (a, b) = (self.scene.point_name(a), self.scene.point_name(b));
+                Diagnostic::note(
+                    "no-kernel",
+                    both!("the turns of line {a}{b} cannot be counted beforehand", "直线 {a}{b} 的转数无法预先确定"),
+                )
+            }
+            Source::Driver(d) => Diagnostic::note("no-kernel", both!("{} does not turn", "{} 不转动", self.scene.driver_name(d).0)),
         }
     }
 
