@@ -9,8 +9,8 @@ use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::Configuration;
-use crate::scene::exact::Inputs;
 use crate::scene::Scene;
+use crate::scene::exact::Inputs;
 
 /// Draws a plan.
 ///
