@@ -39,6 +39,8 @@
 //!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps()`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
 //!   what was done for it.
 //! - [`worked`]: the whole way as one call, each stage's result kept.
+//! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
+//!   speeds by centres beside those of drawing and analysis.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -69,15 +71,16 @@
 //! construct  diag digits number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
-//! worked     diag scene mechanism position answer plan construct analytic accuracy
+//! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked sweep effort figure* render*
+//! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked centres sweep effort figure* render*
 //! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag json scene mechanism position plan accuracy worked sweep effort report figure render worksheet lesson
+//! cli        diag json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -94,6 +97,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod centres;
 pub mod cli;
 pub mod construct;
 pub mod diag;

@@ -15,7 +15,7 @@ use hodograph::accuracy::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::mechanism::Overlay;
-use hodograph::figure::sheet::{Options, Single, diagram, sheet, single};
+use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
 use hodograph::figure::{path, poses};
@@ -141,8 +141,8 @@ fn kinds_of_figures_look_as_accepted() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
         let figure = match kind {
-            "inset" => single(&scene, &worked, &options, Single::Polygon(Level::Acceleration)).unwrap(),
-            "equations" => single(&scene, &worked, &options, Single::Equations).unwrap(),
+            "inset" => drawing(&scene, &worked, &options, Level::Acceleration).unwrap(),
+            "equations" => equations(&scene, &worked, &options).unwrap(),
             "step" => steps_of::figures(&scene, &worked, &options).swap_remove(11),
             "overlay" => {
                 let point = PointId(scene.points.iter().position(|p| p.name == "S").unwrap());

@@ -1,6 +1,7 @@
 //! The arguments of every command.
 
-use super::values::{Format, Language, Picture, Text, Vectors, digits, dpi, length, steps};
+use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
+use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -44,6 +45,8 @@ pub enum Command {
     Path(Path),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
+    /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
+    Centres(Centres),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -98,8 +101,8 @@ pub struct Draw {
     #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
     pub format: Vec<Format>,
     /// Which figures, each with files of its own: the whole sheet, or parts of it
-    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Picture::Sheet])]
-    pub figure: Vec<Picture>,
+    #[arg(long, value_parser = figures(), value_delimiter = ',', default_value = USUAL.name)]
+    pub figure: Vec<&'static Entry>,
     /// With the mechanism: vectors of this kind at its points
     #[arg(long, value_enum, conflicts_with = "steps")]
     pub vectors: Option<Vectors>,
@@ -300,6 +303,16 @@ pub struct Limits {
     /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
+pub struct Centres {
+    #[command(flatten)]
+    pub common: Common,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -2,14 +2,13 @@
 
 use super::args;
 use super::together::Together;
-use super::values::{Format, Picture, Vectors};
+use super::values::{Format, Vectors};
 use super::{Failure, Input, Run, Told, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Span, Warned, both};
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
-use crate::figure::mechanism::Overlay;
-use crate::figure::poses;
-use crate::figure::sheet::{Options, Single, diagram, sheet, single};
+use crate::figure::list::{self, Entry, Extras, Pages, Wanted};
+use crate::figure::sheet::Options;
 use crate::figure::steps;
 use crate::figure::style::{self, Style};
 use crate::json::fields::suggest;
@@ -34,8 +33,9 @@ pub fn run(a: args::Draw) -> Run {
     let figures = if a.steps {
         steps::figures(&input.scene, &worked, &options).into_iter().enumerate().map(|(k, f)| (format!("step-{:02}", k + 1), f)).collect()
     } else {
-        let with = with_mechanism(&input.scene, &worked, &a)?;
-        let Warned { value, notes } = pictures(&input.scene, &worked, &options, &a, &with).map_err(|f| input.failed(f))?;
+        let extras = extras(&input.scene, &worked, &a)?;
+        let wanted = Wanted { scene: &input.scene, worked: &worked, options: &options, extras: &extras };
+        let Warned { value, notes } = pictures(&wanted, asked(&a, &extras)).map_err(|f| input.failed(f))?;
         input.notes.extend(notes);
         value
     };
@@ -126,63 +126,34 @@ fn read_style(name: &str) -> Result<Style, Failure> {
 }
 
 /// The figures asked for, each with the word that its file is named after.
-fn pictures(
-    scene: &Scene,
-    worked: &Worked,
-    options: &Options,
-    a: &args::Draw,
-    with: &WithMechanism,
-) -> Result<Warned<Vec<(String, Figure)>>, Faults> {
-    let which = with.figures(a);
+fn pictures(wanted: &Wanted, asked: &[&'static Entry]) -> Result<Warned<Pages>, Faults> {
     let mut out = Vec::new();
     let mut notes = Vec::new();
     let mut missing = Faults::default();
-    for (k, p) in which.iter().enumerate() {
-        if which[..k].contains(p) {
+    for (k, entry) in asked.iter().enumerate() {
+        if asked[..k].iter().any(|e| e.name == entry.name) {
             continue;
         }
-        let (word, figure) = match p {
-            Picture::Sheet if a.poses > 0 => {
-                let wanted = poses::Wanted { count: usize::from(a.poses), driver: 0, points: with.points.clone() };
-                let sheets = poses::sheets(scene, worked, options, &wanted)?;
-                notes.extend(sheets.notes);
-                let one = sheets.value.len() == 1;
-                let word = |page: usize| if one { "poses".to_owned() } else { format!("poses-{}", page + 1) };
-                out.extend(sheets.value.into_iter().enumerate().map(|(page, f)| (word(page), f)));
-                continue;
-            }
-            Picture::Sheet => ("", Some(sheet(scene, worked, options)?)),
-            Picture::Mechanism if with.asked(a) => ("mechanism", Some(diagram(scene, worked, options, &with.overlay(scene, worked, a)))),
-            Picture::Mechanism => ("mechanism", single(scene, worked, options, Single::Mechanism)),
-            Picture::Velocity => ("velocity", single(scene, worked, options, Single::Polygon(Level::Velocity))),
-            Picture::Acceleration => ("acceleration", single(scene, worked, options, Single::Polygon(Level::Acceleration))),
-            Picture::Equations => ("equations", single(scene, worked, options, Single::Equations)),
-            Picture::Results => ("results", single(scene, worked, options, Single::Results)),
-        };
-        match figure {
-            Some(f) => out.push((word.to_owned(), f)),
-            None => {
-                let d =
-                    Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
-                missing.push(d.help(both!(
-                    "ask for one in \"find\", or leave `{word}` out of --figure",
-                    "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
-                )));
-            }
+        let pages = (entry.draw)(wanted)?;
+        notes.extend(pages.notes);
+        if pages.value.is_empty() {
+            let word = entry.name;
+            let d = Diagnostic::error("no-figure", both!("the scene's questions call for no figure `{word}`", "所求的量用不到图 `{word}`"));
+            missing.push(d.help(both!(
+                "ask for one in \"find\", or leave `{word}` out of --figure",
+                "请在 \"find\" 中求相应的量，或从 --figure 中去掉 `{word}`"
+            )));
         }
+        out.extend(pages.value);
     }
     if missing.has_errors() { Err(missing) } else { Ok(Warned { value: out, notes }) }
 }
 
 /// What is drawn with the mechanism.
-struct WithMechanism {
-    vectors: Option<Level>,
-    points: Vec<PointId>,
-}
-
+///
 /// # Errors
 /// Vectors that the questions do not call for, points that the scene does not have.
-fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<WithMechanism, Failure> {
+fn extras(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<Extras, Failure> {
     let (vectors, word) = match a.vectors {
         Some(Vectors::Velocity) => (Some(Level::Velocity), "velocity"),
         Some(Vectors::Acceleration) => (Some(Level::Acceleration), "acceleration"),
@@ -196,7 +167,7 @@ fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<With
         wrong.push(Told::argument("--vectors", word, d));
     }
     match points_named(scene, &a.path, "--path") {
-        Ok(points) if wrong.is_empty() => Ok(WithMechanism { vectors, points }),
+        Ok(points) if wrong.is_empty() => Ok(Extras { vectors, dimensions: a.dimensions, poses: usize::from(a.poses), points }),
         Ok(_) => Err(Failure::Input(wrong)),
         Err(unknown) => {
             wrong.push(unknown);
@@ -205,25 +176,10 @@ fn with_mechanism(scene: &Scene, worked: &Worked, a: &args::Draw) -> Result<With
     }
 }
 
-impl WithMechanism {
-    /// Whether anything is.
-    fn asked(&self, a: &args::Draw) -> bool {
-        self.vectors.is_some() || a.dimensions || a.poses > 0 || !self.points.is_empty()
-    }
-
-    /// The figures to draw: what goes with the mechanism alone asks for it; positions have a sheet of their own.
-    fn figures<'a>(&self, a: &'a args::Draw) -> &'a [Picture] {
-        let alone = self.vectors.is_some() || a.dimensions || a.poses == 0 && !self.points.is_empty();
-        if alone && !a.figure.contains(&Picture::Mechanism) { &[Picture::Mechanism] } else { &a.figure }
-    }
-
-    fn overlay(&self, scene: &Scene, worked: &Worked, a: &args::Draw) -> Overlay {
-        let overlay = Overlay { vectors: self.vectors, dimensions: a.dimensions, ..Overlay::default() };
-        if a.poses > 0 || !self.points.is_empty() {
-            return overlay.with_motion(scene, worked, usize::from(a.poses), &self.points);
-        }
-        overlay
-    }
+/// The figures to draw: what goes with the mechanism alone asks for it.
+fn asked<'a>(a: &'a args::Draw, extras: &Extras) -> &'a [&'static Entry] {
+    let there = a.figure.iter().any(|e| e.name == list::MECHANISM.name);
+    if extras.of_mechanism_alone() && !there { &[list::MECHANISM] } else { &a.figure }
 }
 
 /// The points with the names that an option lists.

@@ -4,6 +4,7 @@
 
 use super::args::Args;
 use super::lang;
+use crate::figure::list::LIST;
 use crate::scene::Lang;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, Command, CommandFactory};
@@ -69,7 +70,8 @@ fn entry(command: &str, argument: &str) -> Option<&'static str> {
 
 /// The help as it was printed, its headings and the names of choices in Chinese.
 fn headings(text: &str) -> String {
-    HEADINGS.iter().fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
+    let figures = LIST.iter().map(|e| (e.about[0], e.about[1]));
+    HEADINGS.iter().copied().chain(figures).fold(text.to_owned(), |text, (en, zh)| text.replace(en, zh))
 }
 
 /// What is wrong with the arguments, or the help that they ask for, in Chinese.
@@ -124,7 +126,7 @@ pub fn no_value(text: &crate::diag::Both) -> String {
     lang::of(text).to_owned()
 }
 
-/// What the printer of the help writes by itself, and the choices of an argument.
+/// What the printer of the help writes by itself, and the choices of an argument; those of figures come from their list.
 const HEADINGS: &[(&str, &str)] = &[
     ("Usage:", "用法："),
     ("Commands:", "命令："),
@@ -133,12 +135,6 @@ const HEADINGS: &[(&str, &str)] = &[
     ("Possible values:", "可选值："),
     ("[default: ", "[默认："),
     ("[possible values: ", "[可选值："),
-    ("The whole sheet", "整张图"),
-    ("The kinematic diagram", "机构运动简图"),
-    ("The velocity polygon", "速度多边形"),
-    ("The acceleration polygon", "加速度多边形"),
-    ("The equations with their tables", "矢量方程及其表格"),
-    ("The results", "结果"),
     ("Velocities", "速度"),
     ("Accelerations", "加速度"),
     ("Outlines", "轮廓"),
@@ -226,6 +222,9 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("path", "output", "以 .svg、.png 或 .pdf 结尾的文件（默认：按机构文件命名）"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速比系数、传动角、格拉斯霍夫类型"),
     ("limits", "json", "结果为 JSON，国际单位制"),
+    ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
+    ("centres", "*after", "带点元法圆图的图：hodograph draw SCENE --figure centres -o centres.svg"),
+    ("centres", "json", "结果为 JSON，国际单位制"),
     ("new", "", "写出模板的机构文件，可改参数"),
     ("new", "template", "模板的名称（见 `hodograph templates`）"),
     ("new", "set", "改变参数的值：NAME=VALUE；不带单位的数沿用原单位"),

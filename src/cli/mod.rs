@@ -5,6 +5,7 @@
 
 mod args;
 mod batch;
+mod centres;
 mod curves;
 mod draw;
 mod files;
@@ -64,6 +65,7 @@ pub fn main() -> ExitCode {
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
         Command::Limits(a) => sweep::limits(a),
+        Command::Centres(a) => centres::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),

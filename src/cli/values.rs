@@ -3,8 +3,10 @@
 use super::{Failure, Told, help};
 use crate::accuracy::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::figure::list::{self, Entry};
 use crate::scene::Lang;
 use clap::ValueEnum;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
@@ -47,21 +49,10 @@ pub enum Vectors {
     Acceleration,
 }
 
-/// A figure that `draw` makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Picture {
-    /// The whole sheet
-    Sheet,
-    /// The kinematic diagram
-    Mechanism,
-    /// The velocity polygon
-    Velocity,
-    /// The acceleration polygon
-    Acceleration,
-    /// The equations with their tables
-    Equations,
-    /// The results
-    Results,
+/// The figures that `draw` makes, by name.
+pub fn figures() -> impl TypedValueParser<Value = &'static Entry> {
+    let values = list::LIST.iter().map(|e| PossibleValue::new(e.name).help(e.about[0]));
+    PossibleValuesParser::new(values).map(|name| list::named(&name).unwrap_or(list::USUAL))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

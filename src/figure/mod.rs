@@ -13,6 +13,7 @@ pub mod grid;
 pub mod hodograph;
 pub mod item;
 pub mod label;
+pub mod list;
 pub mod mechanism;
 pub mod path;
 pub mod place;

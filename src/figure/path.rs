@@ -23,7 +23,7 @@ use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
 use super::results::{number, symbol};
-use super::sheet::{MARGIN_MM, Maker, Options, Single, driver_symbol, of_level};
+use super::sheet::{MARGIN_MM, Maker, Options, driver_symbol, of_level};
 use crate::sweep::follow::Follower;
 
 /// Positions that are numbered unless others are asked for: as many as the months, as in textbooks' course work.
@@ -179,7 +179,7 @@ impl Page<'_> {
             ([one], _) => format!("Path of {one}"),
             (names, _) => format!("Paths of {}", names.join(", ")),
         };
-        let (_, mu) = maker.caption(Single::Mechanism);
+        let (_, mu) = maker.caption(Level::Position);
         maker.titled(part, Phrase::new(&words).label(), &mu, "mu_l")
     }
 

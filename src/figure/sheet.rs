@@ -45,19 +45,6 @@ impl Options {
     }
 }
 
-/// A part of a sheet that can stand alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Single {
-    /// The mechanism.
-    Mechanism,
-    /// A polygon.
-    Polygon(Level),
-    /// The equations of all levels.
-    Equations,
-    /// The results.
-    Results,
-}
-
 /// Border of a sheet: what a printer cannot reach on most paper.
 pub(super) const MARGIN_MM: f64 = 8.0;
 /// From a drawing to its caption's baseline.
@@ -81,24 +68,34 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     Ok(maker.figure(items, size))
 }
 
-/// One part alone, drawings with their caption and scale; `None` where the scene does not call for it.
-pub fn single(scene: &Scene, worked: &Worked, options: &Options, which: Single) -> Option<Figure> {
-    let certified = certify(scene, worked, options.digits);
-    let maker = Maker { scene, worked, options, certified };
-    let part = match which {
-        Single::Mechanism => maker.captioned(maker.mechanism(), "", which),
-        Single::Polygon(level) => maker.captioned(maker.polygon(worked.construction.polygon(level)?), "", which),
-        Single::Equations => column(maker.equations(&steps(scene, worked, None)))?,
-        Single::Results => results::results(&options.style, &maker.answers()),
+/// The drawing of a level alone, with its caption and scale: the mechanism for positions, else the polygon; `None` where the scene
+/// does not call for it.
+pub fn drawing(scene: &Scene, worked: &Worked, options: &Options, level: Level) -> Option<Figure> {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = match level {
+        Level::Position => maker.mechanism(),
+        Level::Velocity | Level::Acceleration => maker.polygon(worked.construction.polygon(level)?),
     };
-    Some(maker.alone(part))
+    Some(maker.alone(maker.captioned(part, "", level)))
+}
+
+/// The equations of all levels alone; `None` where the scene calls for none.
+pub fn equations(scene: &Scene, worked: &Worked, options: &Options) -> Option<Figure> {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    Some(maker.alone(column(maker.equations(&steps(scene, worked, None)))?))
+}
+
+/// The results alone.
+pub fn results(scene: &Scene, worked: &Worked, options: &Options) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    maker.alone(results::results(&options.style, &maker.answers()))
 }
 
 /// The mechanism with vectors at its points, other positions behind it, or paths of points.
 pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
     let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
     let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
-    let (words, mut mu) = maker.caption(Single::Mechanism);
+    let (words, mut mu) = maker.caption(Level::Position);
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
         mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
@@ -146,48 +143,45 @@ impl Maker<'_> {
 
     /// The drawings with their captions.
     fn drawings(&self, lettered: bool) -> Vec<Part> {
-        let mut all = vec![(Single::Mechanism, self.mechanism())];
+        let mut all = vec![(Level::Position, self.mechanism())];
         for level in Level::RATES {
             if let Some(p) = self.worked.construction.polygon(level) {
-                all.push((Single::Polygon(level), self.polygon(p)));
+                all.push((level, self.polygon(p)));
             }
         }
         let mut letters = ["(a) ", "(b) ", "(c) "].into_iter();
         all.into_iter()
-            .map(|(which, part)| {
+            .map(|(level, part)| {
                 let letter = letters.next().filter(|_| lettered).unwrap_or_default();
-                self.captioned(part, letter, which)
+                self.captioned(part, letter, level)
             })
             .collect()
     }
 
-    pub fn caption(&self, which: Single) -> (&'static str, String) {
+    pub fn caption(&self, level: Level) -> (&'static str, String) {
         let paper = &self.worked.construction;
         let book = &self.scene.book;
         let mu = |level| paper.polygon(level).map_or(0.0, |p| p.mu);
-        match which {
-            Single::Mechanism => (self.words().diagram, of_level(book, Level::Position, paper.diagram.mu_l)),
-            Single::Equations | Single::Results => ("", String::new()),
-            Single::Polygon(level) if paper.is_empty(level) => {
-                (self.words().polygon(level), format!("\\text{{{}}}", self.words().no_vectors))
-            }
-            Single::Polygon(level) => (self.words().polygon(level), of_level(book, level, mu(level))),
+        match level {
+            Level::Position => (self.words().diagram, of_level(book, level, paper.diagram.mu_l)),
+            _ if paper.is_empty(level) => (self.words().polygon(level), format!("\\text{{{}}}", self.words().no_vectors)),
+            Level::Velocity | Level::Acceleration => (self.words().polygon(level), of_level(book, level, mu(level))),
         }
     }
 
     /// A part alone on its paper.
-    fn alone(&self, mut part: Part) -> Figure {
+    pub fn alone(&self, mut part: Part) -> Figure {
         let size = [part.bounds.width_mm() + 2.0 * MARGIN_MM, part.bounds.height_mm() + 2.0 * MARGIN_MM];
         part.stand_at(Point::new(MARGIN_MM, size[1] - MARGIN_MM));
         self.figure(part.items, size)
     }
 
-    pub fn captioned(&self, part: Part, letter: &str, which: Single) -> Part {
-        let (words, mu) = self.caption(which);
-        let id = match which {
-            Single::Polygon(Level::Acceleration) => "mu_a",
-            Single::Polygon(_) => "mu_v",
-            _ => "mu_l",
+    pub fn captioned(&self, part: Part, letter: &str, level: Level) -> Part {
+        let (words, mu) = self.caption(level);
+        let id = match level {
+            Level::Position => "mu_l",
+            Level::Velocity => "mu_v",
+            Level::Acceleration => "mu_a",
         };
         self.titled(part, Label::text(format!("{letter}{words}")), &mu, id)
     }

@@ -14,7 +14,7 @@ use super::drawing::Part;
 use super::extent::Rect;
 use super::font::own::Fonts;
 use super::item::{Anchor, Colour, Figure, Item, Shape};
-use super::sheet::{MARGIN_MM, Maker, Options, Single};
+use super::sheet::{MARGIN_MM, Maker, Options};
 use super::style::Palette;
 
 /// Between the drawings, and between them and what is written below.
@@ -34,7 +34,7 @@ pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure>
         .zip(maker.equations(&told))
         .filter_map(|(level, (_, written))| Some(Steps::of(&maker, worked.construction.polygon(level)?, &told, &written)))
         .collect();
-    let diagram = maker.captioned(maker.mechanism(), "", Single::Mechanism);
+    let diagram = maker.captioned(maker.mechanism(), "", Level::Position);
     let most = |size: fn(&Steps) -> f64| levels.iter().map(size).fold(0.0, f64::max);
     let (polygon_width, polygon_height) = (most(|s| s.polygon.bounds.width_mm()), most(|s| s.polygon.bounds.height_mm()));
     let (text_width, text_height) = (most(|s| s.text_mm()[0]), most(|s| s.text_mm()[1]));
@@ -83,7 +83,7 @@ struct Steps {
 
 impl Steps {
     fn of(maker: &Maker, p: &Polygon, told: &accuracy::Steps, written: &[Part]) -> Steps {
-        let polygon = maker.captioned(maker.polygon(p), "", Single::Polygon(p.level));
+        let polygon = maker.captioned(maker.polygon(p), "", p.level);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();
         // The pole has no equation; an action belongs to the first equation that is solved at it or after it. What is

@@ -2,7 +2,7 @@
 
 use crate::diag::{Faults, Warned};
 use crate::figure::extent::Rect;
-use crate::figure::sheet::{self, Single};
+use crate::figure::sheet;
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::render::number::mm;
@@ -21,24 +21,20 @@ const GAP_MM: f64 = 6.0;
 /// # Errors
 /// Those of the SVG writer.
 pub fn reveal(scene: &Scene, worked: &Worked, options: &sheet::Options) -> Result<Warned<String>, Faults> {
-    let wanted = std::iter::once(Single::Mechanism).chain(Level::RATES.map(Single::Polygon));
-    let mut figures: Vec<_> = wanted.filter_map(|w| Some((w, sheet::single(scene, worked, options, w)?))).collect();
+    let drawn = |level| Some((level, sheet::drawing(scene, worked, options, level)?));
+    let mut figures: Vec<_> = Level::ALL.into_iter().filter_map(drawn).collect();
     let height = figures.iter().map(|(_, f)| f.height_mm).fold(0.0, f64::max);
     let mut x = 0.0;
     let mut body = String::new();
     let mut elements = Elements::new(height);
     let mut done = 0;
-    for (which, figure) in &mut figures {
+    for (level, figure) in &mut figures {
         // All stand on one line, their captions at the bottom.
         crate::figure::extent::translate(&mut figure.items, Point::new(x, 0.0) - Point::ORIGIN);
         x += figure.width_mm + GAP_MM;
-        let level = match which {
-            Single::Polygon(level) => Some(*level),
-            _ => None,
-        };
         let list = elements.of(&figure.items)?;
         // An item that several steps draw comes with the first.
-        let of: Vec<Option<usize>> = figure.items.iter().map(|i| level.and_then(|_| i.steps().min())).collect();
+        let of: Vec<Option<usize>> = figure.items.iter().map(|i| i.steps().min().filter(|_| *level > Level::Position)).collect();
         let most = of.iter().flatten().max().map_or(0, |n| n + 1);
         // What comes in one step stays together, in the order of the drawing; the order of steps is told by the index.
         for (element, of) in list.iter().zip(&of) {

@@ -1,6 +1,7 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 pub mod answers;
+pub mod centres;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;

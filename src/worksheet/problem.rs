@@ -2,7 +2,8 @@
 
 use super::{Block, Maker};
 use crate::figure::results::symbol;
-use crate::figure::sheet::{Single, single};
+use crate::figure::sheet::drawing;
+use crate::mechanism::Level;
 use crate::plan::text::point_label;
 use crate::report::phrase::Phrase;
 use crate::report::statement::paragraphs;
@@ -63,7 +64,7 @@ impl Maker<'_> {
         let mut bare: Worked = self.worked.clone();
         bare.construction.velocity = None;
         bare.construction.acceleration = None;
-        let mut figure = single(self.scene, &bare, self.options, Single::Mechanism)?;
+        let mut figure = drawing(self.scene, &bare, self.options, Level::Position)?;
         figure.desc = self.words().diagram.into();
         Some(Block::Figure { name: "mechanism", figure: Box::new(figure) })
     }

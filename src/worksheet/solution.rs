@@ -4,7 +4,7 @@ use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
 use crate::figure::label::Label;
 use crate::figure::results::number;
-use crate::figure::sheet::{Single, of_level, single};
+use crate::figure::sheet::{drawing, of_level};
 use crate::figure::tables::constraint_line;
 use crate::mechanism::{Core, Level};
 use crate::plan::names::name_label;
@@ -35,7 +35,7 @@ impl Maker<'_> {
             .any(|(v, vertex)| matches!(vertex.spot, Spot::Special { .. }) && self.worked.construction.diagram.spots[v].is_some());
         self.freedom(blocks);
         if alone || special {
-            blocks.extend(self.figure("construction", Single::Mechanism));
+            blocks.extend(self.figure("construction", Level::Position));
         }
         self.scales(blocks);
         for level in Level::RATES {
@@ -44,8 +44,8 @@ impl Maker<'_> {
         self.results(blocks);
     }
 
-    fn figure(&self, name: &'static str, which: Single) -> Option<Block> {
-        single(self.scene, self.worked, self.options, which).map(|f| Block::Figure { name, figure: Box::new(f) })
+    fn figure(&self, name: &'static str, level: Level) -> Option<Block> {
+        drawing(self.scene, self.worked, self.options, level).map(|f| Block::Figure { name, figure: Box::new(f) })
     }
 
     fn freedom(&self, blocks: &mut Vec<Block>) {
@@ -122,7 +122,7 @@ impl Maker<'_> {
             _ => ("velocity", "Construction of the velocity polygon", "作速度多边形"),
         };
         blocks.push(self.heading(3, en, zh));
-        blocks.extend(self.figure(name, Single::Polygon(level)));
+        blocks.extend(self.figure(name, level));
         let members = sentences(&self.writer(), &self.worked.construction, polygon, self.told);
         blocks.push(Block::List { numbered: true, members });
     }

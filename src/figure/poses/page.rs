@@ -8,7 +8,7 @@ use crate::figure::arrange::AIM_MM;
 use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::path::turned;
-use crate::figure::sheet::{MARGIN_MM, Maker, Single, driver_symbol, of_level};
+use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol, of_level};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::report::phrase::{fill, formula, tr};
@@ -174,8 +174,8 @@ impl Page<'_> {
         let mut heads = vec![(first, format!("{driver},\\, {unit}"))];
         for column in self.columns {
             let which = match column.shows {
-                Shows::Mechanism => Single::Mechanism,
-                Shows::Polygon(level) => Single::Polygon(level),
+                Shows::Mechanism => Level::Position,
+                Shows::Polygon(level) => level,
             };
             let (words, mu) = maker.caption(which);
             // The first pose may have no polygon.

@@ -1,0 +1,179 @@
+//! Places and lines in projective coordinates, and which two lines are drawn for a centre.
+//!
+//! A place is (x, y, 1), a direction (x, y, 0), a line (a, b, c) with ax + by + cw = 0; join and crossing are cross products. Lengths are
+//! counted from the middle of the mechanism in units of its size, so that a unit vector tells near from far.
+
+use crate::geom::{Point, Vec2};
+
+/// Where a centre lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// In the plane (m).
+    At(Point),
+    /// At infinity in this direction (a unit vector), and in the opposite one.
+    Infinity(Vec2),
+}
+
+impl Place {
+    /// The point, unless it is at infinity.
+    pub fn point(&self) -> Option<Point> {
+        match self {
+            Place::At(p) => Some(*p),
+            Place::Infinity(_) => None,
+        }
+    }
+
+    /// At infinity in a direction, the one of the two that lies in (−90°, 90°].
+    pub fn infinity(direction: Vec2) -> Option<Place> {
+        let u = direction.unit()?;
+        let right = u.x > 0.0 || u.x == 0.0 && u.y > 0.0;
+        Some(Place::Infinity(if right { u } else { -u }))
+    }
+}
+
+/// Projective coordinates of a place or a line, of unit length.
+pub(super) type Unit = [f64; 3];
+
+/// Two places, or two lines, of which the unit vectors span a smaller sine are one: a million roundings.
+pub(super) const SAME: f64 = 1e-9;
+
+fn cross(a: Unit, b: Unit) -> Unit {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn norm(a: Unit) -> f64 {
+    (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]).sqrt()
+}
+
+pub(super) fn unit(a: Unit) -> Option<Unit> {
+    let n = norm(a);
+    (n > 0.0 && n.is_finite()).then(|| a.map(|x| x / n))
+}
+
+/// The line through two places, or the crossing of two lines; `None` where they are one.
+pub(super) fn meet(a: Unit, b: Unit) -> Option<Unit> {
+    let m = cross(a, b);
+    unit(m).filter(|_| norm(m) > SAME)
+}
+
+/// The volume that three unit vectors span: 0 where three places lie in line.
+pub(super) fn volume(a: Unit, b: Unit, c: Unit) -> f64 {
+    let m = cross(a, b);
+    (m[0] * c[0] + m[1] * c[1] + m[2] * c[2]).abs()
+}
+
+/// The frame in which places are counted.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Frame {
+    pub middle: Point,
+    /// The size of the mechanism (m).
+    pub size: f64,
+}
+
+impl Frame {
+    pub fn of(&self, place: Place) -> Unit {
+        let [x, y, w] = match place {
+            Place::At(p) => {
+                let v = (p - self.middle) * (1.0 / self.size);
+                [v.x, v.y, 1.0]
+            }
+            Place::Infinity(u) => [u.x, u.y, 0.0],
+        };
+        unit([x, y, w]).unwrap_or([0.0, 0.0, 1.0])
+    }
+
+    /// The place of coordinates; at infinity where that is said or the last one is zero.
+    pub fn place(&self, at: Unit, infinite: bool) -> Option<Place> {
+        if infinite || at[2] == 0.0 {
+            return Place::infinity(Vec2::new(at[0], at[1]));
+        }
+        let p = self.middle + Vec2::new(at[0] / at[2], at[1] / at[2]) * self.size;
+        p.is_finite().then_some(Place::At(p))
+    }
+}
+
+/// A line that can be drawn for a centre, and the one or two places that it is drawn through.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ruled {
+    pub line: Unit,
+    pub through: [Unit; 2],
+}
+
+impl Ruled {
+    pub fn through(a: Unit, b: Unit) -> Option<Ruled> {
+        Some(Ruled { line: meet(a, b)?, through: [a, b] })
+    }
+
+    /// How far the crossing is from the places that the line is drawn through, and how far these are off themselves: 1 near, 0 far.
+    fn nearness(&self, at: Unit) -> f64 {
+        let finite = |p: &Unit| (p[2] != 0.0).then(|| Vec2::new(p[0] / p[2], p[1] / p[2]));
+        let places: Vec<Vec2> = self.through.iter().filter_map(finite).collect();
+        let reach: f64 = places.iter().map(|p| 1.0 / (1.0 + p.norm())).product();
+        let Some(at) = finite(&at) else { return reach };
+        // Beyond its two places a line is as uncertain as it is longer than between them; one drawn by its direction has the mechanism's size.
+        let base = if let [a, b] = places[..] { (b - a).norm() } else { 1.0 };
+        let beyond = places.iter().map(|p| (at - *p).norm()).fold(f64::INFINITY, f64::min);
+        if beyond.is_finite() { reach * base / (base + beyond) } else { reach }
+    }
+}
+
+/// The two of these lines that are drawn: those whose crossing has the largest sine × nearness, the first where they tie; as indices, with
+/// the crossing. `None` where all are one line.
+pub(super) fn choose(lines: &[Ruled]) -> Option<([usize; 2], Unit)> {
+    let mut best: Option<(f64, [usize; 2], Unit)> = None;
+    for (k, a) in lines.iter().enumerate() {
+        for (l, b) in lines.iter().enumerate().skip(k + 1) {
+            let Some(at) = meet(a.line, b.line) else { continue };
+            let worth = sine(a.line, b.line) * a.nearness(at) * b.nearness(at);
+            if best.is_none_or(|(most, ..)| worth > most * (1.0 + SAME)) {
+                best = Some((worth, [k, l], at));
+            }
+        }
+    }
+    best.map(|(_, which, at)| (which, at))
+}
+
+/// Sine of the angle of two lines; the line at infinity crosses every other squarely.
+fn sine(a: Unit, b: Unit) -> f64 {
+    let (u, v) = (Vec2::new(a[0], a[1]), Vec2::new(b[0], b[1]));
+    match (u.unit(), v.unit()) {
+        (Some(u), Some(v)) if u.is_finite() && v.is_finite() => u.cross(v).abs(),
+        _ => 1.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FRAME: Frame = Frame { middle: Point::new(100.0, 0.0), size: 2.0 };
+
+    fn at(x: f64, y: f64) -> Unit {
+        FRAME.of(Place::At(Point::new(x, y)))
+    }
+
+    #[test]
+    fn crossings_near_far_and_at_infinity() {
+        let line = |a, b| Ruled::through(a, b).unwrap();
+        let low = line(at(100.0, 0.0), at(101.0, 0.0));
+        let up = line(at(103.0, 1.0), FRAME.of(Place::Infinity(Vec2::new(0.0, 1.0))));
+        let (_, x) = choose(&[low, up]).unwrap();
+        let Some(Place::At(p)) = FRAME.place(x, false) else { panic!("{x:?}") };
+        assert!(p.distance(Point::new(103.0, 0.0)) < 1e-12);
+        let parallel = line(at(100.0, 1.0), at(101.0, 1.0));
+        let (_, x) = choose(&[low, parallel]).unwrap();
+        assert_eq!(FRAME.place(x, true), Some(Place::Infinity(Vec2::new(1.0, 0.0))));
+        assert!(choose(&[low, line(at(102.0, 0.0), at(103.0, 0.0))]).is_none(), "one line twice");
+        assert!(Ruled::through(at(100.0, 1.0), at(100.0, 1.0)).is_none());
+    }
+
+    #[test]
+    fn the_squarest_and_nearest_are_drawn() {
+        let line = |a, b| Ruled::through(a, b).unwrap();
+        let flat = line(at(99.0, -0.1), at(100.0, 0.0));
+        let low = line(at(100.0, 0.0), at(101.0, 0.0));
+        let up = line(at(100.0, 0.0), at(100.0, 1.0));
+        assert_eq!(choose(&[flat, low, up]).unwrap().0, [1, 2]);
+        assert_eq!(choose(&[low, up, up]).unwrap().0, [0, 1], "ties go to the first");
+    }
+}

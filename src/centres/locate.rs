@@ -1,0 +1,209 @@
+//! Where the centres lie in the pose: two lines are drawn for each in the order of finding, and crossed.
+//!
+//! A centre is at infinity only where topology says so, or where the difference of the turning rates is certified to be zero. Where all
+//! lines of a centre coincide in the pose, velocities tell its place, if they can.
+
+use crate::position::Path;
+use crate::scene::{DriverKind, GuideId, Scene};
+use crate::worked::Worked;
+
+use super::lines::{Frame, Place, Ruled, Unit, choose, norm, volume};
+use super::primary::Primary;
+use super::rounds::{Closure, How, Line, Pair, Step};
+use super::velocity::Velocities;
+
+/// A crossing farther than this many sizes of the mechanism is looked at: is it at infinity?
+const FAR: f64 = 1e7;
+
+/// Why the lines do not tell the place of a centre in this pose.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Undetermined {
+    /// All that can be drawn are one line.
+    LinesCoincide,
+    /// Fewer than two can be drawn, as centres are missing or coincide.
+    NoLines,
+    /// The theorem gives no line, and the links have no relative motion that would tell.
+    NoMotion,
+}
+
+/// From where the place of a centre is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Origin {
+    /// Its pair.
+    Pair,
+    /// These two lines.
+    Crossing([Line; 2]),
+    /// The velocities of the loop equations.
+    Velocities,
+}
+
+/// A centre in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Centre {
+    /// Its step in the order of finding.
+    pub step: Step,
+    /// The round in which it is found in this pose: later than topology says where its lines coincide.
+    pub round: usize,
+    /// Its place.
+    pub place: Option<Place>,
+    /// From where that is.
+    pub origin: Option<Origin>,
+    /// Why the lines of the theorem do not tell it.
+    pub why: Option<Undetermined>,
+    /// The velocity of one link against the other at this place, relative to the largest at its distance.
+    pub residual: Option<f64>,
+}
+
+/// Locates all centres of a closure, round by round. A centre whose lines are one in this pose waits: later rounds may have another line
+/// for it; where none has, velocities tell the first that waits, and the rounds go on.
+pub(super) fn locate(scene: &Scene, worked: &Worked, closure: &Closure, velocities: &Velocities) -> Vec<Centre> {
+    let mut board = Board { scene, worked, closure, velocities, frame: velocities.frame, list: Vec::new() };
+    let last = closure.steps.last().map_or(0, |s| s.round);
+    let mut waiting: Vec<(&Step, Undetermined)> = Vec::new();
+    let mut round = 0;
+    while round <= last || !waiting.is_empty() {
+        let mut found = Vec::new();
+        let again = std::mem::take(&mut waiting);
+        for (step, why) in again {
+            match board.by_lines(step, &board.all_lines(step)) {
+                Ok(place) => found.push(board.centre(step, round, place, None)),
+                Err(_) => waiting.push((step, why)),
+            }
+        }
+        for step in closure.steps.iter().filter(|s| s.round == round) {
+            match board.find(step) {
+                Ok(place) => found.push(board.centre(step, round, place, None)),
+                Err(why) if step.how == How::Velocities => found.push(board.centre(step, round, None, Some(why))),
+                Err(why) => waiting.push((step, why)),
+            }
+        }
+        if found.is_empty() && round >= last && !waiting.is_empty() {
+            let (step, why) = waiting.remove(0);
+            let place = velocities.centre(step.pair, step.infinite).map(|p| (p, Origin::Velocities));
+            found.push(board.centre(step, round, place, Some(why)));
+        }
+        board.list.extend(found);
+        round += 1;
+    }
+    board.list
+}
+
+struct Board<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    closure: &'a Closure,
+    velocities: &'a Velocities<'a>,
+    frame: Frame,
+    list: Vec<Centre>,
+}
+
+/// A place with its origin, if it is known; or why the lines do not tell it.
+type Found = Result<Option<(Place, Origin)>, Undetermined>;
+
+impl Board<'_> {
+    fn centre(&self, step: &Step, round: usize, found: Option<(Place, Origin)>, why: Option<Undetermined>) -> Centre {
+        let place = found.map(|f| f.0);
+        let residual = place.and_then(|p| self.velocities.residual(step.pair, p));
+        Centre { step: step.clone(), round, place, origin: found.map(|f| f.1), why, residual }
+    }
+
+    fn find(&self, step: &Step) -> Found {
+        match &step.how {
+            How::Primary(primary) => Ok(self.primary(*primary).map(|p| (p, Origin::Pair))),
+            How::Velocities => {
+                let place = self.velocities.centre(step.pair, step.infinite).ok_or(Undetermined::NoMotion)?;
+                Ok(Some((place, Origin::Velocities)))
+            }
+            How::Lines(lines) => self.by_lines(step, lines),
+        }
+    }
+
+    fn primary(&self, primary: Primary) -> Option<Place> {
+        let at = &self.worked.configuration;
+        match primary {
+            Primary::Pin(p) => at.points[p.0].map(Place::At),
+            Primary::Slide(g) => match at.guides[g.0]? {
+                Path::Line { direction, .. } => Place::infinity(direction.perp()),
+                Path::Arc { centre, .. } => Some(Place::At(centre)),
+            },
+            Primary::Cylinder(d) => match self.scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => Place::infinity((at.points[b.0]? - at.points[a.0]?).perp()),
+                DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
+            },
+        }
+    }
+
+    /// The lines of a step, and those through every other link.
+    fn all_lines(&self, step: &Step) -> Vec<Line> {
+        let mut lines = if let How::Lines(lines) = &step.how { lines.clone() } else { Vec::new() };
+        for k in self.closure.links.iter().filter(|k| !step.pair.has(**k)) {
+            if !lines.contains(&Line::Through(*k)) {
+                lines.push(Line::Through(*k));
+            }
+        }
+        lines
+    }
+
+    fn by_lines(&self, step: &Step, lines: &[Line]) -> Found {
+        let drawn: Vec<(Line, Ruled)> = lines.iter().filter_map(|l| Some((*l, self.ruled(step.pair, *l)?))).collect();
+        let ruled: Vec<Ruled> = drawn.iter().map(|d| d.1).collect();
+        let none = if ruled.len() < 2 { Undetermined::NoLines } else { Undetermined::LinesCoincide };
+        let ([k, l], at) = choose(&ruled).ok_or(none)?;
+        let origin = Origin::Crossing([drawn[k].0, drawn[l].0]);
+        let far = at[2].abs() * FAR <= norm([at[0], at[1], 0.0]);
+        let infinite = step.infinite || far && self.velocities.surely_translate(step.pair);
+        // Parallel to rounding, and not surely at infinity: how far it is the lines do not tell.
+        if !infinite && at[2].abs() <= f64::EPSILON * 16.0 {
+            return Err(Undetermined::LinesCoincide);
+        }
+        Ok(Some((self.frame.place(at, infinite).ok_or(none)?, origin)))
+    }
+
+    fn placed(&self, pair: Pair) -> Option<Unit> {
+        let place = self.list.iter().find(|c| c.step.pair == pair)?.place?;
+        Some(self.frame.of(place))
+    }
+
+    fn ruled(&self, pair: Pair, line: Line) -> Option<Ruled> {
+        match line {
+            Line::Through(k) => Ruled::through(self.placed(self.closure.pair(pair.i, k))?, self.placed(self.closure.pair(k, pair.j))?),
+            Line::Normal(g) => {
+                let [pin, square] = normal(self.scene, self.worked, g)?;
+                Ruled::through(self.frame.of(pin), self.frame.of(square))
+            }
+            Line::Infinity => Some(Ruled { line: [0.0, 0.0, 1.0], through: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] }),
+        }
+    }
+}
+
+/// The normal of a slot at its pin: the pin's place, and the direction as a place at infinity.
+pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId) -> Option<[Place; 2]> {
+    let pin = worked.configuration.points[scene.guides[g.0].pin?.0]?;
+    let direction = match worked.configuration.guides[g.0]? {
+        Path::Line { direction, .. } => direction.perp(),
+        Path::Arc { centre, .. } => centre - pin,
+    };
+    Some([Place::At(pin), Place::infinity(direction)?])
+}
+
+/// The worst of all triples P_ij, P_jk, P_ik, as the volume of their unit vectors.
+pub(super) fn worst_triple(frame: Frame, closure: &Closure, list: &[Centre]) -> f64 {
+    let n = closure.links.len();
+    let rank = |l| closure.links.iter().position(|k| *k == l).unwrap_or(0);
+    let mut places: Vec<Option<Unit>> = vec![None; n * n];
+    for c in list {
+        let (i, j) = (rank(c.step.pair.i), rank(c.step.pair.j));
+        places[i * n + j] = c.place.map(|p| frame.of(p));
+    }
+    let mut worst = 0.0f64;
+    for i in 0..n {
+        for j in i + 1..n {
+            for k in j + 1..n {
+                if let (Some(a), Some(b), Some(c)) = (places[i * n + j], places[j * n + k], places[i * n + k]) {
+                    worst = worst.max(volume(a, b, c));
+                }
+            }
+        }
+    }
+    worst
+}

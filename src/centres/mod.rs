@@ -1,0 +1,206 @@
+//! Instantaneous centres of velocity (瞬心): which there are, in which order they are found, where they lie, and what they tell.
+//!
+//! A centre P_ij is the place at which two links have one velocity. Decided here, from topology alone: which centres are there at once
+//! ([`primary`]) and in which rounds the Aronhold-Kennedy theorem finds the others ([`rounds`]). With positions: which two lines are
+//! drawn for each ([`lines`]) and where they cross ([`locate`]). With the loop equations: what a stalled closure lacks, and whether each
+//! centre has one velocity on both links ([`velocity`]). [`uses`] takes turning rates and speeds from centres.
+//!
+//! ```
+//! use hodograph::{centres, scene};
+//! let scene = scene::read(scene::templates::get("crank-rocker").unwrap()).unwrap().value;
+//! let found = centres::centres(&scene).unwrap().value;
+//! assert_eq!(found.list.len(), 6);
+//! ```
+//!
+//! # Source
+//! S. Aronhold, 1872; A. B. W. Kennedy, 1886: the centres of three links lie in line.
+
+mod lines;
+mod locate;
+mod primary;
+mod rounds;
+mod uses;
+mod velocity;
+
+pub use lines::Place;
+pub use locate::{Centre, Origin, Undetermined};
+pub use primary::{Normal, Primary};
+pub use rounds::{Closure, How, Line, Pair, Step};
+pub use uses::{By, Motion, Speed, Turning, Uses};
+
+use crate::answer::Value;
+use crate::diag::{Diagnostic, Faults, Severity, Warned, both};
+use crate::mechanism::Mechanism;
+use crate::scene::quantity::{self, PointMotion, Rate};
+use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
+use crate::worked::{Scope, Worked, work};
+use velocity::Velocities;
+
+/// More links than this are refused: their centres are thousands, each with a line through every other link.
+pub const MOST_LINKS: usize = 64;
+
+/// All centres of a mechanism in its pose.
+#[derive(Clone, Debug)]
+pub struct Centres {
+    /// The order of finding, from topology alone.
+    pub closure: Closure,
+    /// Every centre, in the order of finding.
+    pub list: Vec<Centre>,
+    /// Turning rates and speeds by centres.
+    pub uses: Uses,
+    /// The scene that asks for the velocities of everything; drivers at rest have a unit rate where all of them rest.
+    pub scene: Scene,
+    /// That scene worked through.
+    pub worked: Worked,
+    /// How far from one line the worst triple P_ij, P_ik, P_jk lies: the volume that their unit vectors in projective coordinates span.
+    pub worst_triple: f64,
+    /// Whether all drivers rest in the file, so that one unit of their rate is taken.
+    pub at_rest: bool,
+}
+
+impl Centres {
+    /// The centre of two different links.
+    pub fn of(&self, a: LinkId, b: LinkId) -> Option<&Centre> {
+        let pair = self.closure.pair(a, b);
+        self.list.iter().find(|c| c.step.pair == pair)
+    }
+
+    /// What drawing and loop equations answer to a question of [`Centres::scene`]; each `None` where it has no answer.
+    pub fn other_ways(&self, what: &Asked) -> [Option<Value>; 2] {
+        let result = self.worked.results.iter().find(|r| self.scene.find[r.find].what == *what);
+        [result.and_then(|r| r.drawn.as_ref()).map(|a| a.value), result.map(|r| r.computed)]
+    }
+
+    /// The largest velocity that a centre has on one link against the other, relative to the velocities at its distance.
+    pub fn worst_residual(&self) -> f64 {
+        self.list.iter().filter_map(|c| c.residual).fold(0.0, f64::max)
+    }
+}
+
+/// How many centres so many links have: N(N − 1)/2, the ground being one of them.
+///
+/// ```
+/// assert_eq!([3, 4, 5, 6].map(hodograph::centres::count), [3, 6, 10, 15]);
+/// ```
+pub fn count(links: usize) -> usize {
+    links * links.saturating_sub(1) / 2
+}
+
+/// Finds all centres of a scene in its pose.
+///
+/// # Errors
+/// `too-many-links`, and the faults of [`work`].
+pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
+    if scene.links.len() > MOST_LINKS {
+        let message = both!(
+            "{} links have {} centres; at most {MOST_LINKS} links are taken",
+            "{} 个构件有 {} 个瞬心；最多可有 {MOST_LINKS} 个构件",
+            scene.links.len(),
+            count(scene.links.len())
+        );
+        let help = both!("take the part of the mechanism whose centres are wanted", "请只取需求瞬心的部分机构");
+        return Err(Diagnostic::error("too-many-links", message).help(help).into());
+    }
+    let (asking, at_rest) = asking_all(scene);
+    let Warned { value: worked, mut notes } = work(&asking, Scope::Figure)?;
+    // What the pose keeps from being answered is told once, as a remark: here nobody asked for it.
+    notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
+    let closure = rounds::closure(&asking, asking.drivers.len());
+    let velocities = Velocities::of(&asking, &worked);
+    let list = locate::locate(&asking, &worked, &closure, &velocities);
+    notes.extend(remarks(&asking, &closure, &list));
+    let worst_triple = locate::worst_triple(velocities.frame, &closure, &list);
+    let uses = uses::uses(&asking, &worked, &closure, &list);
+    Ok(Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes })
+}
+
+/// The order of finding of a scene, for which nothing is computed.
+///
+/// # Errors
+/// The faults of [`Mechanism::new`].
+pub fn closure(scene: &Scene) -> Result<Closure, Faults> {
+    Mechanism::new(scene)?;
+    Ok(rounds::closure(scene, scene.drivers.len()))
+}
+
+/// The scene with the velocities of all links and points asked for; and whether its drivers are at rest. A centre does not depend on
+/// how fast one driver goes, but velocities that are all zero tell nothing of it.
+fn asking_all(scene: &Scene) -> (Scene, bool) {
+    let mut asking = scene.clone();
+    let at_rest = scene.drivers.iter().all(|d| d.rate.value == 0.0);
+    if at_rest {
+        for driver in &mut asking.drivers {
+            driver.rate.value = 1.0;
+            driver.rate.radius = 0.0;
+            driver.rate.text = match driver.kind {
+                crate::scene::DriverKind::Turn { .. } => "1 rad/s".into(),
+                crate::scene::DriverKind::Slide { .. } | crate::scene::DriverKind::Cylinder { .. } => "1 m/s".into(),
+            };
+        }
+    }
+    let moving = |l: &LinkId| *l != scene.ground;
+    let turnings = (0..scene.links.len())
+        .map(LinkId)
+        .filter(moving)
+        .map(|l| (Asked::from(quantity::Turning { rate: Rate::Velocity, of: l, against: None }), format!("omega_{}", scene.link_name(l))));
+    let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
+    let carried = |p: &PointId| !on_ground(*p) && (scene.carriers(*p).next().is_some() || scene.guides.iter().any(|g| g.pin == Some(*p)));
+    let points = (0..scene.points.len()).map(PointId).filter(carried);
+    let speeds = points.map(|p| {
+        let of = OnLink { point: p, link: None };
+        (Asked::from(PointMotion { rate: Rate::Velocity, of }), format!("v_{}", scene.point_name(p)))
+    });
+    asking.find = turnings.chain(speeds).map(|(what, text)| Find { what, text, span: Default::default() }).collect();
+    (asking, at_rest)
+}
+
+/// What the reader should know: centres that the theorem does not find, and those that nothing finds in the pose.
+fn remarks(scene: &Scene, closure: &Closure, list: &[Centre]) -> Vec<Diagnostic> {
+    let mut notes = Vec::new();
+    let name = |c: &Centre| c.step.pair.name(scene);
+    let taken: Vec<String> = list.iter().filter(|c| c.step.how == How::Velocities).map(name).collect();
+    if !taken.is_empty() {
+        let (found, all, taken) = (closure.by_theorem, closure.steps.len(), taken.join(", "));
+        notes.push(if closure.freedoms == 1 {
+            Diagnostic::note(
+                "centre-stalled",
+                both!(
+                    "the theorem of three centres alone finds {found} of {all} centres and then has no second line for any other; {taken} is taken from the velocities of the analysis, and the theorem goes on",
+                    "仅用三心定理求得 {all} 个瞬心中的 {found} 个，其余均缺第二条线；由解析法的速度定出 {taken} 后继续用三心定理"
+                ),
+            )
+        } else {
+            Diagnostic::note(
+                "centre-given-drivers",
+                both!(
+                    "{found} of {all} centres hold whatever the {} drivers do; {taken}, taken from the velocities, and those found with it hold for the given rates of the drivers",
+                    "{all} 个瞬心中有 {found} 个与 {} 个原动件的运动无关；由速度定出的 {taken} 以及由其求得的瞬心只对给定的原动件速度成立",
+                    closure.freedoms
+                ),
+            )
+        });
+    }
+    for (why, words) in [
+        (Undetermined::LinesCoincide, both!("the lines drawn for it coincide in this pose", "该位置上所作的线重合")),
+        (Undetermined::NoLines, both!("the centres that its lines need are missing in this pose", "该位置缺少作线所需的瞬心")),
+        (Undetermined::NoMotion, both!("the links have no relative motion in this pose", "该位置两构件无相对运动")),
+    ] {
+        let by_velocities: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_some()).map(name).collect();
+        let none: Vec<String> = list.iter().filter(|c| c.why == Some(why) && c.place.is_none()).map(name).collect();
+        if !by_velocities.is_empty() {
+            let message = both!(
+                "{}: {}; the velocities of the analysis tell the place",
+                "{}：{}；由解析法的速度定位",
+                by_velocities.join(", "),
+                words
+            );
+            notes.push(Diagnostic::note("centre-undetermined", message));
+        }
+        if !none.is_empty() {
+            let message = both!("{} has no certain place: {}", "{} 的位置不定：{}", none.join(", "), words);
+            let help = both!("choose a pose nearby", "请取附近的位置");
+            notes.push(Diagnostic::warning("centre-undetermined", message).help(help));
+        }
+    }
+    notes
+}

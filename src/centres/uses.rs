@@ -1,0 +1,265 @@
+//! What centres are for: turning rates by ratios of distances, speeds of sliders and points, from one driver outwards.
+//!
+//! ω_k/ω_m = P_fm P_km : P_fk P_km, of the same sense where P_km lies outside P_fm P_fk; a link without a turning has the velocity that
+//! link m has at P_km. The frame f is the link against which the driver's motion is given, mostly the ground. Velocities only: the
+//! acceleration of a centre is not zero.
+
+use crate::answer::Source;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::position::Path;
+use crate::scene::quantity::{PointMotion, Rate};
+use crate::scene::{Asked, DriverKind, LinkId, OnLink, PointId, Scene};
+use crate::worked::Worked;
+
+use super::lines::{Place, SAME};
+use super::locate::Centre;
+use super::rounds::Closure;
+
+/// How a link moves against the frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Motion {
+    /// It turns (rad/s, counter-clockwise plus) about its centre.
+    Turn(f64),
+    /// All its points have this velocity (m/s).
+    Slide(Vec2),
+}
+
+/// From where the motion of a link is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum By {
+    /// The driver gives it.
+    Driver,
+    /// The loop equations: no driver is between two numbered links.
+    Analysis,
+    /// As the other link, which turns, has at their centre the velocity that this one has there.
+    Ratio {
+        /// The other link m.
+        link: LinkId,
+        /// P_fm P_km (m).
+        of_other: f64,
+        /// P_fk P_km (m).
+        own: f64,
+    },
+    /// The other link turns with it: their centre is at infinity.
+    Together(LinkId),
+    /// The other link turns, and has at their centre the velocity of this one, which does not turn.
+    Slides {
+        /// The other link m.
+        link: LinkId,
+        /// P_fm P_km (m).
+        arm: f64,
+    },
+    /// The other link does not turn, and this one has its velocity at their centre.
+    FromSlide {
+        /// The other link m.
+        link: LinkId,
+        /// P_fk P_km (m).
+        arm: f64,
+    },
+}
+
+/// The motion of one link by centres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turning {
+    /// The link.
+    pub link: LinkId,
+    /// From where.
+    pub by: By,
+    /// Against the frame.
+    pub motion: Motion,
+    /// ω against the ground (rad/s).
+    pub omega: f64,
+}
+
+/// The velocity of a point by centres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Speed {
+    /// The point.
+    pub point: PointId,
+    /// The link by which it is found.
+    pub link: LinkId,
+    /// Its distance from the link's centre against the ground (m); `None` where that is at infinity.
+    pub arm: Option<f64>,
+    /// Against the ground (m/s).
+    pub velocity: Vec2,
+}
+
+/// Turning rates and speeds by centres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Uses {
+    /// The link against which the motions are counted.
+    pub frame: LinkId,
+    /// The links, each after those on which it rests.
+    pub links: Vec<Turning>,
+    /// The points.
+    pub points: Vec<Speed>,
+}
+
+/// Turning rates and speeds from the first driver on.
+pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
+    let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
+    let (frame, first) = match chain.driver() {
+        Some((frame, link, motion)) => (frame, Some((link, By::Driver, motion))),
+        None => (scene.ground, chain.analysis()),
+    };
+    chain.frame = frame;
+    if let Some((link, by, motion)) = first {
+        chain.known.push(Turning { link, by, motion, omega: 0.0 });
+    }
+    chain.go_on();
+    chain.against_ground();
+    let points = scene.find.iter().filter_map(|f| match f.what {
+        Asked::PointMotion(PointMotion { rate: Rate::Velocity, of: OnLink { point, link: None } }) => chain.speed(point),
+        _ => None,
+    });
+    let points = points.collect();
+    Uses { frame, links: chain.known, points }
+}
+
+struct Chain<'a> {
+    scene: &'a Scene,
+    worked: &'a Worked,
+    closure: &'a Closure,
+    list: &'a [Centre],
+    frame: LinkId,
+    known: Vec<Turning>,
+}
+
+impl Chain<'_> {
+    fn place(&self, a: LinkId, b: LinkId) -> Option<Place> {
+        let pair = self.closure.pair(a, b);
+        self.list.iter().find(|c| c.step.pair == pair)?.place
+    }
+
+    /// Frame, link and motion that the first driver gives.
+    fn driver(&self) -> Option<(LinkId, LinkId, Motion)> {
+        let driver = self.scene.drivers.first()?;
+        let rate = driver.rate.value;
+        let at = &self.worked.configuration;
+        match &driver.kind {
+            DriverKind::Turn { link, against, .. } => Some((*against, *link, Motion::Turn(rate))),
+            DriverKind::Slide { guide, .. } => {
+                let g = &self.scene.guides[guide.0];
+                let path = at.guides[guide.0]?;
+                let velocity = |at: Point| path.tangent_at(at) * rate;
+                match (g.slider, path, g.pin) {
+                    (Some(slider), Path::Line { direction, .. }, _) => Some((g.on, slider, Motion::Slide(direction * rate))),
+                    (Some(slider), Path::Arc { radius, .. }, _) => Some((g.on, slider, Motion::Turn(rate / radius))),
+                    (None, _, Some(pin)) => {
+                        let link = self.scene.carriers(pin).find(|l| *l != g.on)?;
+                        let pin = at.points[pin.0]?;
+                        Some((g.on, link, about(self.place(g.on, link)?, pin, velocity(pin))?))
+                    }
+                    (None, _, None) => None,
+                }
+            }
+            DriverKind::Cylinder { a, b, links, .. } => match links[..] {
+                [barrel, rod] => Some((barrel, rod, Motion::Slide((at.points[b.0]? - at.points[a.0]?).unit()? * rate))),
+                _ => None,
+            },
+        }
+    }
+
+    /// The first link that moves, by the loop equations.
+    fn analysis(&self) -> Option<(LinkId, By, Motion)> {
+        let solution = &self.worked.solution;
+        let moves = |l: &LinkId| *l != self.scene.ground && solution.turning(Level::Velocity, *l).is_some_and(|omega| omega != 0.0);
+        let link = self.closure.links.iter().copied().find(moves)?;
+        Some((link, By::Analysis, Motion::Turn(solution.turning(Level::Velocity, link)?)))
+    }
+
+    /// Adds link after link, each by the first of those that are known.
+    fn go_on(&mut self) {
+        if self.known.is_empty() {
+            return;
+        }
+        loop {
+            let before = self.known.len();
+            for k in self.closure.links.clone() {
+                if k == self.frame || self.known.iter().any(|t| t.link == k) {
+                    continue;
+                }
+                if let Some((by, motion)) = self.known.iter().find_map(|m| self.next(k, m)) {
+                    self.known.push(Turning { link: k, by, motion, omega: 0.0 });
+                }
+            }
+            if self.known.len() == before {
+                return;
+            }
+        }
+    }
+
+    /// The motion of link k by that of link m.
+    fn next(&self, k: LinkId, m: &Turning) -> Option<(By, Motion)> {
+        let (own, shared) = (self.place(self.frame, k)?, self.place(k, m.link)?);
+        match (own, shared, m.motion) {
+            (Place::At(o), Place::At(x), _) => {
+                let motion = about(own, x, self.velocity(m, x)?).filter(|_| o.distance(x) > SAME * self.size())?;
+                let by = match self.place(self.frame, m.link)? {
+                    Place::At(c) => By::Ratio { link: m.link, of_other: c.distance(x), own: o.distance(x) },
+                    Place::Infinity(_) => By::FromSlide { link: m.link, arm: o.distance(x) },
+                };
+                Some((by, motion))
+            }
+            (Place::At(_), Place::Infinity(_), Motion::Turn(omega)) => Some((By::Together(m.link), Motion::Turn(omega))),
+            (Place::Infinity(_), Place::At(x), Motion::Turn(_)) => {
+                let arm = self.place(self.frame, m.link)?.point()?.distance(x);
+                Some((By::Slides { link: m.link, arm }, Motion::Slide(self.velocity(m, x)?)))
+            }
+            (Place::At(_), Place::Infinity(_), Motion::Slide(_))
+            | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
+            | (Place::Infinity(_), Place::Infinity(_), _) => None,
+        }
+    }
+
+    fn size(&self) -> f64 {
+        self.worked.configuration.extent()
+    }
+
+    /// The velocity of a link's point at a place, against the frame.
+    fn velocity(&self, of: &Turning, at: Point) -> Option<Vec2> {
+        match of.motion {
+            Motion::Turn(omega) => Some((at - self.place(self.frame, of.link)?.point()?).perp() * omega),
+            Motion::Slide(v) => Some(v),
+        }
+    }
+
+    fn of(&self, l: LinkId) -> Option<&Turning> {
+        self.known.iter().find(|t| t.link == l)
+    }
+
+    /// ω against the ground, where the motions are counted against another link.
+    fn against_ground(&mut self) {
+        let rate = |t: &Turning| match t.motion {
+            Motion::Turn(omega) => omega,
+            Motion::Slide(_) => 0.0,
+        };
+        let ground = self.of(self.scene.ground).map_or(0.0, rate);
+        self.known.iter_mut().for_each(|t| t.omega = rate(t) - ground);
+    }
+
+    /// The velocity of a point, by the first link that carries it and whose motion is known.
+    fn speed(&self, point: PointId) -> Option<Speed> {
+        let at = self.worked.configuration.points[point.0]?;
+        let still = Turning { link: self.frame, by: By::Driver, motion: Motion::Slide(Vec2::ZERO), omega: 0.0 };
+        let of = |l: LinkId| if l == self.frame { Some(&still) } else { self.of(l) };
+        let ground = self.velocity(of(self.scene.ground)?, at)?;
+        let link = self.scene.carriers(point).find(|l| *l != self.scene.ground && of(*l).is_some())?;
+        let velocity = self.velocity(of(link)?, at)? - ground;
+        let arm = self.place(self.scene.ground, link)?.point().map(|c| c.distance(at));
+        Some(Speed { point, link, arm, velocity })
+    }
+}
+
+/// The motion about a centre that gives a place its velocity.
+fn about(centre: Place, at: Point, v: Vec2) -> Option<Motion> {
+    match centre {
+        Place::At(c) => {
+            let r = at - c;
+            let omega = r.cross(v) / r.norm2();
+            omega.is_finite().then_some(Motion::Turn(omega))
+        }
+        Place::Infinity(_) => Some(Motion::Slide(v)),
+    }
+}

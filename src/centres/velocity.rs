@@ -1,0 +1,101 @@
+//! What the loop equations say of a centre: P_ij = i (v_i − v_j)/(ω_i − ω_j), v of the links' points at one place.
+
+use crate::accuracy::certify;
+use crate::accuracy::ladder::Part;
+use crate::answer::Source;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::scene::quantity::{Rate, Turning};
+use crate::scene::{Find, LinkId, PointId, Scene};
+use crate::worked::{Scope, Worked, work};
+
+use super::lines::{Frame, Place};
+use super::rounds::Pair;
+
+/// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
+const DOUBTFUL: f64 = 1e-7;
+/// Digits to which a difference is asked whether it is zero.
+const DIGITS: usize = 12;
+
+/// The motion of every link, from the loop equations.
+pub(super) struct Velocities<'a> {
+    scene: &'a Scene,
+    pub frame: Frame,
+    /// Velocity of each link's point at the frame's middle (m/s), and ω.
+    links: Vec<Option<(Vec2, f64)>>,
+    /// The largest of ω and v/size (rad/s).
+    pub largest: f64,
+}
+
+impl<'a> Velocities<'a> {
+    pub fn of(scene: &'a Scene, worked: &'a Worked) -> Velocities<'a> {
+        let places = || worked.configuration.points.iter().enumerate().filter_map(|(p, at)| Some((PointId(p), (*at)?)));
+        let count = places().count().max(1) as f64;
+        let anchor = places().next();
+        let first = anchor.map_or(Point::ORIGIN, |(_, at)| at);
+        let middle = first + places().fold(Vec2::ZERO, |sum, (_, at)| sum + (at - first)) * (1.0 / count);
+        let size = Some(worked.configuration.extent()).filter(|s| *s > 0.0).unwrap_or(1.0);
+        let motion = |l: LinkId| {
+            let (p, at) = anchor?;
+            let omega = worked.solution.turning(Level::Velocity, l)?;
+            let v = worked.solution.vector(Level::Velocity, p, Some(l))?;
+            Some((v + (middle - at).perp() * omega, omega))
+        };
+        let links: Vec<Option<(Vec2, f64)>> = (0..scene.links.len()).map(|l| motion(LinkId(l))).collect();
+        let largest = links.iter().flatten().map(|(v, omega)| omega.abs().max(v.norm() / size)).fold(0.0, f64::max);
+        Velocities { scene, frame: Frame { middle, size }, links, largest }
+    }
+
+    /// The motion of the first link of a pair against the second: velocity at the frame's middle, and ω.
+    pub fn relative(&self, pair: Pair) -> Option<(Vec2, f64)> {
+        let ((v, omega), (w, other)) = (self.links[pair.i.0]?, self.links[pair.j.0]?);
+        Some((v - w, omega - other))
+    }
+
+    /// Whether two links surely do not turn against one another in this pose: a difference that is small is computed as an interval.
+    pub fn surely_translate(&self, pair: Pair) -> bool {
+        let Some((_, omega)) = self.relative(pair) else { return false };
+        if omega.abs() > DOUBTFUL * self.largest {
+            return false;
+        }
+        let mut asking = self.scene.clone();
+        let (of, against) = match (pair.i == self.scene.ground, pair.j == self.scene.ground) {
+            (true, _) => (pair.j, None),
+            (_, true) => (pair.i, None),
+            _ => (pair.i, Some(pair.j)),
+        };
+        let what = Turning { rate: Rate::Velocity, of, against }.into();
+        asking.find = vec![Find { what, text: "omega".into(), span: Default::default() }];
+        let Ok(worked) = work(&asking, Scope::Questions) else { return false };
+        let certified = certify(&asking, &worked.value, DIGITS);
+        certified.first().is_some_and(|c| c.part(Part::Scalar).is_some_and(|n| n.zero))
+    }
+
+    /// The centre of two links by their velocities; `None` where they do not move against one another or their motion is not known.
+    pub fn centre(&self, pair: Pair, infinite: bool) -> Option<Place> {
+        let (v, omega) = self.relative(pair)?;
+        let still = f64::EPSILON * 16.0 * self.largest;
+        if infinite || omega.abs() <= DOUBTFUL * self.largest && self.surely_translate(pair) {
+            return Place::infinity(v.perp()).filter(|_| v.norm() > still * self.frame.size);
+        }
+        let at = self.frame.middle + v.perp() * (1.0 / omega);
+        (omega.abs() > still && at.is_finite()).then_some(Place::At(at))
+    }
+
+    /// The velocity of one link against the other at their centre, relative to the largest velocities at its distance: 0 at a true centre.
+    /// `None` where the motion is not known.
+    pub fn residual(&self, pair: Pair, place: Place) -> Option<f64> {
+        let (v, omega) = self.relative(pair)?;
+        if self.largest == 0.0 {
+            return None;
+        }
+        let Frame { middle, size } = self.frame;
+        Some(match place {
+            Place::At(p) => {
+                let r = p - middle;
+                (v + r.perp() * omega).norm() / (self.largest * (size + r.norm()))
+            }
+            Place::Infinity(u) => (u.dot(v).abs() / size).max(omega.abs()) / self.largest,
+        })
+    }
+}

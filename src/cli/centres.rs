@@ -1,0 +1,24 @@
+//! The command `centres`: all instantaneous centres, how each is found, and what they tell.
+
+use super::{Input, Run, args, choices, files};
+use crate::centres;
+use crate::diag::Warned;
+use crate::report::centres as report;
+use crate::scene::edit;
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Centres) -> Run {
+    // A centre does not depend on how fast the driver goes.
+    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;
+    input.notes.extend(notes);
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&value, &input.notes)))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    files::print(&report::text(&value, lang))?;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,420 @@
+//! Instantaneous centres as a table for people and as JSON for programs: how each is found, where it lies, and what they tell.
+
+use super::answers::diagnostic;
+use super::phrase::tr;
+use crate::answer::Value;
+use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning};
+use crate::diag::Diagnostic;
+use crate::digits::{direction_degrees, significant};
+use crate::scene::quantity::{self, PointMotion, Rate};
+use crate::scene::{GuidePath, Kind, Lang, LinkId, OnLink, Scene};
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+/// Significant digits of the table.
+const DIGITS: usize = 6;
+
+/// A writer for one result and language.
+pub struct Words<'a> {
+    found: &'a Centres,
+    scene: &'a Scene,
+    lang: Lang,
+}
+
+/// The report as text.
+pub fn text(found: &Centres, lang: Lang) -> String {
+    let w = Words::new(found, lang);
+    let mut lines = Vec::new();
+    let title = w.scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    lines.push(w.counts());
+    lines.push(String::new());
+    lines.extend(columns(&w.table(), 3));
+    lines.push(String::new());
+    lines.push(w.proof());
+    lines.push(String::new());
+    lines.push(tr(lang, "speeds by centres:", "用瞬心求速度：").into());
+    lines.extend(w.steps().into_iter().map(|s| format!("  {s}")));
+    lines.push(String::new());
+    lines.extend(columns(&w.ways(), 1));
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// A table with its columns below one another; those from `right` on are set to the right.
+fn columns(rows: &[Vec<String>], right: usize) -> Vec<String> {
+    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
+    let cell = |(k, text): (usize, &String)| {
+        let air = " ".repeat(widths[k].saturating_sub(text.width()));
+        if k >= right { format!("{air}{text}") } else { format!("{text}{air}") }
+    };
+    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
+}
+
+impl<'a> Words<'a> {
+    /// A writer.
+    pub fn new(found: &'a Centres, lang: Lang) -> Words<'a> {
+        Words { found, scene: &found.scene, lang }
+    }
+
+    fn pair(&self, a: LinkId, b: LinkId) -> Pair {
+        self.found.closure.pair(a, b)
+    }
+
+    fn name(&self, a: LinkId, b: LinkId) -> String {
+        self.pair(a, b).name(self.scene)
+    }
+
+    fn counts(&self) -> String {
+        let c = &self.found.closure;
+        let taken = c.steps.iter().filter(|s| s.how == How::Velocities).count();
+        let (n, all, primary) = (c.links.len(), c.steps.len(), c.primary);
+        let more = all - primary - taken;
+        match (self.lang, taken) {
+            (Lang::En, 0) => format!("{n} links, {all} centres: {primary} at the pairs, {more} by the theorem of three centres"),
+            (Lang::En, _) => {
+                format!("{n} links, {all} centres: {primary} at the pairs, {taken} from velocities, {more} by the theorem of three centres")
+            }
+            (Lang::Zh, 0) => format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{more} 个由三心定理求得"),
+            (Lang::Zh, _) => {
+                format!("{n} 个构件，{all} 个瞬心：{primary} 个由运动副直接得到，{taken} 个由速度求得，{more} 个由三心定理求得")
+            }
+        }
+    }
+
+    /// A length unit of the table: the book's, else the scene's; its name, and how many of it a metre has.
+    fn unit(&self) -> (String, f64) {
+        match self.scene.book.chosen(Kind::Length) {
+            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+            None => {
+                let unit = self.scene.length_unit;
+                (unit.name.to_owned(), unit.denominator / unit.numerator)
+            }
+        }
+    }
+
+    /// A length in that unit.
+    pub fn length(&self, m: f64) -> String {
+        let (name, per_metre) = self.unit();
+        format!("{} {name}", significant(m * per_metre, DIGITS))
+    }
+
+    fn table(&self) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let (unit, per_metre) = self.unit();
+        let size = self.found.worked.configuration.extent();
+        let far = |c: &Centre| c.place.and_then(|p| p.point()).map_or(0.0, |p| p.to_vec2().norm());
+        let number = |x: f64, c: &Centre| {
+            // A zero that was found to rounding is zero.
+            let zero = x.abs() <= 1e-12 * size.max(far(c));
+            significant(if zero { 0.0 } else { x * per_metre }, DIGITS)
+        };
+        let mut rows = vec![vec![
+            tr(lang, "centre", "瞬心").to_owned(),
+            tr(lang, "round", "轮次").to_owned(),
+            tr(lang, "how", "求法").to_owned(),
+            format!("x / {unit}"),
+            format!("y / {unit}"),
+        ]];
+        for c in &self.found.list {
+            let mut row = vec![c.step.pair.name(self.scene), c.round.to_string(), self.how(c)];
+            match c.place {
+                Some(Place::At(p)) => row.extend([number(p.x, c), number(p.y, c)]),
+                Some(Place::Infinity(u)) => row.extend([
+                    tr(lang, "at infinity", "无穷远").to_owned(),
+                    format!("∠ {}°", significant(direction_degrees(u.angle()), DIGITS)),
+                ]),
+                None => row.extend([tr(lang, "not determined", "不定").to_owned(), String::new()]),
+            }
+            rows.push(row);
+        }
+        rows
+    }
+
+    /// How a centre is found: `pin B`, `23·34 × 12·14`.
+    pub fn how(&self, c: &Centre) -> String {
+        let given = if c.step.given_drivers { tr(self.lang, " (for the given drivers)", "（对给定的原动件运动）") } else { "" };
+        let how = match (&c.step.how, c.origin) {
+            (How::Primary(primary), _) => self.primary(*primary),
+            (_, Some(Origin::Crossing([a, b]))) => format!("{} × {}", self.line(c.step.pair, a), self.line(c.step.pair, b)),
+            (How::Lines(_), Some(Origin::Velocities)) => {
+                tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
+            }
+            (How::Velocities, Some(Origin::Velocities)) => tr(self.lang, "velocities of the analysis", "解析法的速度").to_owned(),
+            (_, Some(Origin::Pair) | None) => "–".to_owned(),
+        };
+        format!("{how}{given}")
+    }
+
+    fn primary(&self, primary: Primary) -> String {
+        match primary {
+            Primary::Pin(p) => format!("{} {}", tr(self.lang, "turns about", "转动副"), self.scene.point_name(p)),
+            Primary::Slide(g) => {
+                let guide = &self.scene.guides[g.0];
+                let at = guide.pin.map_or(String::new(), |p| format!(" {}", self.scene.point_name(p)));
+                format!("{}{at}", tr(self.lang, "square to the guide", "垂直于导路"))
+            }
+            Primary::Cylinder(_) => tr(self.lang, "square to the cylinder", "垂直于液压缸").to_owned(),
+        }
+    }
+
+    /// A line on which a centre lies: `23·34`.
+    pub fn line(&self, pair: Pair, line: Line) -> String {
+        match line {
+            Line::Through(k) => {
+                format!("{}·{}", self.pair(pair.i, k).indices(self.scene), self.pair(k, pair.j).indices(self.scene))
+            }
+            Line::Normal(g) => {
+                let guide = &self.scene.guides[g.0];
+                let pin = guide.pin.map_or("", |p| self.scene.point_name(p));
+                match (&guide.path, self.lang) {
+                    (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
+                    (GuidePath::Arc { .. }, Lang::En) => format!("radius of the slot at {pin}"),
+                    (GuidePath::Line { .. }, Lang::Zh) => format!("{pin} 处槽的法线"),
+                    (GuidePath::Arc { .. }, Lang::Zh) => format!("{pin} 处槽的半径"),
+                }
+            }
+            Line::Infinity => tr(self.lang, "the line at infinity", "无穷远直线").to_owned(),
+        }
+    }
+
+    fn proof(&self) -> String {
+        let found = self.found;
+        let (residual, triple) = (significant(found.worst_residual(), 2), significant(found.worst_triple, 2));
+        let none = found.list.iter().all(|c| c.residual.is_none());
+        match self.lang {
+            _ if none => {
+                tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
+            }
+            Lang::En => format!(
+                "checked by the loop equations: each centre has one velocity on both links, to {residual} of the largest; all triples lie in line, to {triple}"
+            ),
+            Lang::Zh => format!(
+                "用回路方程校核：各瞬心在两构件上的速度相同（相对差不超过 {residual}），任意三个构件的三个瞬心共线（偏差不超过 {triple}）"
+            ),
+        }
+    }
+
+    fn omega(&self, value: f64) -> String {
+        let book = &self.scene.book;
+        book.text(Kind::Omega, &significant(book.value(Kind::Omega, value), DIGITS))
+    }
+
+    fn velocity(&self, value: f64) -> String {
+        let book = &self.scene.book;
+        book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, value), DIGITS))
+    }
+
+    /// The symbol of a link's ω against the frame.
+    fn symbol(&self, l: LinkId) -> String {
+        let (name, frame) = (self.scene.link_name(l), self.found.uses.frame);
+        if frame == self.scene.ground { format!("ω_{name}") } else { format!("ω_{name}/{}", self.scene.link_name(frame)) }
+    }
+
+    /// The steps in words, one line each.
+    pub fn steps(&self) -> Vec<String> {
+        let uses = &self.found.uses;
+        let mut steps = Vec::new();
+        if self.found.at_rest {
+            steps.push(tr(self.lang, "the drivers are at rest: a unit of their rate is taken", "原动件静止：取单位速度").to_owned());
+        }
+        steps.extend(uses.links.iter().map(|t| self.turning(t)));
+        steps.extend(uses.points.iter().map(|s| self.speed(s)));
+        steps
+    }
+
+    fn sense(&self, omega: f64) -> &'static str {
+        match omega {
+            o if o > 0.0 => tr(self.lang, ", counter-clockwise", "，逆时针"),
+            o if o < 0.0 => tr(self.lang, ", clockwise", "，顺时针"),
+            _ => "",
+        }
+    }
+
+    fn of(&self, l: LinkId) -> Option<&Turning> {
+        self.found.uses.links.iter().find(|t| t.link == l)
+    }
+
+    /// ω of a link against the frame.
+    fn rate_of(&self, l: LinkId) -> f64 {
+        self.of(l).map_or(0.0, |t| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 })
+    }
+
+    fn turning(&self, t: &Turning) -> String {
+        let (lang, frame) = (self.lang, self.found.uses.frame);
+        let k = self.scene.link_name(t.link);
+        let (rate, slide) = match t.motion {
+            Motion::Turn(omega) => (omega, None),
+            Motion::Slide(v) => (0.0, Some(v)),
+        };
+        let rate_words = format!("{}{}", self.omega(rate.abs()), self.sense(rate));
+        let slides = |v: crate::geom::Vec2| {
+            let along = significant(direction_degrees(v.angle()), DIGITS);
+            format!("{} ∠ {along}°", self.velocity(v.norm()))
+        };
+        let own = self.symbol(t.link);
+        match t.by {
+            By::Driver | By::Analysis => {
+                let why = if t.by == By::Driver {
+                    tr(lang, "  (the driver)", "（原动件）")
+                } else {
+                    tr(lang, "  (by the analysis)", "（由解析法）")
+                };
+                match slide {
+                    Some(v) => format!("v_{k} = {}{why}", slides(v)),
+                    None => format!("{own} = {rate_words}{why}"),
+                }
+            }
+            By::Ratio { link, of_other, own: arm } => {
+                let (x, m) = (self.name(t.link, link), self.symbol(link));
+                let (o, c) = (self.name(frame, t.link), self.name(frame, link));
+                let sense = match (lang, rate * self.rate_of(link)) {
+                    (_, 0.0) => String::new(),
+                    (Lang::En, p) if p > 0.0 => format!("; {x} lies outside {c}{o}: the same sense"),
+                    (Lang::En, _) => format!("; {x} lies between {c} and {o}: opposite senses"),
+                    (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
+                    (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
+                };
+                let ratio = significant(of_other / arm, DIGITS);
+                let (over, then) = if frame == self.scene.ground { ("/", tr(lang, ";", "；")) } else { (" : ", tr(lang, ";", "；")) };
+                let (near, far) = (self.length(of_other), self.length(arm));
+                format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then} {own} = {rate_words}")
+            }
+            By::Together(m) => match lang {
+                Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
+                Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
+            },
+            By::Slides { link, arm } => {
+                let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
+                let turns = self.omega(self.rate_of(link).abs());
+                format!("v_{k} = {m} · {c}{x} = {turns} · {} = {}", self.length(arm), slide.map_or(String::new(), slides))
+            }
+            By::FromSlide { link, arm } => {
+                let (x, o) = (self.name(t.link, link), self.name(frame, t.link));
+                let speed = self.of(link).map_or(0.0, |m| if let Motion::Slide(v) = m.motion { v.norm() } else { 0.0 });
+                let (m, speed, arm) = (self.scene.link_name(link), self.velocity(speed), self.length(arm));
+                format!("{own} = v_{m} / {o}{x} = {speed} / {arm} = {rate_words}")
+            }
+        }
+    }
+
+    fn speed(&self, s: &Speed) -> String {
+        let (point, link) = (self.scene.point_name(s.point), self.scene.link_name(s.link));
+        let size = self.velocity(s.velocity.norm());
+        match s.arm {
+            Some(arm) => {
+                let o = self.name(self.scene.ground, s.link);
+                let turns = self.omega(self.of(s.link).map_or(0.0, |t| t.omega.abs()));
+                format!("v_{point} = ω_{link} · {o}{point} = {turns} · {} = {size}", self.length(arm))
+            }
+            None => format!("v_{point} = v_{link} = {size}"),
+        }
+    }
+
+    /// The values by centres beside those of drawing and analysis.
+    fn ways(&self) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let mut rows = vec![vec![
+            tr(lang, "magnitude", "大小").to_owned(),
+            tr(lang, "by centres", "瞬心法").to_owned(),
+            tr(lang, "drawn", "图解").to_owned(),
+            tr(lang, "loop equations", "解析").to_owned(),
+        ]];
+        let most = self.found.uses.links.iter().map(|t| t.omega.abs()).fold(0.0, f64::max);
+        let fastest = self.found.uses.points.iter().map(|s| s.velocity.norm()).fold(0.0, f64::max);
+        for (symbol, kind, value, others) in self.values() {
+            let zero = 1e-12 * if kind == Kind::Omega { most } else { fastest };
+            let write = |v: f64| match (kind, if v.abs() <= zero { 0.0 } else { v }) {
+                (Kind::Omega, v) => self.omega(v),
+                (_, v) => self.velocity(v),
+            };
+            let mut row = vec![symbol, write(value)];
+            row.extend(others.map(|v| v.map_or_else(|| "–".to_owned(), write)));
+            rows.push(row);
+        }
+        rows
+    }
+
+    /// Symbol, kind, value by centres, and by drawing and analysis; of a vector the length.
+    fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
+        let number = |v: Value| match v {
+            Value::Scalar(s) => s,
+            Value::Vector(_) | Value::Point(_) => v.magnitude(),
+        };
+        let links = self.found.uses.links.iter().filter(|t| t.link != self.scene.ground).map(|t| {
+            let others =
+                self.found.other_ways(&quantity::Turning { rate: Rate::Velocity, of: t.link, against: None }.into()).map(|v| v.map(number));
+            (format!("ω_{}", self.scene.link_name(t.link)), Kind::Omega, t.omega, others)
+        });
+        let points = self.found.uses.points.iter().map(|s| {
+            let others = self
+                .found
+                .other_ways(&PointMotion { rate: Rate::Velocity, of: OnLink { point: s.point, link: None } }.into())
+                .map(|v| v.map(number));
+            (format!("v_{}", self.scene.point_name(s.point)), Kind::Velocity, s.velocity.norm(), others)
+        });
+        links.chain(points).collect()
+    }
+}
+
+/// The centres for programs, in SI.
+pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
+    let w = Words::new(found, Lang::En);
+    let scene = &found.scene;
+    let names = |p: Pair| [scene.link_name(p.i).to_owned(), scene.link_name(p.j).to_owned()];
+    let centres: Vec<Json> = found
+        .list
+        .iter()
+        .map(|c| {
+            let (at, direction) = match c.place {
+                Some(Place::At(p)) => (Some([p.x, p.y]), None),
+                Some(Place::Infinity(u)) => (None, Some(direction_degrees(u.angle()))),
+                None => (None, None),
+            };
+            let lines: Vec<String> = match c.origin {
+                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l)).collect(),
+                Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
+            };
+            json!({
+                "name": c.step.pair.name(scene),
+                "links": names(c.step.pair),
+                "round": c.round,
+                "by": match (&c.step.how, c.origin) {
+                    (_, None) => "none",
+                    (How::Primary(_), _) => "pair",
+                    (_, Some(Origin::Velocities)) => "velocities",
+                    (_, Some(Origin::Crossing(_) | Origin::Pair)) => "lines",
+                },
+                "how": w.how(c),
+                "lines": lines,
+                "at": at,
+                "infinity_deg": direction,
+                "given_drivers": c.step.given_drivers,
+                "residual": c.residual,
+            })
+        })
+        .collect();
+    let values: Vec<Json> = w
+        .values()
+        .into_iter()
+        .map(|(symbol, kind, value, [drawing, analysis])| {
+            json!({"symbol": symbol, "unit": kind.si(), "centres": value, "drawing": drawing, "analysis": analysis})
+        })
+        .collect();
+    json!({
+        "title": {"en": scene.title.en, "zh": scene.title.zh},
+        "links": found.closure.links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+        "count": found.closure.steps.len(),
+        "primary": found.closure.primary,
+        "by_theorem": found.closure.by_theorem,
+        "stalled": found.closure.stalled(),
+        "centres": centres,
+        "steps": {"en": w.steps(), "zh": Words::new(found, Lang::Zh).steps()},
+        "values": values,
+        "worst_residual": found.worst_residual(),
+        "worst_triple": found.worst_triple,
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}
