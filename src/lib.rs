@@ -71,7 +71,7 @@
 //! construct  diag digits number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
-//! worked     diag scene geom mechanism position answer plan construct analytic accuracy
+//! worked     diag scene mechanism position answer plan construct analytic accuracy
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*

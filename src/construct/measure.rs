@@ -105,6 +105,10 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
                 self.slide_velocity(term).perp() * (two * omega)
             }
+            (TermKind::Coriolis, By::Frame(body)) => {
+                let omega = self.rate(Level::Velocity, body);
+                self.slide_velocity(term).perp() * (two * omega)
+            }
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
                 let v = self.slide_velocity(term);

@@ -113,6 +113,8 @@ pub enum By {
     Cylinder(usize),
     /// The contact of a rolling pair.
     Contact(RollingId),
+    /// Nothing but the frame from which the one is seen: the body with which the other turns.
+    Frame(Body),
     /// Nothing: two points of different links, of which the difference alone is asked.
     Apart,
 }

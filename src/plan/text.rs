@@ -69,7 +69,7 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
             let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
             both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
         }
-        By::Apart => Both::same(line()),
+        By::Frame(_) | By::Apart => Both::same(line()),
     }
 }
 
@@ -125,6 +125,7 @@ impl Writer<'_> {
             // the acceleration.
             By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
             By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
+            By::Frame(_) => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
         // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
@@ -306,6 +307,9 @@ impl Writer<'_> {
             (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Coriolis, By::Frame(_)) => {
+                format!("\\perp {}", self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t }))
+            }
             (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
             (TermKind::Slide, By::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Slide, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
@@ -318,6 +322,7 @@ impl Writer<'_> {
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
             (TermKind::Roll, By::Contact(pair)) => self.normal_line(pair),
+            (TermKind::Slide, By::Frame(_)) => self.notation.unknown.clone(),
             (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
         }
     }
@@ -351,6 +356,10 @@ impl Writer<'_> {
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
                 let omega = self.turning(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
                 format!("2{omega} {}", self.sliding(t))
+            }
+            (TermKind::Coriolis, By::Frame(body)) => {
+                let v = self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t });
+                format!("2{} {v}", self.turning(Level::Velocity, body))
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
                 let v = self.symbol(Level::Velocity, &Term { kind: TermKind::Extension, ..*t });

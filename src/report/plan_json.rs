@@ -313,6 +313,7 @@ impl Reporter<'_> {
             By::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
             By::Cylinder(d) => json!({"cylinder": d}),
             By::Contact(pair) => json!({"rolling": pair.0}),
+            By::Frame(body) => json!({"frame": self.body(body)}),
             By::Apart => Json::Null,
         }
     }
@@ -341,7 +342,7 @@ impl Reporter<'_> {
                 By::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
                 By::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
                 By::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
-                By::Contact(_) | By::Apart => &[],
+                By::Contact(_) | By::Frame(_) | By::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {
