@@ -98,6 +98,7 @@ pub mod accuracy;
 pub mod analytic;
 pub mod answer;
 pub mod centres;
+pub mod composite;
 pub mod cli;
 pub mod construct;
 pub mod diag;

@@ -6,6 +6,7 @@
 mod args;
 mod batch;
 mod centres;
+mod composite;
 mod curves;
 mod draw;
 mod files;
@@ -66,6 +67,7 @@ pub fn main() -> ExitCode {
         Command::Path(a) => path::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Centres(a) => centres::run(a),
+        Command::Composite(a) => composite::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
         Command::Templates => list_templates(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -2,6 +2,7 @@
 
 pub mod answers;
 pub mod centres;
+pub mod composite;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;

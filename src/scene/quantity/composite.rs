@@ -1,9 +1,8 @@
 //! `ve_A/2`, `vr_A/2`, `ak_A/2`: composite motion of a point. Moving point A is seen from frame 2 (a link, or a point with which the
 //! frame translates): v_a = v_e + v_r, a_a = a_eⁿ + a_eᵗ + a_rⁿ + a_rᵗ + a_k. `path_A/2` is the place of A in the axes of the frame.
 
-use super::frame::owns;
 use super::joined::name;
-use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, relative_path};
+use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
 use crate::diag::{Diagnostic, both};
 use crate::geom::Point;
 use crate::number::Real;

@@ -26,6 +26,7 @@ mod value;
 
 pub use composite::Composite;
 pub use entry::{Entry, Form, Of, Over};
+pub(crate) use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use joined::{Joined, joined};
 pub use level::{Level, Need, Rate};

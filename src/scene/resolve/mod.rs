@@ -4,6 +4,7 @@
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
 mod answers;
+mod composite;
 mod declare;
 mod drivers;
 mod find;
@@ -132,6 +133,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
         lengths.extend(rolling.lengths);
         let find = ground.map(|_| find::find(&context, faults));
+        let composite = composite::composite(&context, faults);
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
@@ -152,6 +154,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             drivers: drivers?,
             sides,
             find: find?,
+            composite,
             language,
             notation,
             paper,
@@ -159,6 +162,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             book,
         }
     };
+    composite::judged(&scene, faults);
     Some(scene)
 }
 
