@@ -34,8 +34,10 @@ pub enum Known {
 }
 
 /// The parts of an acceleration, in the order in which they are drawn.
+///
+/// a_k and a_rⁿ lie on one line, so that one after the other they would be drawn over one another.
 const PARTS: [Part; 5] =
-    [Part::TransportNormal, Part::TransportTangential, Part::Coriolis, Part::RelativeNormal, Part::RelativeTangential];
+    [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
 
 /// The scene asking for the parts of these choices alone, and its work.
 ///

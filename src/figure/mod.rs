@@ -5,6 +5,7 @@
 mod arrange;
 pub mod arrow;
 pub(crate) mod course;
+pub mod composite;
 pub mod curves;
 pub mod drawing;
 pub mod extent;

@@ -14,6 +14,8 @@ pub struct Words {
     pub velocity_polygon: &'static str,
     /// Caption of the acceleration polygon.
     pub acceleration_polygon: &'static str,
+    /// Caption of the parts of an acceleration at the moving point.
+    pub composite_acceleration: &'static str,
     /// Heading of the velocity equations.
     pub velocities: &'static str,
     /// Heading of the acceleration equations.
@@ -83,6 +85,7 @@ const EN: Words = Words {
     diagram: "Kinematic diagram",
     velocity_polygon: "Velocity polygon",
     acceleration_polygon: "Acceleration polygon",
+    composite_acceleration: "Acceleration of the moving point and its parts",
     velocities: "Velocities",
     accelerations: "Accelerations",
     results: "Results",
@@ -121,6 +124,7 @@ const ZH: Words = Words {
     diagram: "机构运动简图",
     velocity_polygon: "速度多边形",
     acceleration_polygon: "加速度多边形",
+    composite_acceleration: "动点的加速度及其各分量",
     velocities: "速度分析",
     accelerations: "加速度分析",
     results: "结果",

@@ -17,6 +17,8 @@ use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table; the certified ones are told by `solve`.
 const DIGITS: usize = 5;
+/// Values to a line.
+const PER_LINE: usize = 3;
 
 /// The report as text.
 pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang) -> String {
@@ -173,12 +175,12 @@ impl Words<'_> {
     /// All that is told of a choice: heading, path, equations with values, projections.
     pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
         let mut out = vec![Phrase::of_words(&self.heading(&s.choice))];
-        out.extend(self.body(s));
+        out.extend(self.body(s, PER_LINE));
         out
     }
 
-    /// The same below its heading.
-    pub fn body(&self, s: &Solved) -> Vec<Phrase> {
+    /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
+    pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
         let lang = self.lang;
         let mut out = vec![Phrase::of_words(&match s.choice.verdict {
             Verdict::Serves => self.path(&s.choice),
@@ -186,22 +188,26 @@ impl Words<'_> {
         })];
         out.push(Phrase::new(&format!("${} = {} + {}$", "v_{a}", "v_{e}", "v_{r}")));
         let [a, e, r] = s.velocity;
-        out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity));
+        out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
         let projections = projections(s);
-        let projected = |level| projections.iter().find(|p| p.level == level).map(|p| self.projection(p, s.known));
+        let projected = |level| -> Vec<Phrase> {
+            let Some(p) = projections.iter().find(|p| p.level == level) else { return Vec::new() };
+            let (words, equation) = self.projection(p, s.known);
+            let lines = if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![format!("{words} ${equation}$")] };
+            lines.iter().map(|l| Phrase::new(l)).collect()
+        };
         out.extend(projected(Level::Velocity));
         if !s.acceleration.is_empty() {
             let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| symbol(*p, Level::Acceleration, lang)).collect();
             out.push(Phrase::new(&format!("$a_{{a}} = {}$", symbols.join(" + "))));
             let each: Vec<(String, Vec2)> = s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, lang), *v)).collect();
-            out.extend(self.values(&each, Kind::Acceleration));
+            out.extend(self.values(&each, Kind::Acceleration, per_line));
             out.extend(projected(Level::Acceleration));
         }
         out
     }
 
-    /// Three values to a line.
-    fn values(&self, vectors: &[(String, Vec2)], kind: Kind) -> Vec<Phrase> {
+    fn values(&self, vectors: &[(String, Vec2)], kind: Kind, per_line: usize) -> Vec<Phrase> {
         let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
         let told = |(symbol, v): &(String, Vec2)| {
             // What is left of rounding has no direction.
@@ -212,15 +218,15 @@ impl Words<'_> {
             let degrees = inked(&significant(direction_degrees(v.angle()), DIGITS));
             format!("${symbol} = {}$ ∠ ${degrees}$°", self.scene.book.label(kind, &number))
         };
-        vectors.chunks(3).map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma()))).collect()
+        vectors.chunks(per_line.max(1)).map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma()))).collect()
     }
 
     fn comma(&self) -> &'static str {
         tr(self.lang, ", ", "，")
     }
 
-    /// An equation on a line: `square to v_r (120°): v_a cos 30° = v_e cos 60°`.
-    fn projection(&self, p: &Projection, known: Known) -> Phrase {
+    /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
+    fn projection(&self, p: &Projection, known: Known) -> (String, String) {
         let lang = self.lang;
         let term = |(part, angle): &(Option<Part>, f64)| {
             let symbol = symbol(*part, p.level, lang);
@@ -246,10 +252,11 @@ impl Words<'_> {
             (Known::Both, _) => "",
         };
         let equation = format!("{} = {}", side(&left), side(&right));
-        Phrase::new(&match lang {
-            Lang::En => format!("projected square to ${unwanted}$ (on ${degrees}$°){wanted}: ${equation}$"),
-            Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}：${equation}$"),
-        })
+        let words = match lang {
+            Lang::En => format!("projected square to ${unwanted}$ (on ${degrees}$°){wanted}:"),
+            Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
+        };
+        (words, equation)
     }
 }
 
@@ -294,7 +301,10 @@ pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnosti
             };
             out[key] = vector(*v);
         }
-        out["projections"] = projections(s).iter().map(|p| json!(w.projection(p, s.known).plain())).collect();
+        out["projections"] = projections(s).iter().map(|p| {
+            let (words, equation) = w.projection(p, s.known);
+            json!(Phrase::new(&format!("{words} ${equation}$")).plain())
+        }).collect();
         out
     };
     let choices: Vec<Json> = all

@@ -13,6 +13,7 @@ use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
+use super::composite;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -39,6 +40,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::ACCELERATION,
     &equations::ENTRY,
     &results::ENTRY,
+    &composite::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

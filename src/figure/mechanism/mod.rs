@@ -2,9 +2,10 @@
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
 //! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
-//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
+//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
+mod composed;
 mod directions;
 mod form;
 mod letters;
@@ -25,6 +26,7 @@ use super::drawing::{Drawing, Part};
 use super::item::{Colour, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
+pub use composed::{Composed, SHORTEST_MM, Vector, composed};
 use form::Form;
 pub use overlay::{Overlay, Track, overlaid};
 
