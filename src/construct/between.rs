@@ -43,7 +43,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             By::Turning(body) => Some(body),
             By::Guide { guide, .. } => Some(Body::Link(self.scene.guides[guide.0].on)),
             By::Cylinder(d) => Some(Body::Cylinder(d)),
-            By::Frame(body) => Some(body),
+            By::Frame { body, .. } => body,
             By::Contact(_) | By::Apart => None,
         };
         known.iter().filter(by_omega).filter_map(body).all(|b| {

@@ -348,7 +348,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
             By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
-            By::Guide { .. } | By::Contact(_) | By::Frame(_) | By::Apart => 1.0,
+            By::Guide { .. } | By::Contact(_) | By::Frame { .. } | By::Apart => 1.0,
         }
     }
 
@@ -379,7 +379,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
             By::Contact(pair) => self.contact_normal(pair).and_then(|n| n.unit()),
-            By::Frame(_) | By::Apart => None,
+            By::Frame { .. } | By::Apart => None,
         };
         u.ok_or_else(|| self.coincide(term.of, term.to).into())
     }

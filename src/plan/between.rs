@@ -112,17 +112,25 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
             }
             Joined::Cylinder(_) | Joined::Link(_) => None,
         },
-        // A frame that only translates adds nothing to what the one point does against the other.
-        Meaning::Seen(Seen::Relative, a, frame, _) => match frame {
-            Frame::Link(l) if !m.never_turns[l.0] => terms(&a, &frame.transport_point(a), &[Slide], By::Frame(body_of(scene, m, l))),
-            Frame::Link(_) | Frame::Point(_) => terms(&a, &frame.transport_point(a), &[Relative], By::Apart),
-        },
-        Meaning::Seen(Seen::Coriolis, a, frame, _) => match frame {
-            Frame::Link(l) if !m.never_turns[l.0] => terms(&a, &frame.transport_point(a), &[Coriolis], By::Frame(body_of(scene, m, l))),
-            Frame::Link(_) | Frame::Point(_) => None,
-        },
-        // Normal and tangential parts along a path that no pair gives are reckoned.
-        Meaning::Seen(Seen::RelativeNormal | Seen::RelativeTangential | Seen::TransportNormal | Seen::TransportTangential, ..) => None,
+        Meaning::Seen(seen, a, frame, about) => {
+            let body = match frame {
+                Frame::Link(l) if !m.never_turns[l.0] => Some(body_of(scene, m, l)),
+                Frame::Link(_) | Frame::Point(_) => None,
+            };
+            let (seat, by) = (frame.transport_point(a), By::Frame { body, about });
+            match (seen, body, about) {
+                (Seen::Relative, _, Some(_)) => terms(&a, &seat, &[SlideNormal, Slide], by),
+                // A frame that only translates adds nothing to what the one point does against the other.
+                (Seen::Relative, None, None) => terms(&a, &seat, &[Relative], By::Apart),
+                (Seen::Relative, Some(_), None) => terms(&a, &seat, &[Slide], by),
+                (Seen::Coriolis, Some(_), _) => terms(&a, &seat, &[Coriolis], by),
+                (Seen::RelativeNormal, _, Some(_)) => terms(&a, &seat, &[SlideNormal], by),
+                (Seen::RelativeTangential, _, Some(_)) => terms(&a, &seat, &[Slide], by),
+                (Seen::Coriolis, None, _) => None,
+                // Parts along a path that no pair gives are reckoned.
+                (Seen::RelativeNormal | Seen::RelativeTangential | Seen::TransportNormal | Seen::TransportTangential, ..) => None,
+            }
+        }
         Meaning::Place(_) | Meaning::Turning(..) => None,
     }
 }
@@ -254,9 +262,13 @@ impl Builder<'_> {
                 })
             }
             (_, by @ By::Contact(_)) => Some(Between::Join(term(TermKind::Roll, by))),
-            (_, by @ By::Frame(_)) => {
-                let known = Term { known: true, ..term(TermKind::Coriolis, by) };
-                Some(Between::LayOff { known: vec![known], rest: vec![term(TermKind::Slide, by)] })
+            (_, by @ By::Frame { body, about }) => {
+                let coriolis = body.map(|_| TermKind::Coriolis);
+                let parts = coriolis.into_iter().chain(about.map(|_| TermKind::SlideNormal));
+                Some(Between::LayOff {
+                    known: parts.map(|kind| Term { known: true, ..term(kind, by) }).collect(),
+                    rest: vec![term(TermKind::Slide, by)],
+                })
             }
             (_, By::Apart) => None,
         };

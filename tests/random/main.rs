@@ -5,6 +5,7 @@
 
 mod asked;
 mod bad;
+mod composite;
 mod dead;
 mod digits;
 mod emit;

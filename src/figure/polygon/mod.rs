@@ -205,8 +205,8 @@ impl Draft<'_> {
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
             }
             By::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
-            By::Frame(Body::Link(l)) => Some(l.0),
-            By::Frame(Body::Cylinder(_)) | By::Apart => None,
+            By::Frame { body: Some(Body::Link(l)), .. } => Some(l.0),
+            By::Frame { .. } | By::Apart => None,
         }
     }
 
