@@ -36,8 +36,7 @@ pub enum Known {
 /// The parts of an acceleration, in the order in which they are drawn.
 ///
 /// a_k and a_rⁿ lie on one line, so that one after the other they would be drawn over one another.
-const PARTS: [Part; 5] =
-    [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
+const PARTS: [Part; 5] = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
 
 /// The scene asking for the parts of these choices alone, and its work.
 ///
@@ -77,7 +76,12 @@ fn has(c: &Choice) -> impl Fn(&Part) -> bool {
         Part::Coriolis => turns,
         Part::RelativeNormal | Part::RelativeTangential => !straight,
         Part::Relative => straight,
-        Part::TransportVelocity | Part::RelativeVelocity | Part::Transport | Part::TransportNormal | Part::TransportTangential | Part::Path => true,
+        Part::TransportVelocity
+        | Part::RelativeVelocity
+        | Part::Transport
+        | Part::TransportNormal
+        | Part::TransportTangential
+        | Part::Path => true,
     }
 }
 
@@ -99,11 +103,8 @@ fn parts(scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Sol
             crate::answer::Value::Scalar(_) | crate::answer::Value::Point(_) => None,
         }
     };
-    let velocity = [
-        value(&absolute(c, Rate::Velocity))?,
-        value(&part(c, Part::TransportVelocity))?,
-        value(&part(c, Part::RelativeVelocity))?,
-    ];
+    let velocity =
+        [value(&absolute(c, Rate::Velocity))?, value(&part(c, Part::TransportVelocity))?, value(&part(c, Part::RelativeVelocity))?];
     let mut acceleration = Vec::new();
     if level == Level::Acceleration {
         acceleration.push((None, value(&absolute(c, Rate::Acceleration))?));

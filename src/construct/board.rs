@@ -189,7 +189,10 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::origin())).collect();
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
-        for steps in plan.steps(level) {
+        // What waits for an image of a later group: vectors between images, and rates measured on such images.
+        let mut open: Vec<&Between> = Vec::new();
+        for (k, steps) in plan.steps(level).iter().enumerate() {
+            let so_far = &plan.steps(level)[..=k];
             // Given rates serve the group's own points; measured ones come from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
@@ -198,12 +201,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
-            let mut open: Vec<&Between> = steps.between.iter().collect();
-            self.read_off(&mut polygon, steps, &mut open)?;
+            open.extend(&steps.between);
+            self.read_off(&mut polygon, so_far, &mut open)?;
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
                 // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-                self.read_off(&mut polygon, steps, &mut open)?;
+                self.read_off(&mut polygon, so_far, &mut open)?;
             }
         }
         Ok(polygon)

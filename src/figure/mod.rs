@@ -4,8 +4,8 @@
 
 mod arrange;
 pub mod arrow;
-pub(crate) mod course;
 pub mod composite;
+pub(crate) mod course;
 pub mod curves;
 pub mod drawing;
 pub mod extent;

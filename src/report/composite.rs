@@ -243,7 +243,11 @@ impl Words<'_> {
             all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
         };
         let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
-        let unwanted = if p.level == Level::Velocity { symbol(Some(Part::RelativeVelocity), p.level, lang) } else { symbol(Some(Part::RelativeTangential), p.level, lang) };
+        let unwanted = if p.level == Level::Velocity {
+            symbol(Some(Part::RelativeVelocity), p.level, lang)
+        } else {
+            symbol(Some(Part::RelativeTangential), p.level, lang)
+        };
         let wanted = match (known, p.level) {
             (Known::Transport, Level::Acceleration) => tr(lang, ", for $a_{a}$", "，求 $a_{a}$"),
             (Known::Transport, _) => tr(lang, ", for $v_{a}$", "，求 $v_{a}$"),
@@ -301,10 +305,13 @@ pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnosti
             };
             out[key] = vector(*v);
         }
-        out["projections"] = projections(s).iter().map(|p| {
-            let (words, equation) = w.projection(p, s.known);
-            json!(Phrase::new(&format!("{words} ${equation}$")).plain())
-        }).collect();
+        out["projections"] = projections(s)
+            .iter()
+            .map(|p| {
+                let (words, equation) = w.projection(p, s.known);
+                json!(Phrase::new(&format!("{words} ${equation}$")).plain())
+            })
+            .collect();
         out
     };
     let choices: Vec<Json> = all

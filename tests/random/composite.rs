@@ -39,11 +39,19 @@ fn parted(seed: u64) -> Option<(Case, Vec<Choice>, Scene, Worked)> {
     let mut scene = case.scene.clone();
     scene.find.clear();
     for c in &chosen {
-        scene.find.extend(Rate::ALL.map(|rate| ask(&scene, c, PointMotion { rate, of: c.of }.into())));
+        let absolute = Rate::ALL.map(|rate| {
+            let what = Asked::from(PointMotion { rate, of: c.of });
+            Find { what, text: format!("{}_{}", what.entry().symbol, name_of(&scene, &c.of)), span: Default::default() }
+        });
+        scene.find.extend(absolute);
         let all: Vec<Find> = parts(c).into_iter().map(|part| ask(&scene, c, Composite { part, of: c.of, frame: c.frame }.into())).collect();
         scene.find.extend(all);
     }
-    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", case.text)).value;
+    let asked: Vec<&str> = scene.find.iter().map(|f| f.text.as_str()).collect();
+    let run = || work(&scene, Scope::Questions);
+    let worked = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run))
+        .unwrap_or_else(|_| panic!("seed {seed}: a panic on\n{}\n{asked:?}", case.text));
+    let worked = worked.unwrap_or_else(|f| panic!("seed {seed}: {f}\n{}", case.text)).value;
     Some((case, chosen, scene, worked))
 }
 

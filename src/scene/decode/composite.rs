@@ -12,8 +12,13 @@ pub(super) fn composite(node: &Node, faults: &mut Faults) -> Option<RawComposite
     let point = f.need("point", "\"A\"", faults).and_then(|n| word(n, "\"point\"", faults));
     let frame = f.need("frame", both!("\"2\", a link or a point", "\"2\"（构件或点）"), faults).and_then(|n| word(n, "\"frame\"", faults));
     let on = f.get("on").map(|n| word(n, "\"on\"", faults));
-    Some(RawComposite { point: point?, frame: frame?, on: match on {
-        Some(word) => Some(word?),
-        None => None,
-    }, span: node.span })
+    Some(RawComposite {
+        point: point?,
+        frame: frame?,
+        on: match on {
+            Some(word) => Some(word?),
+            None => None,
+        },
+        span: node.span,
+    })
 }
