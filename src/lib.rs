@@ -27,10 +27,13 @@
 //!
 //! # Rooms
 //! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
-//!   templates, schema; in which unit a number is printed ([`scene::book`]).
-//! - [`mechanism`]: links, pairs, drivers as a graph; mobility; Assur groups in solving order with their legs; the demand of the
-//!   questions.
-//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest.
+//!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
+//!   ([`scene::book`]).
+//! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
+//! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
+//!   their legs; the demand of the questions.
+//! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
+//!   whether what repeats other pairs holds by itself ([`position::redundant`]).
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
@@ -41,6 +44,9 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
+//! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
+//! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
@@ -62,7 +68,8 @@
 //! trig       scene*
 //! number     trig scene*
 //! geom       number
-//! scene      diag json digits trig number geom
+//! cam        geom
+//! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
 //! position   diag digits number scene geom mechanism
 //! answer     number scene geom mechanism position
@@ -72,15 +79,18 @@
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
 //! worked     diag scene mechanism position answer plan construct analytic accuracy
+//! gears      geom
+//! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
+//! composite  diag scene geom mechanism answer worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag digits scene geom mechanism answer plan construct analytic accuracy worked centres sweep effort figure* render*
-//! figure     diag json digits scene geom mechanism position answer plan construct analytic accuracy worked sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep report
 //! render     diag geom figure
 //! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag json scene mechanism position plan accuracy worked centres sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -97,6 +107,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod cam;
 pub mod centres;
 pub mod cli;
 pub mod composite;
@@ -105,6 +116,7 @@ pub mod diag;
 pub mod digits;
 pub mod effort;
 pub mod figure;
+pub mod gears;
 pub mod geom;
 mod json;
 pub mod lesson;
@@ -117,6 +129,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod trains;
 pub mod trig;
 pub mod worked;
 pub mod worksheet;

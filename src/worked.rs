@@ -13,9 +13,11 @@ use crate::answer::Value;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
+use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
+use crate::scene::quantity::Form;
 use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
@@ -47,6 +49,8 @@ pub struct Worked {
     pub results: Vec<Outcome>,
     /// The questions that have none.
     pub unanswered: Vec<Unanswered>,
+    /// What only repeats what the others fix, looked at in several positions; empty for [`work_placed`].
+    pub redundant: Vec<position::redundant::Checked>,
     /// Crossings under less than 10°, with what helps.
     pub bad_angles: Vec<BadAngle>,
     /// The tolerances of hand drawing, where [`Worked::with_drafting`] asked for them.
@@ -149,9 +153,19 @@ fn blur_of(pose: &Solution) -> f64 {
 pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let Warned { value: mechanism, mut notes } = Mechanism::new(scene)?;
     let mut demand = Demand::of(scene, &mechanism);
+    // What only repeats the others is checked by its pins as far as the motion is asked for.
+    for (a, b) in (0..scene.links.len()).filter_map(|l| mechanism.held(LinkId(l))) {
+        let deepest = demand.level;
+        for level in Level::RATES.into_iter().filter(|level| *level <= deepest) {
+            demand.add(scene, &mechanism, Need::Point(a, None), level);
+            demand.add(scene, &mechanism, Need::Point(b, None), level);
+        }
+    }
     if scope == Scope::Figure {
         demand = demand.with_all_positions();
     }
+    let redundant = position::redundant::check(scene, &mechanism)?;
+    notes.extend(redundant.iter().map(|r| r.diagnostic(scene, &mechanism)));
     let placed = position::configure(scene, &mechanism, &demand)?;
     notes.extend(placed.notes);
     let configuration = settled(scene, &mechanism, &demand, placed.value);
@@ -161,6 +175,13 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
     let bad_angles = bad_angles(&drawn, pencil_mm(scene));
     notes.extend(bad_angles.iter().map(|b| b.diagnostic(&drawn)));
     worked.bad_angles = bad_angles;
+    // What repeats the others only nearly makes two mechanisms of one: the drawing and the loop equations hold different pairs of it.
+    let nearly = redundant.iter().filter(|r| r.verdict == Verdict::Almost).map(|r| r.off_m).fold(0.0, f64::max);
+    let blur = NEARLY * nearly / worked.configuration.extent().max(f64::MIN_POSITIVE);
+    for a in worked.results.iter_mut().filter_map(|r| r.agreement.as_mut()).filter(|_| nearly > 0.0) {
+        *a = a.no_better_than(blur);
+    }
+    worked.redundant = redundant;
     Ok(Warned { value: worked, notes })
 }
 
@@ -172,6 +193,38 @@ pub fn work(scene: &Scene, scope: Scope) -> Result<Warned<Worked>, Faults> {
 pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configuration: Configuration) -> Result<Warned<Worked>, Faults> {
     stages(scene, mechanism, demand, configuration, Digits::Estimated)
 }
+
+/// The groups without a core that a plan draws.
+fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
+    let higher = |g: &usize| matches!(mechanism.groups[*g].core, Core::Higher) && !plan.undrawable.contains(g);
+    (0..mechanism.groups.len()).filter(higher).collect()
+}
+
+/// What is said of the groups higher than class III that are called for: by what they are drawn, or that they are not.
+fn higher_groups(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
+    let planned = |g: usize| plan.undrawable.contains(&g) || plan.velocity.iter().any(|s| s.group == g);
+    let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
+    let note = |(g, group): (usize, &Group)| {
+        let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
+        let names = names.join(", ");
+        let message = if plan.undrawable.contains(&g) {
+            both!(
+                "links {names} form a group higher than class III: it is answered from the loop equations and not drawn",
+                "构件 {names} 组成高于Ⅲ级的杆组：由回路方程求解，不作图"
+            )
+        } else {
+            both!(
+                "links {names} form a group higher than class III: it is drawn by special points",
+                "构件 {names} 组成高于Ⅲ级的杆组：用特殊点作图"
+            )
+        };
+        Diagnostic::note("higher-group", message)
+    };
+    groups.map(note).collect()
+}
+
+/// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
+const NEARLY: f64 = 64.0;
 
 /// What is known of the digits that double precision keeps next to a singular pose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -200,8 +253,20 @@ fn stages(
         solution.taken_for_singular(|words| near_singular(words, written));
     }
     let draw = |without: &[usize]| -> Result<_, Faults> {
-        let plan = plan::plan_without(scene, &mechanism, &demand, without);
-        let construction = construct::construct(scene, &mechanism, &configuration, &plan, &Boxes::of(&scene.paper, &plan))?;
+        let constructed = |plan: &Plan| construct::construct(scene, &mechanism, &configuration, plan, &Boxes::of(&scene.paper, plan));
+        let mut plan = plan::plan_without(scene, &mechanism, &demand, without);
+        let construction = match constructed(&plan) {
+            Ok(construction) => construction,
+            Err(faults) => {
+                // Special points lie at infinity in some poses: then what they would draw is left to the loop equations.
+                let reduced = drawn_by_special_points(&mechanism, &plan);
+                if reduced.is_empty() {
+                    return Err(faults);
+                }
+                plan = plan::plan_without(scene, &mechanism, &demand, &[without, &reduced].concat());
+                constructed(&plan)?
+            }
+        };
         let drawn = construct::read(scene, &mechanism, &configuration, &plan, &construction);
         Ok((plan, construction, drawn))
     };
@@ -250,6 +315,7 @@ fn stages(
         notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
     }
     notes.extend(solution.notes.iter().cloned());
+    notes.extend(higher_groups(scene, &mechanism, &plan));
     let blur = blur_of(&solution);
     let (mut results, mut unanswered) = (Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
@@ -273,9 +339,16 @@ fn stages(
                 unanswered.push(Unanswered { find: i, refused: refused.clone() });
                 continue;
             }
-            return Err(Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text))
-                .at(find.span)
-                .into());
+            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
+            // A place that a formula of motion gives may be nowhere.
+            return Err(match find.what.entry().form {
+                Form::Point => none.help(both!(
+                    "in this pose it lies at infinity, or the links do not move; `hodograph centres` tells which",
+                    "该位置上它在无穷远处，或构件不动；详见 `hodograph centres`"
+                )),
+                Form::Scalar | Form::Vector => none,
+            }
+            .into());
         };
         let level = find.what.level();
         let scale = match level {
@@ -294,7 +367,10 @@ fn stages(
                 })
             }
         };
-        let noise_of = |of: &Solution, value: &Value| blur * of.largest(level, matches!(value, Value::Scalar(_)));
+        let noise_of = |of: &Solution, value: &Value| match value {
+            Value::Point(_) => blur * configuration.extent(),
+            Value::Vector(_) | Value::Scalar(_) => blur * of.largest(level, matches!(value, Value::Scalar(_))),
+        };
         let noise = match (level, agreement) {
             (Level::Position, _) => 0.0,
             (_, None) if written.is_some() => 0.0,
@@ -321,6 +397,7 @@ fn stages(
         solution,
         results,
         unanswered,
+        redundant: Vec::new(),
         bad_angles: Vec::new(),
         drafting: None,
     };

@@ -4,6 +4,8 @@
 use hodograph::accuracy::ladder::{Certified, Part, certify};
 use hodograph::answer::Value;
 use hodograph::geom::Vec2;
+use hodograph::mechanism::Counts;
+use hodograph::report::mobility;
 use hodograph::scene;
 use hodograph::worked::{Scope, work};
 use serde_json::Value as Json;
@@ -72,6 +74,9 @@ fn reference_cases() {
         let id = path.file_stem().unwrap().to_string_lossy().into_owned();
         let text = std::fs::read_to_string(&path).unwrap();
         let case: Json = serde_json::from_str(&text).unwrap();
+        if case["expect"].as_array().unwrap().iter().all(|e| e["find"].is_null()) {
+            continue;
+        }
         let scene = match scene::read(case["scene"].to_string()) {
             Ok(s) => s.value,
             Err(f) => {
@@ -95,7 +100,7 @@ fn reference_cases() {
         for r in worked.results.iter().filter(|r| r.agreement.is_some_and(|a| !a.holds())) {
             failures.push(format!("{id}: {} drawing and analysis disagree: {:?}", scene.find[r.find].text, r.agreement));
         }
-        for e in case["expect"].as_array().unwrap() {
+        for e in case["expect"].as_array().unwrap().iter().filter(|e| !e["find"].is_null()) {
             let find = e["find"].as_str().unwrap();
             let Some(i) = scene.find.iter().position(|f| f.text == find) else {
                 failures.push(format!("{id}: {find} is not asked for"));
@@ -127,7 +132,13 @@ fn reference_cases() {
                 // An answer of exactly zero has no relative error: its case says what size to judge it by.
                 difference / if e["size"].is_null() { exact.abs() } else { number(&e["size"]) }
             };
-            let drawn = outcome.drawn.as_ref().map_or(f64::INFINITY, |a| miss(a.value));
+            // A group that is not drawn is said to be none; the day it is drawn, the case says so no more.
+            let undrawn = e["drawn"] == false;
+            if undrawn && outcome.drawn.is_some() {
+                failures.push(format!("{id}: {find} is drawn; its case says that it is not"));
+            }
+            let missing = if undrawn { 0.0 } else { f64::INFINITY };
+            let drawn = outcome.drawn.as_ref().map_or(missing, |a| miss(a.value));
             let computed = miss(outcome.computed);
             let sure = miss(certified(&ladder[at]));
             rows.push(Row {
@@ -168,52 +179,115 @@ fn reference_cases() {
     assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
 }
 
+/// What a section of `docs/cases.md` says of its collection.
+#[derive(Default)]
+struct Told {
+    all: usize,
+    /// Cases that are scenes of the folder, their files and expected values.
+    scenes: usize,
+    files: usize,
+    values: usize,
+    elsewhere: usize,
+    not_yet: usize,
+}
+
+/// What is counted: of a scene (`count`, a place in the JSON of `hodograph mobility`), or from counts alone (`of`).
+#[test]
+fn freedoms_are_counted() {
+    let (mut failures, mut counted) = (Vec::new(), 0);
+    for path in files() {
+        let id = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let case: Json = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        let mut found: Option<Json> = None;
+        for e in case["expect"].as_array().unwrap().iter().filter(|e| e["find"].is_null()) {
+            let got = match (e["count"].as_str(), &e["of"]) {
+                (Some(place), _) => {
+                    let all = found.get_or_insert_with(|| {
+                        let scene = scene::read_topology(case["scene"].to_string()).unwrap_or_else(|f| panic!("{id}: {f}")).value;
+                        let (survey, checked) = mobility::surveyed(&scene);
+                        mobility::json(&scene, &survey, &checked)
+                    });
+                    all.pointer(place).and_then(Json::as_i64)
+                }
+                (None, of) => {
+                    let n = |key: &str| of[key].as_u64().unwrap_or_else(|| panic!("{id}: no {key}")) as usize;
+                    Some(Counts { moving: n("n"), lower: n("p_l"), higher: n("p_h") }.freedom(n("repeated"), n("local")))
+                }
+            };
+            counted += 1;
+            if got != Some(number(&e["exact"]) as i64) {
+                failures.push(format!("{id}: {} is {}, counted {got:?}", e["name"], e["exact"]));
+            }
+        }
+    }
+    assert!(counted > 30, "only {counted} counts in tests/cases");
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
 /// The folder holds what the documents say it holds: an empty one, a lost file or a lost expectation is a fault.
 #[test]
 fn the_list_of_cases_is_true() {
     let read = |path: &str| std::fs::read_to_string(format!("{}/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
     // Of each case its files and the values expected in them.
-    let mut values = 0;
     let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     for file in files() {
         let case: Json = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-        let expected = case["expect"].as_array().unwrap().len();
+        let centres = case["centres"].as_array().map_or(0, Vec::len);
+        let expected = case["expect"].as_array().unwrap().len() + centres;
         assert!(expected > 0, "{} expects nothing", file.display());
-        values += expected;
         let entry = found.entry(case["case"].as_str().unwrap().to_owned()).or_default();
         *entry = (entry.0 + 1, entry.1 + expected);
     }
-    let (page, sweeps) = (read("docs/cases.md"), read("tests/sweep.rs"));
+    // Tests of cases without a file.
+    let page = read("docs/cases.md");
+    let sweeps = ["tests/sweep.rs", "tests/centres.rs"].map(read).concat();
     let mut faults = Vec::new();
-    let (mut all, mut elsewhere, mut not_yet) = (0, 0, 0);
-    for row in page.lines().filter(|l| l.starts_with("| `")) {
+    let (mut tested, mut all) = (0, 0);
+    let (first, second) = page.split_once("\n## ").expect("two collections");
+    for (section, collection) in [(first, "reference.json"), (second, "beyond.json")] {
+        let told = told(section, &mut found, &sweeps, &mut faults);
+        let head = format!(
+            "{} cases in `{collection}`; {} are scenes in `tests/cases/` ({} files, {} expected values), \
+             {} are tests of the whole motion, {} are not yet.",
+            told.all, told.scenes, told.files, told.values, told.elsewhere, told.not_yet
+        );
+        if !section.contains(&head) {
+            faults.push(format!("docs/cases.md should say: {head}"));
+        }
+        tested += told.scenes + told.elsewhere;
+        all += told.all;
+    }
+    faults.extend(found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")));
+    assert!(faults.is_empty(), "docs/cases.md against tests/cases:\n{}", faults.join("\n"));
+    let claim = format!("{tested} of {all} reference problems");
+    assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
+}
+
+/// The rows of a section against the folder; what they account for is taken out of `found`.
+fn told(section: &str, found: &mut BTreeMap<String, (usize, usize)>, sweeps: &str, faults: &mut Vec<String>) -> Told {
+    let mut out = Told::default();
+    for row in section.lines().filter(|l| l.starts_with("| `")) {
         let cells: Vec<&str> = row.split(" | ").map(|c| c.trim_matches([' ', '|'])).collect();
         let (name, told, remarks) = (cells[0].trim_matches('`'), cells[2], cells[4..].join(" | "));
-        all += 1;
-        match (found.remove(name), told.parse::<usize>()) {
-            (None, Err(_)) if told == "not yet" => not_yet += 1,
+        out.all += 1;
+        let has = found.remove(name);
+        if let Some((files, values)) = has {
+            (out.scenes, out.files, out.values) = (out.scenes + 1, out.files + files, out.values + values);
+        }
+        match (has, told.parse::<usize>()) {
+            (None, Err(_)) if told == "not yet" => out.not_yet += 1,
             (None, Ok(_)) => {
-                elsewhere += 1;
+                out.elsewhere += 1;
                 let test = remarks.split('`').find(|word| sweeps.contains(&format!("fn {word}()")));
                 if test.is_none() {
                     faults.push(format!("{name}: has no file, and its row names no test of tests/sweep.rs"));
                 }
             }
-            // One value of one case may be asked in several poses.
             (Some((1, n)), Ok(told)) if n == told => {}
+            // One value of one case may be asked in several poses.
             (Some((n, _)), Ok(_)) if n > 1 && remarks.starts_with(&format!("{n} files")) => {}
             (found, _) => faults.push(format!("{name}: {told} in the table, (files, values) in the folder: {found:?}")),
         }
     }
-    faults.extend(found.keys().map(|name| format!("{name}: has a file, and no row in docs/cases.md")));
-    assert!(faults.is_empty(), "docs/cases.md against tests/cases:\n{}", faults.join("\n"));
-    let files = files().len();
-    let scenes = all - elsewhere - not_yet;
-    let head = format!(
-        "{all} cases in `reference.json`; {scenes} are scenes in `tests/cases/` ({files} files, {values} expected values), \
-         {elsewhere} are tests of the whole motion, {not_yet} are not yet."
-    );
-    assert!(page.contains(&head), "docs/cases.md should begin: {head}");
-    let claim = format!("{} of {all} reference problems", scenes + elsewhere);
-    assert!(read("README.md").contains(&claim), "README.md should say: {claim}");
+    out
 }

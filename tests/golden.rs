@@ -10,21 +10,23 @@ mod pdf;
 #[path = "golden/worksheet.rs"]
 mod worksheet;
 
-use files::{CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden};
+use files::{CENTRES, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden};
 use hodograph::accuracy::{certify, steps};
+use hodograph::centres;
 use hodograph::effort::Work;
 use hodograph::figure::curves::{self, Diagram};
+use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
-use hodograph::figure::{path, poses};
+use hodograph::figure::{groups, path, poses};
 use hodograph::lesson;
 use hodograph::mechanism::{Level, Mechanism};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::render::{png as raster, svg};
-use hodograph::report::{answers, construction, drafting, plan, plan_json};
+use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
 use hodograph::worked::{Scope, work};
@@ -149,10 +151,32 @@ fn kinds_of_figures_look_as_accepted() {
                 let overlay = Overlay { vectors: Some(Level::Velocity), ..Overlay::default() }.with_motion(&scene, &worked, 6, &[point]);
                 diagram(&scene, &worked, &options, &overlay)
             }
+            "groups" => groups::figure(&scene, &worked, &options.style, &options.notation, Lang::En),
             _ => sheet(&scene, &worked, &options).unwrap(),
         };
         let drawn = svg::write(&figure).unwrap().value;
         check_png(&golden(name, &format!("{kind}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+    }
+    finish(&failures);
+}
+
+/// All centres of a mechanism as figure and as text.
+#[test]
+fn centres_look_as_accepted() {
+    let mut failures = Vec::new();
+    for name in CENTRES {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let found = centres::centres(&scene).unwrap().value;
+        for (lang, suffix) in LANGS {
+            let options = Options::of_language(lang);
+            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            let page = (list::named("centres").unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
+            let drawn = svg::write(&page).unwrap();
+            assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
+            check_png(&golden(name, &format!("centres.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            check_text(&golden(name, &format!("centres.{suffix}.txt")), &report_of_centres::text(&found, lang), &mut failures);
+        }
     }
     finish(&failures);
 }

@@ -91,6 +91,32 @@ fn chain(n: usize) -> Scene {
     ))
 }
 
+/// A train of so many gears in mesh, one after the other on ground, each with a point whose velocity and acceleration are asked.
+fn train(n: usize) -> Scene {
+    let (mut links, mut points, mut gears, mut find) = (String::new(), String::new(), Vec::new(), Vec::new());
+    let mut ground = vec!["\"D0\"".to_owned()];
+    for k in 1..=n {
+        links.push_str(&format!(", \"g{k}\": [\"D{k}\", \"C{k}\"]"));
+        points.push_str(&format!(", \"D{k}\": [{}, 0], \"C{k}\": [{}, 10]", 60 * k, 60 * k + 15));
+        let before = if k == 1 { "g0".to_owned() } else { format!("g{}", k - 1) };
+        gears.push(format!(
+            "{{\"links\": [\"{before}\", \"g{k}\"], \"centres\": [\"D{}\", \"D{k}\"], \"teeth\": [{}, {}]}}",
+            k - 1,
+            20 + k % 3,
+            21 + k % 5
+        ));
+        ground.push(format!("\"D{k}\""));
+        find.extend([format!("\"v_C{k}\""), format!("\"a_C{k}\"")]);
+    }
+    scene(&format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"g0": ["D0", "B"]{links}, "0": [{}]}}, "ground": "0", "points": {{"D0": [0, 0], "B": [10, 10]{points}}},
+            "gears": [{}], "driver": {{"link": "g0", "omega": "10 rad/s"}}, "find": [{}]}}"#,
+        ground.join(", "),
+        gears.join(", "),
+        find.join(", ")
+    ))
+}
+
 fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     times[times.len() / 2]
@@ -132,6 +158,9 @@ fn main() {
     let single = variants.len();
     let dyads = [1, 3, 10, 30, 100];
     variants.extend(dyads.map(|n| (format!("chain of {n} dyads, all three"), chunk_of(&chain(n), Width::Widest))));
+    let chained = variants.len();
+    let meshes = [1, 3, 10, 30];
+    variants.extend(meshes.map(|n| (format!("train of {n} meshes, all three"), chunk_of(&train(n), Width::Widest))));
     let given: Vec<String> = std::env::args().skip(1).collect();
     if let [count, name, ..] = &given[..]
         && count == "count"
@@ -149,6 +178,10 @@ fn main() {
     }
     println!("\n| dyads in a chain | ns a position and dyad |\n|---|---|");
     for (n, t) in dyads.iter().zip(&times[single..]) {
+        println!("| {n} | {:.2} |", t / *n as f64);
+    }
+    println!("\n| meshes in a train | ns a position and mesh |\n|---|---|");
+    for (n, t) in meshes.iter().zip(&times[chained..]) {
         println!("| {n} | {:.2} |", t / *n as f64);
     }
     batch();

@@ -125,10 +125,7 @@ fn other_point(drawn: &Drawn, target: VertexId, pencil_mm: f64, present: f64) ->
         let own = crossings(&paper, 0.0).into_iter().filter(|c| finds(alternative, c.target));
         let worst_deg = own.map(|c| c.angle_deg()).fold(90.0, f64::min);
         let legs = alternative.iter().find_map(|s| match s {
-            Step::Equation { target, .. } => match drawn.plan.vertex(*target).spot {
-                Spot::Special { legs, .. } => Some(legs),
-                Spot::Point(_) => None,
-            },
+            Step::Equation { target, .. } => drawn.plan.special(*target)?.legs,
             Step::Image { .. } | Step::Same { .. } => None,
         });
         if let Some(legs) = legs
@@ -281,7 +278,7 @@ impl BadAngle {
         let d = Diagnostic::warning("bad-angle", message);
         let d = match drawn.plan.vertex(self.crossing.target).spot {
             Spot::Point(p) => d.at(drawn.scene.points[p.0].span),
-            Spot::Special { .. } => d,
+            Spot::Special(_) => d,
         };
         if help.is_empty() { d } else { d.help(Both::join(&help, "; or ", "；或")) }
     }

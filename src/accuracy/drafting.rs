@@ -39,7 +39,7 @@ impl Drawn<'_> {
     pub fn size_mm(&self, level: Level) -> [f64; 2] {
         match self.construction.polygon(level) {
             Some(p) => p.extent().map(|s| s / p.mu),
-            None => scale::size(self.configuration).map(|s| s / self.construction.diagram.mu_l),
+            None => scale::size(self.scene, self.configuration).map(|s| s / self.construction.diagram.mu_l),
         }
     }
 

@@ -29,6 +29,7 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
         }
         _ => {}
     }
+    scene.set_followers(driver, None);
     scene
 }
 

@@ -362,6 +362,7 @@ fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand
                 DriverKind::Cylinder { a, b, .. } => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
                 _ => false,
             },
+            Some(Passive::Held(a, b)) => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
         })
         .collect()
 }

@@ -6,10 +6,23 @@
 use super::relation::{Handle, Pair, Relation, Row};
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Level, Mechanism};
+use crate::mechanism::{Demand, Level, Mechanism, Opened};
 use crate::position::{Configuration, Path};
 use crate::scene::{Contours, DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::DVector;
+
+/// How a point of a link is held by the other links there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Held {
+    /// As every pin.
+    Whole,
+    /// As every pin, after all others there: the link only repeats what they fix.
+    Last,
+    /// The second pin of such a link: square to the line from the first.
+    Across(PointId),
+    /// A further pin of such a link: not at all.
+    Not,
+}
 
 /// The unknowns of one level: the links and pins that the demand reaches there.
 pub(super) struct Layout {
@@ -23,6 +36,8 @@ pub(super) struct Layout {
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
     scale: f64,
+    /// What is opened because it only repeats what the others fix; of a link with the two pins by which it is known.
+    opened: Vec<(Opened, Option<(PointId, PointId)>)>,
     /// For each guide whether it holds: one between gears may only say what other pairs say.
     holds: Vec<bool>,
 }
@@ -57,8 +72,10 @@ impl Layout {
         let unknowns = 3 * links.len() + 2 * bare.len();
         let second = level == Level::Acceleration || (0..m.groups.len()).all(|g| deepest(demand, g));
         let scale = crate::position::kernel::power_of_two_scale(at.extent());
+        let pins = |o: &Opened| if let Opened::Link(l) = o { m.held(*l) } else { None };
+        let opened = m.redundant.iter().map(|r| (r.opened.clone(), pins(&r.opened))).collect();
         let holds = scene.guides.iter().enumerate().map(|(g, guide)| m.guide_holds(guide, GuideId(g))).collect();
-        Layout { links, bare, unknowns, index, second, origins, scale, holds }
+        Layout { links, bare, unknowns, index, second, origins, scale, opened, holds }
     }
 
     /// The rates of this layout's unknowns, from those of a layout that holds more.
@@ -114,14 +131,31 @@ impl Layout {
         for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0]) {
             self.guide(scene, at, g, &mut rows);
         }
-        rows.extend((0..scene.rolling.len()).map(RollingId).filter_map(|r| self.rolling(scene, at, r)));
+        let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| self.keeps(&Opened::Rolling(*r)));
+        rows.extend(rolling.filter_map(|r| self.rolling(scene, at, r)));
         for d in 0..scene.drivers.len() {
             self.driver(scene, at, d, &mut rows);
         }
         rows
     }
 
-    /// All links at a pin have its velocity.
+    /// Whether a pair is not opened.
+    fn keeps(&self, what: &Opened) -> bool {
+        self.opened.iter().all(|(o, _)| o != what)
+    }
+
+    /// How a point of a link is held by the other links there.
+    fn held_at(&self, l: LinkId, p: PointId) -> Held {
+        match self.opened.iter().find(|(o, _)| *o == Opened::Link(l)).and_then(|(_, pins)| *pins) {
+            None => Held::Whole,
+            Some((a, _)) if a == p => Held::Last,
+            Some((a, b)) if b == p => Held::Across(a),
+            Some(_) => Held::Not,
+        }
+    }
+
+    /// All links at a pin have its velocity. Of a link that only repeats what others fix the first pin is held and the second square to
+    /// the line of both: along it the others hold it, which is left to be checked.
     fn revolutes(&self, scene: &Scene, at: &Configuration, rows: &mut Vec<Row>) {
         // Links in the order of the scene under each point, without looking at those that take no part.
         let taking_part = |l: &LinkId| *l == scene.ground || self.index[l.0].is_some();
@@ -129,13 +163,19 @@ impl Layout {
             .map(LinkId)
             .filter(taking_part)
             .flat_map(|l| scene.links[l.0].points.iter().map(move |p| (*p, l)))
+            .filter(|(p, l)| self.keeps(&Opened::Pin(*p, *l)) && self.held_at(*l, *p) != Held::Not)
             .collect();
-        carried.sort_by_key(|c| c.0.0);
+        // What only follows comes last under each point, so that all others stay joined without it.
+        carried.sort_by_key(|(p, l)| (p.0, self.held_at(*l, *p) != Held::Whole));
         for pair in carried.windows(2).filter(|pair| pair[0].0 == pair[1].0) {
             let [(p, a), (_, b)] = [pair[0], pair[1]];
             let Some(place) = at.points[p.0] else { continue };
             let (Some(a), Some(b)) = (self.body(scene, a, place), self.body(scene, b, place)) else { continue };
-            for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+            let directions = match self.held_at(pair[1].1, p) {
+                Held::Across(from) => at.points[from.0].map_or(vec![], |from| vec![(place - from).perp() * (1.0 / (place - from).norm())]),
+                Held::Whole | Held::Last | Held::Not => vec![Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)],
+            };
+            for k in directions {
                 let mut c = Vec::new();
                 a.add(&mut c, k);
                 b.add(&mut c, -k);

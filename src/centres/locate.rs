@@ -10,7 +10,7 @@ use crate::worked::Worked;
 use super::lines::{Frame, Place, Ruled, Unit, choose, norm, volume};
 use super::primary::Primary;
 use super::rounds::{Closure, How, Line, Pair, Step};
-use super::velocity::Velocities;
+use super::velocities::Velocities;
 
 /// A crossing farther than this many sizes of the mechanism is looked at: is it at infinity?
 const FAR: f64 = 1e7;
@@ -122,6 +122,7 @@ impl Board<'_> {
         let at = &self.worked.configuration;
         match primary {
             Primary::Pin(p) => at.points[p.0].map(Place::At),
+            Primary::Contact(r) => at.points[self.scene.rolling[r.0].at.0].map(Place::At),
             Primary::Slide(g) => match at.guides[g.0]? {
                 Path::Line { direction, .. } => Place::infinity(direction.perp()),
                 Path::Arc { centre, .. } => Some(Place::At(centre)),
@@ -186,12 +187,14 @@ pub(super) fn normal(scene: &Scene, worked: &Worked, g: GuideId) -> Option<[Plac
     Some([Place::At(pin), Place::infinity(direction)?])
 }
 
-/// The worst of all triples P_ij, P_jk, P_ik, as the volume of their unit vectors.
-pub(super) fn worst_triple(frame: Frame, closure: &Closure, list: &[Centre]) -> f64 {
+/// The worst of all triples P_ij, P_jk, P_ik, as the volume of their unit vectors. Links that do not move against one another (a rigid
+/// triangle) have every place for a centre: theirs are left out.
+pub(super) fn worst_triple(velocities: &Velocities, closure: &Closure, list: &[Centre]) -> f64 {
+    let frame = velocities.frame;
     let n = closure.links.len();
     let rank = |l| closure.links.iter().position(|k| *k == l).unwrap_or(0);
     let mut places: Vec<Option<Unit>> = vec![None; n * n];
-    for c in list {
+    for c in list.iter().filter(|c| !velocities.rests(c.step.pair)) {
         let (i, j) = (rank(c.step.pair.i), rank(c.step.pair.j));
         places[i * n + j] = c.place.map(|p| frame.of(p));
     }

@@ -3,7 +3,7 @@
 //! A centre P_ij is the place at which two links have one velocity. Decided here, from topology alone: which centres are there at once
 //! ([`primary`]) and in which rounds the Aronhold-Kennedy theorem finds the others ([`rounds`]). With positions: which two lines are
 //! drawn for each ([`lines`]) and where they cross ([`locate`]). With the loop equations: what a stalled closure lacks, and whether each
-//! centre has one velocity on both links ([`velocity`]). [`uses`] takes turning rates and speeds from centres.
+//! centre has one velocity on both links ([`velocities`]). [`uses`] takes turning rates and speeds from centres.
 //!
 //! ```
 //! use hodograph::{centres, scene};
@@ -20,7 +20,7 @@ mod locate;
 mod primary;
 mod rounds;
 mod uses;
-mod velocity;
+mod velocities;
 
 pub use lines::Place;
 pub use locate::{Centre, Origin, Undetermined};
@@ -34,7 +34,7 @@ use crate::mechanism::Mechanism;
 use crate::scene::quantity::{self, PointMotion, Rate};
 use crate::scene::{Asked, Find, LinkId, OnLink, PointId, Scene};
 use crate::worked::{Scope, Worked, work};
-use velocity::Velocities;
+use velocities::Velocities;
 
 /// More links than this are refused: their centres are thousands, each with a line through every other link.
 pub const MOST_LINKS: usize = 64;
@@ -109,7 +109,7 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     let velocities = Velocities::of(&asking, &worked);
     let list = locate::locate(&asking, &worked, &closure, &velocities);
     notes.extend(remarks(&asking, &closure, &list));
-    let worst_triple = locate::worst_triple(velocities.frame, &closure, &list);
+    let worst_triple = locate::worst_triple(&velocities, &closure, &list);
     let uses = uses::uses(&asking, &worked, &closure, &list);
     Ok(Warned { value: Centres { closure, list, uses, scene: asking, worked, worst_triple, at_rest }, notes })
 }
@@ -121,6 +121,16 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
 pub fn closure(scene: &Scene) -> Result<Closure, Faults> {
     Mechanism::new(scene)?;
     Ok(rounds::closure(scene, scene.drivers.len()))
+}
+
+/// The question for ω of a link, against the ground or another link.
+pub fn omega(of: LinkId, against: Option<LinkId>) -> Asked {
+    quantity::Turning { rate: Rate::Velocity, of, against }.into()
+}
+
+/// The question for the velocity of a point.
+pub fn velocity(point: PointId) -> Asked {
+    PointMotion { rate: Rate::Velocity, of: OnLink { point, link: None } }.into()
 }
 
 /// The scene with the velocities of all links and points asked for; and whether its drivers are at rest. A centre does not depend on
@@ -139,17 +149,11 @@ fn asking_all(scene: &Scene) -> (Scene, bool) {
         }
     }
     let moving = |l: &LinkId| *l != scene.ground;
-    let turnings = (0..scene.links.len())
-        .map(LinkId)
-        .filter(moving)
-        .map(|l| (Asked::from(quantity::Turning { rate: Rate::Velocity, of: l, against: None }), format!("omega_{}", scene.link_name(l))));
+    let turnings = (0..scene.links.len()).map(LinkId).filter(moving).map(|l| (omega(l, None), format!("omega_{}", scene.link_name(l))));
     let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
     let carried = |p: &PointId| !on_ground(*p) && (scene.carriers(*p).next().is_some() || scene.guides.iter().any(|g| g.pin == Some(*p)));
     let points = (0..scene.points.len()).map(PointId).filter(carried);
-    let speeds = points.map(|p| {
-        let of = OnLink { point: p, link: None };
-        (Asked::from(PointMotion { rate: Rate::Velocity, of }), format!("v_{}", scene.point_name(p)))
-    });
+    let speeds = points.map(|p| (velocity(p), format!("v_{}", scene.point_name(p))));
     asking.find = turnings.chain(speeds).map(|(what, text)| Find { what, text, span: Default::default() }).collect();
     (asking, at_rest)
 }

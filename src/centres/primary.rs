@@ -3,7 +3,7 @@
 //! This is the one place where a kind of pair says what it gives. A pair that rolls or meshes gives its contact as a [`Primary`] of its
 //! own; one that only touches gives its common normal as a [`Normal`].
 
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId, Scene};
 
 /// A centre that needs no line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub enum Primary {
     Slide(GuideId),
     /// Barrel and rod of a cylinder (index of the driver): at infinity, square to its line.
     Cylinder(usize),
+    /// One rolls on the other: the place of contact, the pitch point of gears.
+    Contact(RollingId),
 }
 
 /// A bare pin in a slot: the centre of the two links lies on the normal of the slot at the pin.
@@ -75,6 +77,9 @@ pub(super) fn given(scene: &Scene) -> Given {
             add(barrel, rod, Primary::Cylinder(d));
             slides.push((barrel, rod));
         }
+    }
+    for (r, rolling) in scene.rolling.iter().enumerate() {
+        add(rolling.links[0], rolling.links[1], Primary::Contact(RollingId(r)));
     }
     let normals = scene.guides.iter().enumerate().filter(|(_, guide)| guide.slider.is_none()).flat_map(|(g, guide)| {
         let on = guide.pin.into_iter().flat_map(|p| around(scene, p).into_iter().map(move |l| (l, p)));

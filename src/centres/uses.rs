@@ -8,8 +8,8 @@ use crate::answer::Source;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::position::Path;
-use crate::scene::quantity::{PointMotion, Rate};
-use crate::scene::{Asked, DriverKind, LinkId, OnLink, PointId, Scene};
+use crate::scene::quantity::Meaning;
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 use super::lines::{Place, SAME};
@@ -50,6 +50,8 @@ pub enum By {
         /// P_fm P_km (m).
         arm: f64,
     },
+    /// Neither turns: along the direction of their centre at infinity both have one component of velocity.
+    Wedge(LinkId),
     /// The other link does not turn, and this one has its velocity at their centre.
     FromSlide {
         /// The other link m.
@@ -109,9 +111,9 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Ce
     }
     chain.go_on();
     chain.against_ground();
-    let points = scene.find.iter().filter_map(|f| match f.what {
-        Asked::PointMotion(PointMotion { rate: Rate::Velocity, of: OnLink { point, link: None } }) => chain.speed(point),
-        _ => None,
+    let points = scene.find.iter().filter_map(|f| match f.what.meaning(scene)? {
+        Meaning::Vector(p) => chain.speed(p.point),
+        Meaning::Turning(..) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_) => None,
     });
     let points = points.collect();
     Uses { frame, links: chain.known, points }
@@ -207,9 +209,14 @@ impl Chain<'_> {
                 let arm = self.place(self.frame, m.link)?.point()?.distance(x);
                 Some((By::Slides { link: m.link, arm }, Motion::Slide(self.velocity(m, x)?)))
             }
+            (Place::Infinity(own), Place::Infinity(shared), Motion::Slide(v)) => {
+                let along = own.perp();
+                let part = along.dot(shared);
+                (part.abs() > SAME).then(|| (By::Wedge(m.link), Motion::Slide(along * (v.dot(shared) / part))))
+            }
             (Place::At(_), Place::Infinity(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
-            | (Place::Infinity(_), Place::Infinity(_), _) => None,
+            | (Place::Infinity(_), Place::Infinity(_), Motion::Turn(_)) => None,
         }
     }
 

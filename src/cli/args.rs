@@ -43,8 +43,12 @@ pub enum Command {
     Curves(Curves),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
     Path(Path),
+    /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
+    Cam(Cam),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
     Limits(Limits),
+    /// Count freedoms: links and pairs, compound hinges, local freedoms, virtual constraints, groups for each possible driver
+    Mobility(Mobility),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
@@ -308,6 +312,50 @@ pub struct Limits {
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "Links and pairs are enough: without driver and lengths whatever lengths decide stays open")]
+pub struct Mobility {
+    #[command(flatten)]
+    pub common: Common,
+    /// As JSON
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub look: Look,
+    /// The groups drawn apart, in a file ending in .svg, .png or .pdf; the scene must tell its pose
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Cam {
+    #[command(flatten)]
+    pub common: Common,
+    /// Folder for two figures: the motion of the follower, and the profile by inversion
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: Option<String>,
+    /// Formats of the figures
+    #[arg(long, value_enum, value_delimiter = ',', default_values_t = [Format::Svg, Format::Png])]
+    pub format: Vec<Format>,
+    /// Write the profile to this file in millimetres, ending in .csv (a row for each angle) or .dxf (for a machine that cuts)
+    #[arg(long, value_name = "FILE")]
+    pub profile: Option<String>,
+    /// Steps of a turn in the profile
+    #[arg(long, value_name = "N", default_value_t = 720, value_parser = clap::value_parser!(u32).range(12..=100_000))]
+    pub steps: u32,
+    /// Which cam of the scene, counted from 1 (default: all)
+    #[arg(long, value_name = "K")]
+    pub cam: Option<usize>,
+    /// The report as JSON, in SI and radians
+    #[arg(long)]
+    pub json: bool,
+    #[command(flatten)]
+    pub look: Look,
+    /// Resolution of the PNG in dots per inch
+    #[arg(long, default_value_t = 200.0, value_parser = dpi)]
+    pub dpi: f64,
 }
 
 #[derive(ClapArgs, Debug)]

@@ -3,7 +3,7 @@
 use super::{Input, Run, args, choices, files};
 use crate::centres;
 use crate::diag::Warned;
-use crate::report::centres as report;
+use crate::report::{centres as report, centres_json};
 use crate::scene::edit;
 use std::process::ExitCode;
 
@@ -15,7 +15,7 @@ pub fn run(a: args::Centres) -> Run {
     let Warned { value, notes } = centres::centres(&input.scene).map_err(|f| input.failed(f))?;
     input.notes.extend(notes);
     if a.json {
-        files::print(&format!("{:#}\n", report::json(&value, &input.notes)))?;
+        files::print(&format!("{:#}\n", centres_json::json(&value, &input.notes)))?;
         return Ok(ExitCode::SUCCESS);
     }
     files::print(&report::text(&value, lang))?;

@@ -8,8 +8,8 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::curves::{Diagram, figure};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
-use crate::scene::PointId;
 use crate::scene::quantity::Meaning;
+use crate::scene::{LinkId, PointId, Scene};
 use crate::sweep::{self, Placed, Width};
 use std::process::ExitCode;
 
@@ -25,6 +25,7 @@ pub fn run(a: Curves) -> Run {
         None => with_positions(&input)?.join(","),
     };
     ask(&mut input, Some(&find))?;
+    input.over_a_turn();
     // What has been put beside the scene's questions was asked by nobody: there is no place to show.
     input.asked = a.range.find.clone();
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
@@ -57,10 +58,12 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let scene = &input.scene;
     let mechanism = Mechanism::new(scene).map_err(|f| input.failed(f))?.value;
     let placed = Placed::new(scene, &mechanism).map_err(|f| input.failed(f))?;
+    // A train that stands nowhere has no angles either.
+    let somewhere = input.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
         match find.what.meaning(scene) {
-            Some(Meaning::Turning(l, None)) => words.push(format!("phi_{}", scene.link_name(l))),
+            Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => words.push(format!("phi_{}", scene.link_name(l))),
             Some(Meaning::Vector(p)) if p.link.is_none() => {
                 words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
@@ -75,6 +78,12 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
         }
     }
     Ok(seen)
+}
+
+/// Whether a link has an angle of its own: a wheel that is nothing but its centre has none.
+fn has_line(scene: &Scene, link: LinkId) -> bool {
+    let guided = scene.guides.iter().any(|g| g.rolling.is_none() && (g.on == link || g.slider == Some(link)));
+    guided || scene.links[link.0].points.len() >= 2
 }
 
 /// A guide nearer to an axis than this (sine) is along it: what is left is the rounding of its angle.

@@ -24,6 +24,9 @@ pub fn run(a: args::Draw) -> Run {
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
+    if a.poses > 0 || !a.path.is_empty() {
+        input.over_a_turn();
+    }
     let mut worked = input.work(Scope::Figure)?;
     if drafting {
         worked = worked.with_drafting(&input.scene);

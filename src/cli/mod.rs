@@ -5,6 +5,7 @@
 
 mod args;
 mod batch;
+mod cam;
 mod centres;
 mod composite;
 mod curves;
@@ -14,6 +15,7 @@ mod help;
 mod journal;
 mod lang;
 mod long;
+mod mobility;
 mod part;
 mod path;
 mod spool;
@@ -33,7 +35,7 @@ use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement};
+use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
 use crate::scene::{self, Lang, Scene, edit, templates};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
@@ -65,7 +67,9 @@ pub fn main() -> ExitCode {
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
+        Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
+        Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
         Command::Composite(a) => composite::run(a),
         Command::New { template, set, output } => new(&template, &set, output.as_deref()),
@@ -176,6 +180,19 @@ impl Input {
 
     /// The scene that the command line names, with its parameters, its text changed.
     fn read_as(common: &Common, change: impl Fn(&str) -> Result<String, Faults>) -> Result<Input, Failure> {
+        Input::read_by(common, change, &|bytes| scene::read(bytes))
+    }
+
+    /// Its links and pairs; the rest may be missing.
+    fn read_topology(common: &Common) -> Result<Input, Failure> {
+        Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_topology(bytes))
+    }
+
+    fn read_by(
+        common: &Common,
+        change: impl Fn(&str) -> Result<String, Faults>,
+        read: &dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>,
+    ) -> Result<Input, Failure> {
         let path = common.scene.as_str();
         let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.
@@ -189,7 +206,7 @@ impl Input {
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
-        match scene::read(&bytes) {
+        match read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))
             }
@@ -224,6 +241,11 @@ impl Input {
     /// The same, its figures to be drawn in a style.
     fn drawn_in(self, style: &Style) -> Input {
         Input { fonts: style.fonts.clone(), ..self }
+    }
+
+    /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
+    fn over_a_turn(&mut self) {
+        self.scene = self.scene.over_a_turn();
     }
 
     /// The scene worked through, its notes added.
@@ -285,6 +307,9 @@ fn lesson(a: args::Lesson) -> Run {
     }
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
+    if !a.reveal {
+        input.over_a_turn();
+    }
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);
     let notation = style.marks.over(&notation);
@@ -319,6 +344,7 @@ fn solve(a: args::Solve) -> Run {
         return Ok(verdict(&worked));
     }
     files::print(&answers::text(&input.scene, &worked, &certified, a.digits, lang))?;
+    files::print(&trains::text(&input.scene, &worked, lang))?;
     let w = Writer { scene: &input.scene, plan: &worked.plan, notation: &notation, lang };
     if drafting || a.steps {
         let steps = steps(&input.scene, &worked, worked.drafting.as_ref().map(|d| d.pencil_mm));

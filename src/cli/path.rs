@@ -14,6 +14,7 @@ use std::process::ExitCode;
 pub fn run(a: Path) -> Run {
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
+    input.over_a_turn();
     let worked = input.work(Scope::Figure)?;
     let driver = driver_of(&input.scene, a.over.as_deref())?;
     let points = points_named(&input.scene, &a.point, "--point").map_err(|told| Failure::Input(vec![told]))?;

@@ -23,6 +23,7 @@ pub fn sweep(a: Sweep) -> Run {
         tables::ending(path, &tables::ALL)?;
     }
     ask(&mut input, a.range.find.as_deref())?;
+    input.over_a_turn();
     let notes = sweep_into(&input, &a)?;
     input.notes.extend(notes);
     input.say_notes();
@@ -57,7 +58,8 @@ fn write(sweep: &mut dyn Pieces, title: &str, path: Option<&str>) -> Result<Vec<
 /// The command `limits`: what the motion as a whole comes to.
 pub fn limits(a: Limits) -> Run {
     // How far it goes does not depend on how fast.
-    let input = Input::read_as(&a.common, edit::with_rates)?;
+    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    input.over_a_turn();
     let (lang, _) = choices(&input.scene, &a.common);
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.over.as_deref())?;
@@ -74,6 +76,13 @@ pub fn limits(a: Limits) -> Run {
 /// The driver that `--over` names; the first where it names none.
 pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     let Some(name) = over.filter(|o| *o != "driver") else { return Ok(0) };
+    if let Some(d) = driver_named(scene, name)
+        && scene.is_led(d)
+    {
+        let message = both!("`{name}` follows its cam: it does not move by itself", "`{name}` 由凸轮带动，不能单独运动");
+        let d = Diagnostic::error("no-driver", message).help(both!("let the cam turn", "请使凸轮转动"));
+        return Err(Failure::argument("--over", name, d));
+    }
     driver_named(scene, name).ok_or_else(|| {
         let names: Vec<String> = (0..scene.drivers.len()).map(|d| scene.driver_name(d).0).collect();
         let d = Diagnostic::error("no-driver", both!("the scene has no driver `{name}`", "机构文件没有原动件 `{name}`"));

@@ -8,7 +8,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
+use crate::plan::{Between, By, Chain, Plan, Rate, Special, SpecialLine, Spot, Step, Term, VertexId};
 use crate::position::{Configuration, Path};
 use crate::scene::exact::Inputs;
 use crate::scene::{Contours, RollingId, Scene};
@@ -19,7 +19,7 @@ use crate::scene::{Contours, RollingId, Scene};
 /// Two unknown directions that are parallel: a dead centre, with the links and the joint; numbers too large to draw.
 pub fn construct(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, boxes: &Boxes) -> Result<Construction, Faults> {
     let mut exact = Exact;
-    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(at), boxes.diagram));
+    let mu_l = scene.paper.mu_l.unwrap_or_else(|| scale::choose_in(scene.paper.unit(0), scale::size(scene, at), boxes.diagram));
     let mut board = Board::new(scene, m, at, plan, mu_l, &mut exact);
     for g in 0..m.groups.len() {
         if plan.velocity.iter().any(|s| s.group == g && s.alternatives.len() > 1) {
@@ -110,24 +110,34 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         for (i, v) in plan.vertices.iter().enumerate() {
             self.done.diagram.spots[i] = match v.spot {
                 Spot::Point(p) => self.joint(p),
-                Spot::Special { group, legs } => self.special_point(VertexId(i), group, legs),
+                Spot::Special(k) => self.special_point(VertexId(i), &plan.specials[k]),
             };
         }
     }
 
-    fn special_point(&mut self, v: VertexId, group: usize, legs: (usize, usize)) -> Option<Point<N>> {
-        let m = self.m;
-        let Core::Link { legs: all, .. } = &m.groups[group].core else { return None };
-        let ((p, u), (q, w)) = self.constraint_lines(group, legs)?;
-        let (u, w) = (self.laid(&all[legs.0], u), self.laid(&all[legs.1], w));
+    fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {
+        let [(p, u), (q, w)] = [self.special_line(&special.lines[0])?, self.special_line(&special.lines[1])?];
+        let (u, w) = (self.laid(&special.lines[0], u), self.laid(&special.lines[1], w));
         let c = cross_lines(p, u, q, w);
         if !c.at.is_finite() {
             return None;
         }
-        if self.done.chosen[group] == SPECIAL_LEGS.iter().position(|l| *l == legs)? {
+        let alternative = special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
+        if alternative.is_none_or(|k| self.done.chosen[special.group] == k) {
             self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
         }
         Some(self.pencil.mark(Level::Position, c.at))
+    }
+
+    /// A line (on paper) along which a link is held.
+    fn special_line(&self, line: &SpecialLine) -> Option<Line<N>> {
+        match *line {
+            SpecialLine::Leg(line) => self.line(line),
+            SpecialLine::Through { pin, special } => {
+                let p = self.joint(pin)?;
+                Some((p, p - self.done.diagram.spots[special.0]?))
+            }
+        }
     }
 
     pub(super) fn keep(&mut self, polygon: Polygon<N>) {
@@ -167,7 +177,10 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
 
     /// The line (on paper) on which a leg gives a locus for every point of the core.
     pub(super) fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
-        let line = leg.line()?;
+        self.line(leg.line()?)
+    }
+
+    fn line(&self, line: ConstraintLine) -> Option<Line<N>> {
         let p = self.joint(line.pin())?;
         let along = match line {
             ConstraintLine::Along { far, .. } => p - self.joint(far)?,
@@ -371,7 +384,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let By::Guide { guide, .. } = term.by else { unreachable!("only sliding terms have a tangent") };
         let pin = match self.plan.vertex(term.of).spot {
             Spot::Point(p) => self.at.point(p),
-            Spot::Special { .. } => Point::origin(),
+            Spot::Special(_) => Point::origin(),
         };
         self.turned(guide, self.at.guide(guide).tangent_at(pin))
     }
@@ -408,7 +421,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         match (v.on, v.spot) {
             (Some(l), _) => l == on,
             (None, Spot::Point(p)) => self.scene.links[on.0].points.contains(&p),
-            (None, Spot::Special { .. }) => false,
+            (None, Spot::Special(_)) => false,
         }
     }
 

@@ -9,9 +9,9 @@ use super::pencil::Pencil;
 use super::{Construction, Polygon};
 use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{ConstraintLine, Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Body, By, Plan, Spot, Term, VertexId};
+use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
 use crate::scene::{Contours, DriverKind, GuideId, PointId, Rolling, RollingId, Scene};
 
@@ -118,13 +118,15 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     }
 
     /// The direction of a constraint line as a ruler takes it.
-    pub(super) fn laid(&mut self, leg: &Leg, along: Vec2<N>) -> Vec2<N> {
+    pub(super) fn laid(&mut self, line: &SpecialLine, along: Vec2<N>) -> Vec2<N> {
         if P::EXACT {
             return along;
         }
-        let apart = match leg.line() {
-            Some(ConstraintLine::Normal { guide, .. }) => self.guide_length(guide),
-            Some(ConstraintLine::Along { .. } | ConstraintLine::Tangent { .. }) | None => along.approx().norm(),
+        let apart = match *line {
+            SpecialLine::Leg(ConstraintLine::Normal { guide, .. }) => self.guide_length(guide),
+            SpecialLine::Leg(ConstraintLine::Along { .. } | ConstraintLine::Tangent { .. }) | SpecialLine::Through { .. } => {
+                along.approx().norm()
+            }
         };
         along.unit().map_or(along, |u| self.pencil.ruler(Level::Position, u, apart))
     }
@@ -187,7 +189,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     fn known_length(&self, body: Body, of: VertexId, to: VertexId) -> Option<N> {
         let point = |v: VertexId| match self.plan.vertex(v).spot {
             Spot::Point(p) => Some(p),
-            Spot::Special { .. } => None,
+            Spot::Special(_) => None,
         };
         let (p, q) = (point(of)?, point(to)?);
         let known = match body {

@@ -7,6 +7,7 @@
 
 mod between;
 mod board;
+mod checks;
 mod choices;
 mod hand;
 mod measure;
@@ -15,6 +16,7 @@ mod readings;
 pub mod scale;
 
 pub use board::construct;
+pub use checks::{Condition, conditions};
 pub use hand::{Layout, by_hand};
 pub use readings::{Answer, Measured, Shown, ShownAs, read, read_by_hand};
 

@@ -111,7 +111,7 @@ impl<N: Real> OnPaper<'_, N> {
     fn body(&self, link: LinkId) -> Body {
         match self.m.passive[link.0] {
             Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-            Some(Passive::Block(_)) | None => Body::Link(self.m.turns_as(self.scene, link)),
+            Some(Passive::Block(_) | Passive::Held(..)) | None => Body::Link(self.m.turns_as(self.scene, link)),
         }
     }
 

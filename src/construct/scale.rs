@@ -6,7 +6,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
-use crate::scene::Paper;
+use crate::scene::{Cam, Paper, Scene};
 
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,9 +53,29 @@ impl Boxes {
     }
 }
 
-/// Width and height of a mechanism (m): of the box around its joints.
-pub fn size(at: &Configuration) -> [f64; 2] {
-    extent(at.points.iter().flatten().copied())
+/// Width and height of a mechanism (m): of the box around its joints and the profiles of its cams.
+pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
+    let joints = at.points.iter().flatten().copied();
+    let profiles = scene.cams.iter().flat_map(|c| profile(c, at));
+    extent(joints.chain(profiles))
+}
+
+/// Points round the profile of a cam, one for each ten degrees.
+fn profile(c: &Cam, at: &Configuration) -> Vec<Point> {
+    const STEPS: usize = 36;
+    let (centre, points): (_, Vec<Vec2>) = match (&c.circle, &c.disc) {
+        (Some((centre, radius)), _) => {
+            let round = |k: usize| Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * *radius;
+            (*centre, (0..STEPS).map(round).collect())
+        }
+        (None, Some(t)) => {
+            let turn = Vec2::from_angle(t.disc.sense * t.phi);
+            (t.pivot, t.disc.outline(STEPS).into_iter().map(|p| p.rotate_by(turn)).collect())
+        }
+        (None, None) => return Vec::new(),
+    };
+    let Some(centre) = at.points[centre.0] else { return Vec::new() };
+    points.into_iter().map(|p| centre + p).collect()
 }
 
 /// Width and height of the box around all places; zero where there are none.

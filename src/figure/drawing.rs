@@ -106,6 +106,28 @@ impl Drawing {
         self.owners
     }
 
+    /// The box around what is drawn so far.
+    pub fn bounds(&self) -> Rect {
+        bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
+    }
+
+    /// What is drawn by this lies behind all that is there but the areas of plates, in which it shows.
+    pub fn behind(&mut self, draw: impl FnOnce(&mut Drawing)) {
+        let before = self.items.len();
+        draw(self);
+        let added = self.items.split_off(before);
+        let mut areas = Vec::new();
+        for item in self.items.iter_mut().filter(|i| i.class.split(' ').any(|word| word == "plate")) {
+            let mut area = item.clone();
+            if let (Shape::Polyline { stroke, .. }, Shape::Polyline { fill, .. }) = (&mut area.shape, &mut item.shape) {
+                (*stroke, *fill) = (None, None);
+                area.id = format!("{}-area", area.id);
+                areas.push(area);
+            }
+        }
+        self.items.splice(..0, areas.into_iter().chain(added));
+    }
+
     /// Draws one item.
     pub fn shape(&mut self, name: &str, class: &str, shape: Shape) -> u32 {
         self.draw(name, class, vec![Item::new("", shape)])

@@ -4,15 +4,20 @@
 
 mod arrange;
 pub mod arrow;
+pub mod cam;
+mod centres;
 pub mod composite;
 pub(crate) mod course;
 pub mod curves;
 pub mod drawing;
 pub mod extent;
 pub mod font;
+mod gears;
 pub mod grid;
+pub mod groups;
 pub mod hodograph;
 pub mod item;
+mod kutzbach;
 pub mod label;
 pub mod list;
 pub mod mechanism;

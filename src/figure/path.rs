@@ -104,7 +104,7 @@ pub fn figure(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     drawings.extend(page.hodographs(&boxes));
     let text = page.text();
     let mut notes = Vec::new();
-    if scene.drivers.len() > 1 {
+    if scene.own_drivers() > 1 {
         notes.push(Diagnostic::note(
             "path-driver",
             both!(

@@ -3,9 +3,13 @@
 
 use crate::accuracy::BadAngle;
 use crate::analytic::SingularKind;
+use crate::construct::conditions;
+use crate::diag::Both;
 use crate::digits::{shortest, significant};
-use crate::mechanism::Core;
+use crate::mechanism::{Core, Level, Opened};
+use crate::plan::names::name_label;
 use crate::plan::text::{point_label, vertex_name};
+use crate::position::redundant::Checked;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
@@ -22,10 +26,37 @@ pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     if let Some(d) = &worked.drafting {
         lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))]));
     }
+    lines.extend(worked.redundant.iter().flat_map(|r| repeats(answers, r)));
     for bad in &worked.bad_angles {
         lines.extend(bad_angle(scene, worked, words, bad));
     }
     lines.iter().map(|l| Phrase::new(l)).collect()
+}
+
+/// What only repeats what the others fix, why, and what the paper shows of the conditions that no crossing used.
+fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
+    let Answers { scene, worked, words, .. } = *answers;
+    let what = repeats.what(scene, &worked.mechanism);
+    let why = repeats.reason.words(scene, repeats.positions);
+    let zh = words.tag == "zh";
+    let of = |text: &'_ Both| if zh { text.zh.clone() } else { text.en.clone() };
+    let conditions = conditions(scene, &worked.mechanism, &worked.configuration, &worked.plan, &worked.construction);
+    let checked = conditions.iter().filter(|c| c.index == repeats.index).map(|c| {
+        let [a, b] = [c.pins.0, c.pins.1].map(|p| name_label(scene.point_name(p)));
+        let (v, n, line) = (format!("v_{{{b}{a}}}"), format!("a_{{{b}{a}}}^n"), format!("l_{{{a}{b}}}"));
+        let mm = format!("{:.2}", c.off_mm);
+        match c.level {
+            Level::Acceleration => fill(words.along_acceleration, &[("a", &n), ("w", &v), ("", &line), ("mm", &mm)]),
+            Level::Velocity | Level::Position => fill(words.along_velocity, &[("v", &v), ("", &format!("{a}{b}")), ("mm", &mm)]),
+        }
+    });
+    let checked: Vec<String> = checked.collect();
+    let said = match worked.mechanism.redundant[repeats.index].opened {
+        Opened::Link(_) | Opened::Guide(_) => words.repeats,
+        Opened::Rolling(_) | Opened::Pin(..) => words.repeats_alike,
+    };
+    let said = fill(said, &[("", &of(&what)), ("why", &of(&why))]);
+    [said, checked.join(words.semicolon)].into_iter().filter(|line| !line.is_empty()).collect()
 }
 
 /// What is singular in the pose, and the first answer that is another on the other motion; all of them `solve` tells.
@@ -64,7 +95,7 @@ fn bad_angle(scene: &Scene, worked: &Worked, words: &Words, bad: &BadAngle) -> V
     if let Some(p) = bad.special
         && let Core::Link { link, legs } = &worked.mechanism.groups[p.group].core
     {
-        let [a, b] = [p.legs.0, p.legs.1].map(|k| constraint_line(scene, words, &legs[k]));
+        let [a, b] = [p.legs.0, p.legs.1].map(|k| legs[k].line().map_or_else(String::new, |line| constraint_line(scene, words, line)));
         lines.push(fill(words.bad_special, &[("1", &a), ("2", &b), ("3", &two(p.worst_deg)), ("", scene.link_name(*link))]));
     }
     if let Some(p) = bad.pose {

@@ -278,12 +278,13 @@ pub fn amount(book: &Book, find: &Find, value: Value, c: &Certified, digits: usi
         }
         Value::Point(p) if !chosen && p.x.abs().max(p.y.abs()) < 10.0 => {
             let coordinate = |part, si: f64| certain(c, part, digits, 3, si * 1e3);
-            return format!("({}, {}) mm", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
+            // A unit is upright behind a number; behind a parenthesis it has to be said.
+            return format!("({}, {})\\,\\text{{mm}}", coordinate(Part::X, p.x), coordinate(Part::Y, p.y));
         }
         Value::Point(p) => {
             let [x, y] = if chosen { [Part::PrintedX, Part::PrintedY] } else { [Part::X, Part::Y] };
             let coordinate = |part, si: f64| certain(c, part, digits, 0, book.value(kind, si));
-            format!("({}, {})", coordinate(x, p.x), coordinate(y, p.y))
+            return format!("({}, {})\\,{}", coordinate(x, p.x), coordinate(y, p.y), book.upright(kind));
         }
         Value::Vector(v) => certain(c, if chosen { Part::Printed } else { Part::Magnitude }, digits, 0, book.value(kind, v.norm())),
     };

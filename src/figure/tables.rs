@@ -4,9 +4,9 @@
 use crate::accuracy::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
-use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Level, Mechanism};
 use crate::plan::text::Writer;
-use crate::plan::{Chain, Spot, Step, VertexId};
+use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::{PointId, Scene};
 
@@ -55,8 +55,8 @@ impl Tables<'_> {
                 let step_class = step_class(polygon, target(step));
                 match step {
                     Step::Equation { target, chains, .. } => {
-                        if let Spot::Special { group, legs } = self.writer.plan.vertex(*target).spot {
-                            parts.extend(self.special(level, *target, (group, legs), &step_class));
+                        if let Some(special) = self.writer.plan.special(*target) {
+                            parts.push(self.special(level, *target, special, &step_class));
                         }
                         parts.extend(self.equation(level, *target, chains, &step_class));
                     }
@@ -183,37 +183,40 @@ impl Tables<'_> {
         (b - a).unit().is_none_or(|u| u.cross(c - a).abs() < 0.1)
     }
 
-    /// What the special point of a triad is.
-    fn special(&self, level: Level, target: VertexId, (group, legs): (usize, (usize, usize)), step: &str) -> Option<Part> {
-        let Core::Link { link, legs: all } = &self.mechanism.groups[group].core else { return None };
-        let lines = [legs.0, legs.1].map(|k| all.get(k).map(|leg| self.constraint_line(leg)));
-        let [Some(a), Some(b)] = lines else { return None };
-        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(*link));
+    /// What a special point is.
+    fn special(&self, level: Level, target: VertexId, special: &Special, step: &str) -> Part {
+        let [a, b] = special.lines.each_ref().map(|line| special_line(self.writer, self.words(), line));
+        let (letter, link) = (self.writer.spot(target), self.writer.scene.link_name(special.link));
         let text = fill(self.words().special_point, &[("S", &letter), ("1", &a), ("2", &b), ("", link)]);
         let class = format!("{} statement special {step}", kind(level));
         let cells = vec![Some(self.cell(
             Phrase::new(&text).label(),
             self.style.caption_mm,
             Anchor::Start,
-            format!("{}-special-{group}", kind(level)),
+            format!("{}-special-{}", kind(level), special.group),
             &class,
         ))];
-        Some(self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM))
+        self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM)
     }
+}
 
-    fn constraint_line(&self, leg: &Leg) -> String {
-        constraint_line(self.writer.scene, self.words(), leg)
+/// A line along which a link is held, in words.
+pub(crate) fn special_line(w: &Writer, words: &Words, line: &SpecialLine) -> String {
+    match *line {
+        SpecialLine::Leg(line) => constraint_line(w.scene, words, line),
+        SpecialLine::Through { pin, special } => {
+            format!("${}{}$", w.spot(special), crate::plan::text::point_label(w.scene.point_name(pin)))
+        }
     }
 }
 
 /// The line on which a leg gives a locus for every point of its link, in words.
-pub(crate) fn constraint_line(scene: &Scene, words: &Words, leg: &Leg) -> String {
+pub(crate) fn constraint_line(scene: &Scene, words: &Words, line: ConstraintLine) -> String {
     let name = |p: PointId| crate::plan::text::point_label(scene.point_name(p));
-    match leg.line() {
-        Some(ConstraintLine::Along { near, far }) => format!("${}{}$", name(far), name(near)),
-        Some(ConstraintLine::Normal { pin, .. }) => fill(words.square_to_guide, &[("", &name(pin))]),
-        Some(ConstraintLine::Tangent { at, .. }) => fill(words.tangent_at, &[("", &name(at))]),
-        None => String::new(),
+    match line {
+        ConstraintLine::Along { near, far } => format!("${}{}$", name(far), name(near)),
+        ConstraintLine::Normal { pin, .. } => fill(words.square_to_guide, &[("", &name(pin))]),
+        ConstraintLine::Tangent { at, .. } => fill(words.tangent_at, &[("", &name(at))]),
     }
 }
 

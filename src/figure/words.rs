@@ -14,6 +14,10 @@ pub struct Words {
     pub velocity_polygon: &'static str,
     /// Caption of the acceleration polygon.
     pub acceleration_polygon: &'static str,
+    /// Caption of the mechanism with its instantaneous centres.
+    pub centres: &'static str,
+    /// Caption of the circle diagram.
+    pub circle_diagram: &'static str,
     /// Caption of the parts of an acceleration at the moving point.
     pub composite_acceleration: &'static str,
     /// Heading of the velocity equations.
@@ -74,6 +78,16 @@ pub struct Words {
     pub other_motion: &'static str,
     /// Instead of the scale of a polygon without vectors.
     pub no_vectors: &'static str,
+    /// What only repeats what others fix; `{}` is it, `{why}` the reason.
+    pub repeats: &'static str,
+    /// The same of a pair that is not drawn dashed: a mesh, a second pin in one place.
+    pub repeats_alike: &'static str,
+    /// A condition of velocities; `{v}` is the vector, `{}` the line, `{mm}` by how much it is missed.
+    pub along_velocity: &'static str,
+    /// The same of accelerations; `{a}` is the normal one, `{w}` the velocity.
+    pub along_acceleration: &'static str,
+    /// Between statements on one line.
+    pub semicolon: &'static str,
     /// Between the members of a list.
     pub comma: &'static str,
     /// Begins the description of a figure; `{}` is the title.
@@ -85,6 +99,8 @@ const EN: Words = Words {
     diagram: "Kinematic diagram",
     velocity_polygon: "Velocity polygon",
     acceleration_polygon: "Acceleration polygon",
+    centres: "Instantaneous centres",
+    circle_diagram: "Circle diagram",
     composite_acceleration: "Acceleration of the moving point and its parts",
     velocities: "Velocities",
     accelerations: "Accelerations",
@@ -114,7 +130,12 @@ const EN: Words = Words {
     driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
     at_rest: "Dead centre of links {}: the driver stands, everything rests.",
     other_motion: "The other motion: {}.",
+    repeats: "Dashed: {} only repeats what the others fix ({why}).",
+    repeats_alike: "Virtual constraint: {} only repeats what the others fix ({why}).",
+    along_velocity: "${v} \\perp {}$: {mm} mm off",
+    along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
     no_vectors: "all vectors are zero, no scale",
+    semicolon: "; ",
     comma: ", ",
     described: "{}: kinematic diagram to scale with the polygons of its motion.",
 };
@@ -124,6 +145,8 @@ const ZH: Words = Words {
     diagram: "机构运动简图",
     velocity_polygon: "速度多边形",
     acceleration_polygon: "加速度多边形",
+    centres: "速度瞬心",
+    circle_diagram: "点元图（点元法）",
     composite_acceleration: "动点的加速度及其各分量",
     velocities: "速度分析",
     accelerations: "加速度分析",
@@ -153,7 +176,12 @@ const ZH: Words = Words {
     driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
     at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
     other_motion: "另一种运动：{}。",
+    repeats: "虚线：{} 为虚约束（{why}）。",
+    repeats_alike: "{} 为虚约束（{why}）。",
+    along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
+    along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
     no_vectors: "各矢量均为零，不需比例尺",
+    semicolon: "；",
     comma: "、",
     described: "{}：按比例绘制的机构运动简图及其运动多边形。",
 };

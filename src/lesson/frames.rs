@@ -112,7 +112,7 @@ impl Maker<'_> {
             && let Some(first) = trials.first()
         {
             // The turn is closed, so that what lies between the last frame and the first is judged as well.
-            let turn = Trial { travel: std::f64::consts::TAU, worked: first.worked.clone() };
+            let turn = Trial { travel: sweep.period(), worked: first.worked.clone() };
             trials.push(turn);
         }
         self.refine(&mut trials, sweep);

@@ -24,7 +24,7 @@ pub use reveal::reveal;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
-use crate::scene::{Lang, Scene};
+use crate::scene::{DriverKind, Lang, Scene};
 use crate::worked::{Scope, Worked, work};
 
 use crate::sweep::follow::Follower;
@@ -102,7 +102,26 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         );
         notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
     }
-    if scene.drivers.len() > 1 {
+    let turns = follower.returns();
+    if turns != 1 && matches!(scene.drivers[options.driver].kind, DriverKind::Turn { .. }) && sweep.limits == [None, None] {
+        notes.push(Diagnostic::note(
+            "lesson-turns",
+            match (sweep.full, turns) {
+                (true, _) => both!(
+                    "the lesson shows {turns} turns of the driver: then all wheels stand as before",
+                    "演示原动件的 {turns} 转：此后各轮回到原位"
+                ),
+                (false, 0) => {
+                    both!("the lesson shows one turn of the driver: the wheels never stand as before", "演示原动件的一转：各轮不再回到原位")
+                }
+                (false, _) => both!(
+                    "the lesson shows one turn of the driver: the wheels stand as before after {turns}",
+                    "演示原动件的一转：{turns} 转后各轮才回到原位"
+                ),
+            },
+        ));
+    }
+    if scene.own_drivers() > 1 {
         notes.push(Diagnostic::note(
             "lesson-driver",
             both!(

@@ -4,7 +4,7 @@
 (() => {
   const data = JSON.parse(document.getElementById("data").textContent);
   const $ = (id) => document.getElementById(id);
-  const TURN = 2 * Math.PI;
+  const TURN = 2 * Math.PI * (data.turns || 1);
   const times = data.travel;
   const count = times.length;
   const still = matchMedia("(prefers-reduced-motion: reduce)");
@@ -560,7 +560,7 @@
     $("notes").textContent = `${word(`scales${drawings.some((d) => d.scales) ? "_steps" : ""}${data.cut ? "_cut" : ""}`)} ${word("rates")}`;
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     grip.setAttribute("aria-label", word("handle"));
-    const values = data.full ? [start, start + wholeTurn] : ends().map((t) => start + t * data.driver.factor);
+    const values = data.full ? [start, start + wholeTurn * (data.turns || 1)] : ends().map((t) => start + t * data.driver.factor);
     grip.setAttribute("aria-valuemin", Math.round(values[0] * 10) / 10);
     grip.setAttribute("aria-valuemax", Math.round(values[1] * 10) / 10);
     toldLimit = null;

@@ -57,7 +57,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         title => title.to_owned(),
     };
     let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames, &mut formulas)).collect();
-    let data = json!({
+    let mut data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
         "lang": tag(options.lang),
@@ -79,6 +79,10 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "formulas": formulas.list,
         "tags": bank::tags(),
     });
+    // Those of a motion that takes more than one.
+    if frames.full && sweep.turns != 1 {
+        data["turns"] = json!(sweep.turns);
+    }
     // Inside a script element `</` could end it, and after `<!--` nothing might.
     let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
     Ok(filled(

@@ -2,7 +2,7 @@
 
 use super::{Mechanism, Node};
 use crate::scene::quantity::{Level, Need};
-use crate::scene::{Find, LinkId, Scene};
+use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// What the questions call for.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +61,11 @@ impl Demand {
             g.get_or_insert(Level::Position);
         }
         self
+    }
+
+    /// Whether the place of a pin is called for.
+    pub fn places(&self, m: &Mechanism, pin: PointId) -> bool {
+        m.group_of_pin[pin.0].is_some_and(|g| self.groups[g].is_some())
     }
 
     /// Whether a group is needed at a level.

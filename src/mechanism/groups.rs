@@ -379,6 +379,7 @@ impl Mechanism {
                 DriverKind::Cylinder { a, b, .. } => vec![Node::Pin(a), Node::Pin(b)],
                 _ => return None,
             },
+            Passive::Held(a, b) => vec![Node::Pin(a), Node::Pin(b)],
         })
     }
 }

@@ -3,7 +3,8 @@
 
 use super::{Constraint, Node, Passive, ends, weight};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{DriverKind, PointId, Scene};
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
 ///
@@ -38,90 +39,128 @@ impl Nodes {
             Node::Pin(p) => self.links + p.0,
         }
     }
+
+    fn at(&self, index: usize) -> Node {
+        match index.checked_sub(self.links) {
+            None => Node::Link(LinkId(index)),
+            Some(p) => Node::Pin(PointId(p)),
+        }
+    }
 }
 
-/// Equations and the nodes to which they are assigned, as many as find one.
-struct Matching {
+/// A matching of as many equations as possible with the freedoms of the nodes.
+pub(super) struct Matched {
     nodes: Nodes,
-    /// For each node how many equations it takes.
-    capacity: Vec<usize>,
-    /// One entry per scalar equation: its constraint and the two ends.
+    /// One entry per scalar equation: its constraint and the ends of that.
     units: Vec<(usize, Node, Node)>,
     owner: Vec<Option<usize>>,
     held: Vec<Vec<usize>>,
-    /// Equations without a node.
+    capacity: Vec<usize>,
+    /// Equations for which no freedom is left.
     homeless: Vec<usize>,
+}
+
+impl Matched {
+    /// Matches equations with freedoms, in the order of the constraints.
+    pub fn new(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> Matched {
+        let nodes = Nodes { links: scene.links.len() };
+        let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
+        for (l, p) in passive.iter().enumerate() {
+            if l != scene.ground.0 && p.is_none() {
+                capacity[l] = 3;
+            }
+        }
+        for p in pins {
+            capacity[nodes.links + p.0] = 2;
+        }
+        let units: Vec<(usize, Node, Node)> = constraints
+            .iter()
+            .enumerate()
+            .flat_map(|(i, &c)| {
+                let (a, b) = ends(scene, c);
+                std::iter::repeat_n((i, a, b), weight(c))
+            })
+            .collect();
+        let (owner, held) = (vec![None; units.len()], vec![Vec::new(); capacity.len()]);
+        let mut m = Matched { nodes, owner, held, capacity, homeless: Vec::new(), units };
+        for u in 0..m.units.len() {
+            if augment(u, &m.units, &m.nodes, &m.capacity, &mut m.owner, &mut m.held) {
+                continue;
+            }
+            m.homeless.push(u);
+        }
+        m
+    }
+
+    /// How many equations have no home.
+    pub fn homeless(&self) -> usize {
+        self.homeless.len()
+    }
+
+    /// How many freedoms no equation takes.
+    pub fn free(&self) -> usize {
+        self.capacity.iter().zip(&self.held).map(|(c, h)| c - h.len()).sum()
+    }
+
+    /// For each equation without a home the constraints that depend on one another with it: those that hold the nodes on which it
+    /// could have been placed, and so on. Dropping any of them gives it a home.
+    pub fn circuits(&self) -> impl Iterator<Item = BTreeSet<usize>> + '_ {
+        self.homeless.iter().map(|u| self.circuit(*u))
+    }
+
+    fn circuit(&self, homeless: usize) -> BTreeSet<usize> {
+        let mut seen = vec![false; self.capacity.len()];
+        let mut found = BTreeSet::new();
+        let mut stack = vec![homeless];
+        while let Some(u) = stack.pop() {
+            let (constraint, a, b) = self.units[u];
+            found.insert(constraint);
+            for n in [a, b].map(|n| self.nodes.index(n)) {
+                if self.capacity[n] > 0 && !std::mem::replace(&mut seen[n], true) {
+                    stack.extend(&self.held[n]);
+                }
+            }
+        }
+        found
+    }
+
+    /// The assignment, where it is perfect.
+    fn assignment(self) -> Assignment {
+        let nodes = self.nodes;
+        let equations = self.units.into_iter().zip(self.owner);
+        let told = equations.filter_map(|((c, a, b), o)| Some(if nodes.index(a) == o? { (c, a, b) } else { (c, b, a) }));
+        Assignment { equations: told.collect() }
+    }
 }
 
 /// Whether every equation can be assigned to a node: no pair says what others say already.
 pub(super) fn all_have_a_home(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> bool {
-    matching(scene, passive, pins, constraints).homeless.is_empty()
-}
-
-fn matching(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], constraints: &[Constraint]) -> Matching {
-    let nodes = Nodes { links: scene.links.len() };
-    let mut capacity = vec![0usize; scene.links.len() + scene.points.len()];
-    for (l, p) in passive.iter().enumerate() {
-        if l != scene.ground.0 && p.is_none() {
-            capacity[l] = 3;
-        }
-    }
-    for p in pins {
-        capacity[nodes.links + p.0] = 2;
-    }
-    let units: Vec<(usize, Node, Node)> = constraints
-        .iter()
-        .enumerate()
-        .flat_map(|(i, &c)| {
-            let (a, b) = ends(scene, c);
-            std::iter::repeat_n((i, a, b), weight(c))
-        })
-        .collect();
-    let mut owner: Vec<Option<usize>> = vec![None; units.len()];
-    let mut held: Vec<Vec<usize>> = vec![Vec::new(); capacity.len()];
-    let mut homeless = Vec::new();
-    for u in 0..units.len() {
-        if !augment(u, &units, &nodes, &capacity, &mut owner, &mut held) {
-            homeless.push(u);
-        }
-    }
-    Matching { nodes, capacity, units, owner, held, homeless }
+    Matched::new(scene, passive, pins, constraints).homeless.is_empty()
 }
 
 /// Assigns every equation to a node.
 ///
 /// # Errors
 /// Names the links that stay free, or the pairs that say too much.
-pub(crate) fn assign(
+pub(super) fn assign(
     scene: &Scene,
     passive: &[Option<Passive>],
     pins: &[PointId],
     constraints: &[Constraint],
 ) -> Result<Assignment, Faults> {
-    let Matching { nodes, capacity, units, owner, held, homeless } = matching(scene, passive, pins, constraints);
+    let m = Matched::new(scene, passive, pins, constraints);
     let mut faults = Faults::default();
-    let free: Vec<Node> = (0..capacity.len())
-        .filter(|&n| held[n].len() < capacity[n])
-        .map(|n| if n < nodes.links { Node::Link(crate::scene::LinkId(n)) } else { Node::Pin(PointId(n - nodes.links)) })
-        .collect();
+    let free: Vec<Node> = (0..m.capacity.len()).filter(|&n| m.held[n].len() < m.capacity[n]).map(|n| m.nodes.at(n)).collect();
     if !free.is_empty() {
-        faults.push(too_free(scene, &capacity, &held, &free));
+        faults.push(too_free(scene, constraints, m.free(), &free));
     }
-    if !homeless.is_empty() {
-        faults.push(too_tight(scene, constraints, &units, &homeless));
+    if !m.homeless.is_empty() {
+        faults.push(too_tight(scene, constraints, &m.units, &m.homeless));
     }
     if faults.has_errors() {
         return Err(faults);
     }
-    let equations = units
-        .iter()
-        .zip(&owner)
-        .map(|(&(c, a, b), o)| {
-            let o = o.expect("every equation has a home when none is homeless");
-            if nodes.index(a) == o { (c, a, b) } else { (c, b, a) }
-        })
-        .collect();
-    Ok(Assignment { equations })
+    Ok(m.assignment())
 }
 
 /// Finds a home for equation `u`, moving others along a shortest alternating path.
@@ -180,8 +219,7 @@ fn describe(scene: &Scene, n: Node) -> Both {
     }
 }
 
-fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node]) -> Diagnostic {
-    let missing: usize = capacity.iter().zip(held).map(|(c, h)| c - h.len()).sum();
+fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[Node]) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
     let drivers = scene.drivers.len();
     let span = match free[0] {
@@ -193,7 +231,7 @@ fn too_free(scene: &Scene, capacity: &[usize], held: &[Vec<usize>], free: &[Node
         both!(
             "mobility F = {}: the pairs and the {drivers} driver{} leave {missing} freedom{} open, at {}",
             "自由度 F = {}：{drivers} 个原动件{1:.0}和各运动副还余下 {missing} 个自由度{2:.0}，在{3}",
-            count(scene).freedom,
+            count(scene, constraints).freedom,
             if drivers == 1 { "" } else { "s" },
             if missing == 1 { "" } else { "s" },
             Both::join(&names, ", ", "、")
@@ -246,7 +284,7 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
             "多出 {} 个约束{:.0}：自由度 F = {}，原动件 {} 个{:.0}；没有自由度可供{}约束",
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
-            count(scene).freedom,
+            count(scene, constraints).freedom,
             scene.drivers.len(),
             if scene.drivers.len() == 1 { "" } else { "s" },
             Both::join(&names, ", ", "、")
@@ -304,7 +342,10 @@ fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
 
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
-pub(crate) fn count(scene: &Scene) -> Mobility {
+///
+/// A wheel that rolls on its track takes two freedoms, as a lower pair does. A mesh takes one, and one more where nothing but its flanks
+/// holds the distance of the centres, which the constraints say.
+pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     let mut moving = scene.links.len() - 1;
     let mut lower = 0;
     let mut on_pin = vec![0usize; scene.points.len()];
@@ -328,7 +369,14 @@ pub(crate) fn count(scene: &Scene) -> Mobility {
             }
         }
     }
-    for g in &scene.guides {
+    for pair in &scene.rolling {
+        let own = pair.guide.filter(|g| constraints.iter().any(|c| matches!(c, Constraint::Slot(_, h) if h == g)));
+        match (pair.toothed, own) {
+            (false, _) => lower += 1,
+            (true, own) => higher += 1 + usize::from(own.is_some()),
+        }
+    }
+    for g in scene.guides.iter().filter(|g| g.rolling.is_none()) {
         if g.slider.is_some() {
             lower += 1;
         } else {

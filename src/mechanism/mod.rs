@@ -8,12 +8,18 @@ mod demand;
 mod groups;
 mod leg;
 mod mobility;
+mod redundant;
+mod survey;
 
 pub use demand::Demand;
 pub(crate) use demand::nodes_of;
 pub use groups::{Core, Group};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
+pub use redundant::{Opened, Redundant};
+pub use survey::{Counts, ForDrivers, Local, Survey};
+
+use redundant::Opening;
 
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
@@ -58,6 +64,8 @@ pub enum Passive {
     Block(GuideId),
     /// Barrel or rod: turns with the line of the cylinder (index of the driver).
     Cylinder(usize),
+    /// A link that only repeats what the others fix, known by two of its pins: turns with their line. See [`Redundant`].
+    Held(PointId, PointId),
 }
 
 /// The mechanism: the scene's topology, worked out.
@@ -77,6 +85,9 @@ pub struct Mechanism {
     pub group_of_link: Vec<Option<usize>>,
     /// The group of each pin.
     pub group_of_pin: Vec<Option<usize>>,
+    /// The pairs that only repeat what the others fix, in the order in which they were opened. Whether they do is decided by lengths:
+    /// [`crate::position::redundant`].
+    pub redundant: Vec<Redundant>,
     /// For each link, whether it is ground or keeps its direction for topological reasons (locked to ground by sliding pairs).
     pub never_turns: Vec<bool>,
 }
@@ -94,43 +105,40 @@ impl Mechanism {
         if faults.has_errors() {
             return Err(faults);
         }
-        let pins = find_pins(scene, &passive);
-        let constraints = find_constraints(scene, &passive, &pins);
-        let constraints = touching(scene, &passive, &pins, constraints);
-        let assignment = mobility::assign(scene, &passive, &pins, &constraints)?;
-        let mobility = mobility::count(scene);
-        let never_turns = find_never_turning(scene);
+        let mut opening = Opening { passive, redundant: Vec::new() };
+        if opening.matched(scene).homeless() > 0 {
+            opening = redundant::open(scene, &opening).unwrap_or(opening);
+        }
+        let mechanism = Mechanism::opened(scene, opening)?;
+        Ok(Warned { value: mechanism, notes: Vec::new() })
+    }
+
+    /// The mechanism without what is opened.
+    fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
+        let (pins, constraints) = opening.pins_and_constraints(scene);
+        let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
         let mut mechanism = Mechanism {
+            mobility: mobility::count(scene, &constraints),
             constraints,
             pins,
-            passive,
-            mobility,
+            passive: opening.passive,
             groups: Vec::new(),
             group_of_link: vec![None; scene.links.len()],
             group_of_pin: vec![None; scene.points.len()],
-            never_turns,
+            redundant: opening.redundant,
+            never_turns: find_never_turning(scene),
         };
         groups::find(scene, &mut mechanism, &assignment);
-        let mut notes = Vec::new();
-        for g in &mechanism.groups {
-            if matches!(g.core, Core::Higher) {
-                let names: Vec<_> = g.links.iter().map(|l| scene.link_name(*l)).collect();
-                notes.push(Diagnostic::note(
-                    "higher-group",
-                    both!(
-                        "links {} form a group higher than class III: it is answered from the loop equations and not drawn",
-                        "构件 {} 组成高于Ⅲ级的杆组：由回路方程求解，不作图",
-                        names.join(", ")
-                    ),
-                ));
-            }
-        }
-        Ok(Warned { value: mechanism, notes })
+        Ok(mechanism)
     }
 
     /// Whether a guide holds: one between gears may only say what other pairs say.
     pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
-        guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id)))
+        self.keeps(id) && (guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id))))
+    }
+
+    fn keeps(&self, guide: GuideId) -> bool {
+        !self.is_opened(&Opened::Guide(guide))
     }
 
     /// The two nodes that a constraint joins.
@@ -138,9 +146,22 @@ impl Mechanism {
         ends(scene, c)
     }
 
-    /// Whether a link is fixed, or follows others without constraining them.
+    /// Whether a link is a part of a pair, a block, a barrel or a rod, and has no form of its own.
     pub fn is_passive(&self, l: LinkId) -> bool {
-        self.passive[l.0].is_some()
+        matches!(self.passive[l.0], Some(Passive::Block(_) | Passive::Cylinder(_)))
+    }
+
+    /// Whether a pair of the scene is opened because it only repeats what the others fix.
+    pub fn is_opened(&self, what: &Opened) -> bool {
+        self.redundant.iter().any(|r| r.opened == *what)
+    }
+
+    /// The pins by which a link is known that only repeats what the others fix.
+    pub fn held(&self, l: LinkId) -> Option<(PointId, PointId)> {
+        match self.passive[l.0] {
+            Some(Passive::Held(a, b)) => Some((a, b)),
+            Some(Passive::Block(_) | Passive::Cylinder(_)) | None => None,
+        }
     }
 
     /// The link whose turning a link shares for topological reasons: the carrier of its straight guide for a block, itself
@@ -161,6 +182,17 @@ impl Mechanism {
         match guide.path {
             GuidePath::Arc { centre, .. } => Some((guide.pin?, centre, guide.on)),
             GuidePath::Line { .. } => None,
+        }
+    }
+
+    /// The two pins with whose line a link turns: the ends of its cylinder, or those by which it is known where it only repeats others.
+    pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
+        match (self.passive[l.0]?, self.held(l)) {
+            (Passive::Cylinder(d), _) => match scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => Some((a, b)),
+                DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
+            },
+            (Passive::Held(..) | Passive::Block(_), held) => held,
         }
     }
 
@@ -295,10 +327,10 @@ fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Fault
     }
 }
 
-fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {
+fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
     let mut is_pin = vec![false; scene.points.len()];
     for (p, pin) in is_pin.iter_mut().enumerate() {
-        let on = scene.carriers(PointId(p)).filter(|l| passive[l.0].is_none()).count();
+        let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
         *pin = on >= 2;
     }
     for g in &scene.guides {
@@ -315,15 +347,19 @@ fn find_pins(scene: &Scene, passive: &[Option<Passive>]) -> Vec<PointId> {
     (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
 }
 
-fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]) -> Vec<Constraint> {
+fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
+    let passive = &opening.passive;
     let mut out = Vec::new();
     for &p in pins {
-        for l in scene.carriers(p).filter(|l| passive[l.0].is_none()) {
+        for l in scene.carriers(p).filter(|l| passive[l.0].is_none() && opening.keeps(&Opened::Pin(p, *l))) {
             out.push(Constraint::Pinned(p, l));
         }
     }
     for (i, g) in scene.guides.iter().enumerate() {
         let id = GuideId(i);
+        if !opening.keeps(&Opened::Guide(id)) {
+            continue;
+        }
         if let Some(p) = g.pin
             && !is_optional(scene, g)
         {
@@ -345,7 +381,8 @@ fn find_constraints(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId]
             DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
         });
     }
-    out.extend((0..scene.rolling.len()).map(|r| Constraint::Roll(RollingId(r))));
+    let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| opening.keeps(&Opened::Rolling(*r)));
+    out.extend(rolling.map(Constraint::Roll));
     out
 }
 
@@ -356,7 +393,8 @@ fn is_optional(scene: &Scene, guide: &Guide) -> bool {
 }
 
 /// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
-fn touching(scene: &Scene, passive: &[Option<Passive>], pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+    let passive = &opening.passive;
     for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
         let Some(pin) = guide.pin else { continue };
         constraints.push(Constraint::Slot(pin, GuideId(g)));

@@ -135,12 +135,18 @@ impl<N: Real> Motion<N> {
             }
             Passive::Cylinder(d) => {
                 let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind else { return None };
-                let ((va, aa), (vb, ab)) = (self.at_point(a)?, self.at_point(b)?);
-                let place = at.points[a.0]?;
-                let (omega, alpha) = turning_of_line(at.points[b.0]? - place, vb - va, ab - aa);
-                Some(LinkMotion { at: place, v: va, omega, a: aa, alpha })
+                self.of_line(at, a, b)
             }
+            Passive::Held(a, b) => self.of_line(at, a, b),
         }
+    }
+
+    /// The motion of the line of two points.
+    fn of_line(&self, at: &Configuration<N>, a: PointId, b: PointId) -> Option<LinkMotion<N>> {
+        let ((va, aa), (vb, ab)) = (self.at_point(a)?, self.at_point(b)?);
+        let place = at.points[a.0]?;
+        let (omega, alpha) = turning_of_line(at.points[b.0]? - place, vb - va, ab - aa);
+        Some(LinkMotion { at: place, v: va, omega, a: aa, alpha })
     }
 }
 

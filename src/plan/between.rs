@@ -39,7 +39,7 @@ pub(super) fn find_vertex(vertices: &[Vertex], scene: &Scene, p: PointId, on: Op
 pub(super) fn body_of(scene: &Scene, m: &Mechanism, l: LinkId) -> Body {
     match m.passive[l.0] {
         Some(Passive::Cylinder(d)) => Body::Cylinder(d),
-        Some(Passive::Block(_)) | None => Body::Link(m.turns_as(scene, l)),
+        Some(Passive::Block(_) | Passive::Held(..)) | None => Body::Link(m.turns_as(scene, l)),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Walks the groups and writes their equations.
 
 use super::between::body_of;
-use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Spot, Step, Vertex, VertexId, canonical, effects};
-use crate::mechanism::{Core, Demand, Level, Mechanism, Need};
+use super::{Body, Chain, GroupSteps, Method, Plan, Rate, Rest, Special, Spot, Step, Vertex, VertexId, canonical, effects};
+use crate::mechanism::{Demand, Level, Mechanism, Need, Opened};
 use crate::scene::{Guide, GuideId, LinkId, PointId, Scene};
 use std::collections::{HashMap, HashSet};
 
@@ -21,6 +21,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         m,
         demand,
         vertices: Vec::new(),
+        specials: Vec::new(),
         velocity: Vec::new(),
         acceleration: Vec::new(),
         interned: HashMap::new(),
@@ -43,6 +44,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
     }
     let mut plan = Plan {
         vertices: b.vertices,
+        specials: b.specials,
         velocity: b.velocity,
         acceleration: b.acceleration,
         still: m.never_turns.clone(),
@@ -60,6 +62,7 @@ pub(super) struct Builder<'a> {
     pub m: &'a Mechanism,
     pub(super) demand: &'a Demand,
     pub(super) vertices: Vec<Vertex>,
+    specials: Vec<Special>,
     pub(super) velocity: Vec<GroupSteps>,
     pub(super) acceleration: Vec<GroupSteps>,
     /// Where each vertex stands in the list.
@@ -94,7 +97,7 @@ impl Builder<'_> {
                 let fixed = self.scene.links[ground.0].points.contains(&p);
                 (self.number_of_pin(p), fixed)
             }
-            (Spot::Special { .. }, None) => (None, false),
+            (Spot::Special(_), None) => (None, false),
         };
         let id = VertexId(self.vertices.len());
         self.vertices.push(Vertex { spot, on, number, fixed });
@@ -112,6 +115,16 @@ impl Builder<'_> {
         guides.iter().find_map(|g| g.slider).or_else(|| self.scene.carriers(p).find(|l| !self.m.is_passive(*l)))
     }
 
+    /// The vertex of a special point: the same at both levels.
+    pub(super) fn special(&mut self, special: Special) -> VertexId {
+        let known = self.specials.iter().position(|s| *s == special);
+        let index = known.unwrap_or_else(|| {
+            self.specials.push(special);
+            self.specials.len() - 1
+        });
+        self.intern(Spot::Special(index), None)
+    }
+
     /// The vertex of a pin, or of a point that belongs to one link.
     pub(super) fn pin(&mut self, p: PointId) -> VertexId {
         self.intern(Spot::Point(p), None)
@@ -126,7 +139,7 @@ impl Builder<'_> {
     pub(super) fn on_link(&mut self, v: VertexId, l: LinkId) -> VertexId {
         match self.vertices[v.0].spot {
             Spot::Point(p) => self.coincident(p, l),
-            special @ Spot::Special { .. } => self.intern(special, Some(l)),
+            special @ Spot::Special(_) => self.intern(special, Some(l)),
         }
     }
 
@@ -138,7 +151,8 @@ impl Builder<'_> {
 
     /// The first two known points of a link at a level: its own points come first, then coincident ones. No construction needs more.
     fn known_on(&self, level: Level, l: LinkId) -> Vec<VertexId> {
-        let carried = self.scene.links[l.0].points.iter().filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
+        let own = self.scene.links[l.0].points.iter().filter(|p| !self.m.is_opened(&Opened::Pin(**p, l)));
+        let carried = own.filter_map(|p| self.interned.get(&(Spot::Point(*p), None)).copied());
         let coincident = self.vertices.iter().enumerate().filter(|(_, v)| v.on == Some(l)).map(|(i, _)| VertexId(i));
         carried.chain(coincident).filter(|v| self.is_known(level, *v)).take(2).collect()
     }
@@ -179,8 +193,8 @@ impl Builder<'_> {
             _ => {}
         }
         let group = match body {
-            // A block has no group: its turning is read off after that of its pin and of the link that carries it.
-            Body::Link(l) if self.m.is_passive(l) => {
+            // What only follows has no group: its turning is read off after those of its pins and of the link that carries it.
+            Body::Link(l) if self.m.passive[l.0].is_some() => {
                 let nodes = crate::mechanism::nodes_of(self.scene, self.m, Need::Turning(l));
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
@@ -240,7 +254,7 @@ impl Builder<'_> {
                     None => return,
                 }
             }
-            (None, Spot::Special { .. }) => return,
+            (None, Spot::Special(_)) => return,
         };
         for p in self.scene.links[link.0].points.clone() {
             // Fixed pivots are known without ever having been asked for.
@@ -256,7 +270,7 @@ impl Builder<'_> {
             [a, b, ..] => Step::Image { link, target: v, from: (a, b) },
             [a] => {
                 let body = self.body(link);
-                self.source_of_curved_block(level, link);
+                self.source_of_follower(level, link);
                 if !self.turning_is_known(level, body) {
                     // The link belongs to a group that is not drawn.
                     return;
@@ -279,7 +293,7 @@ impl Builder<'_> {
             }
             let group = &self.m.groups[g];
             let undrawable = |g: &usize| self.undrawable.contains(g);
-            if matches!(group.core, Core::Higher) || undrawable(&g) || group.upstream.iter().any(undrawable) {
+            if undrawable(&g) || group.upstream.iter().any(undrawable) {
                 if !self.undrawable.contains(&g) {
                     self.undrawable.push(g);
                 }
@@ -292,7 +306,11 @@ impl Builder<'_> {
                 rates: Vec::new(),
                 further: Vec::new(),
             });
-            let alternatives = self.group(level, g);
+            let Some(alternatives) = self.group(level, g) else {
+                self.list(level).pop();
+                self.undrawable.push(g);
+                continue;
+            };
             self.list(level).last_mut().expect("just pushed").alternatives = alternatives;
             self.answer_needs(level, g);
         }
@@ -303,10 +321,17 @@ impl Builder<'_> {
         body_of(self.scene, self.m, l)
     }
 
-    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would: that is its source.
-    fn source_of_curved_block(&mut self, level: Level, l: LinkId) {
-        let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) else { return };
-        let (of, to) = (self.pin(pin), self.coincident(centre, on));
+    /// A block on a curved guide turns as a bar from the centre of curvature to its pin would, and a link that only repeats what others
+    /// fix with two of its pins: that is its source.
+    fn source_of_follower(&mut self, level: Level, l: LinkId) {
+        let (of, to) = if let Some((pin, centre, on)) = self.m.curved_block(self.scene, l) {
+            (self.pin(pin), self.coincident(centre, on))
+        } else if let Some((a, b)) = self.m.held(l) {
+            (self.pin(b), self.pin(a))
+        } else {
+            return;
+        };
+        self.ensure(level, of);
         self.ensure(level, to);
         self.source(level, Body::Link(l), Rate::Measured { of, to });
     }
@@ -335,7 +360,7 @@ impl Builder<'_> {
                 }
                 Need::Turning(l) => {
                     let body = self.body(l);
-                    self.source_of_curved_block(level, l);
+                    self.source_of_follower(level, l);
                     self.need_rate_at(level, body);
                 }
             }

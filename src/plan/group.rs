@@ -1,21 +1,21 @@
 //! The equations of one group, by what its core is.
 
 use super::build::{Builder, slot};
-use super::{Body, Chain, Method, Rate, Spot, Step, VertexId};
+use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use crate::scene::{LinkId, PointId, Scene};
 
 impl Builder<'_> {
-    /// The alternatives of one group; leaves its results known.
-    pub(super) fn group(&mut self, level: Level, g: usize) -> Vec<Vec<Step>> {
-        match self.m.groups[g].core.clone() {
+    /// The alternatives of one group; leaves its results known. `None` where it is not drawn.
+    pub(super) fn group(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
+        Some(match self.m.groups[g].core.clone() {
             Core::Pin { pin, legs } => {
                 self.group_of_pin(level, pin, &legs);
                 vec![std::mem::take(&mut self.pending)]
             }
             Core::Link { link, legs } => self.group_of_link(level, g, link, &legs),
-            Core::Higher => Vec::new(),
-        }
+            Core::Higher => return self.reduced(level, g),
+        })
     }
 
     fn group_of_pin(&mut self, level: Level, pin: PointId, legs: &[Leg]) {
@@ -51,7 +51,7 @@ impl Builder<'_> {
         told.unwrap_or(Method::SameLink)
     }
 
-    fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
+    pub(super) fn equation(&mut self, level: Level, target: VertexId, chains: Vec<Chain>, method: Method) {
         // The chain that starts in the pole comes first: its terms stand on the left of the equals sign.
         let mut chains = chains;
         if chains.len() == 2 && !self.vertices[chains[0].start.0].fixed && self.vertices[chains[1].start.0].fixed {
@@ -64,7 +64,7 @@ impl Builder<'_> {
     }
 
     /// What a strut turns with, once both its ends are known.
-    fn sources_of(&mut self, level: Level, hold: &Hold) {
+    pub(super) fn sources_of(&mut self, level: Level, hold: &Hold) {
         let Hold::Distance { near, far, strut } = *hold else { return };
         let (body, of) = match strut {
             Strut::Bar(link) => (Body::Link(link), self.pin(near)),
@@ -164,7 +164,10 @@ impl Builder<'_> {
             self.pending.clone_from(&shared);
             let s = match contact_on_bar(self.scene, &holds[i], &holds[j]) {
                 Some(n) => nears[[i, j][n]],
-                None => self.intern(Spot::Special { group: g, legs: (i, j) }, None),
+                None => {
+                    let line = |n: usize| SpecialLine::Leg(holds[n].line().expect("a leg of a triad holds along a line"));
+                    self.special(Special { group: g, link, lines: [line(i), line(j)], legs: Some((i, j)) })
+                }
             };
             let mut chains = Vec::new();
             for n in [i, j] {

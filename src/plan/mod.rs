@@ -14,6 +14,7 @@ mod group;
 mod locus;
 pub mod names;
 pub mod notation;
+mod reduce;
 mod rest;
 pub mod text;
 
@@ -21,7 +22,7 @@ pub use between::{Asking, asking};
 pub use build::{plan, plan_without};
 pub use rest::Rest;
 
-use crate::mechanism::Level;
+use crate::mechanism::{ConstraintLine, Level};
 use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Index into [`Plan::vertices`].
@@ -33,12 +34,34 @@ pub struct VertexId(pub usize);
 pub enum Spot {
     /// A point of the scene.
     Point(PointId),
-    /// The special (Assur) point of a triad: the crossing of the constraint lines of two legs of the group's core.
-    Special {
-        /// The group.
-        group: usize,
-        /// The two legs, by their order in the core.
-        legs: (usize, usize),
+    /// A special (Assur) point: an index into [`Plan::specials`].
+    Special(usize),
+}
+
+/// A special (Assur) point of a link: where two lines cross along which it is held. As far as velocities go the link is pinned there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Special {
+    /// The group.
+    pub group: usize,
+    /// The link.
+    pub link: LinkId,
+    /// The two lines.
+    pub lines: [SpecialLine; 2],
+    /// Of a triad the two legs, by their order in the core: it has another special point for each pair of them.
+    pub legs: Option<(usize, usize)>,
+}
+
+/// A line along which a link is held.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpecialLine {
+    /// The constraint line of a leg.
+    Leg(ConstraintLine),
+    /// Through a pin and the special point of the link at the pin's other side.
+    Through {
+        /// The pin.
+        pin: PointId,
+        /// The special point.
+        special: VertexId,
     },
 }
 
@@ -60,7 +83,7 @@ impl Vertex {
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
         let pinned = || match self.spot {
             Spot::Point(p) => scene.mover(p),
-            Spot::Special { .. } => None,
+            Spot::Special(_) => None,
         };
         self.on.or(self.number).or_else(pinned)
     }
@@ -347,6 +370,8 @@ pub enum Reason {
 pub struct Plan {
     /// All points whose vectors occur.
     pub vertices: Vec<Vertex>,
+    /// The special points among them.
+    pub specials: Vec<Special>,
     /// Velocity steps, group after group.
     pub velocity: Vec<GroupSteps>,
     /// Acceleration steps.
@@ -381,6 +406,14 @@ impl Plan {
     /// The vertex of a point (of a link), if the plan has it.
     pub fn find_vertex(&self, scene: &Scene, p: PointId, on: Option<LinkId>) -> Option<VertexId> {
         between::find_vertex(&self.vertices, scene, p, on)
+    }
+
+    /// The special point that a vertex is, if it is one.
+    pub fn special(&self, v: VertexId) -> Option<&Special> {
+        match self.vertex(v).spot {
+            Spot::Special(k) => self.specials.get(k),
+            Spot::Point(_) => None,
+        }
     }
 
     /// The terms of all chains and of all vectors drawn between images at a level, alternatives included.

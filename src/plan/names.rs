@@ -3,7 +3,7 @@
 //! A scene names its points and links freely (`O2`, `A'`, `B_1`, `滑块`); in the label language an underscore begins a subscript
 //! and a prime stands on what precedes it. Every name that is put into a label goes through this file.
 
-use super::{Plan, Spot, Vertex};
+use super::{Plan, Spot};
 use crate::scene::{PointId, Scene};
 
 /// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
@@ -68,18 +68,22 @@ pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> Strin
     if unclear { format!("{name},{link}") } else { run }
 }
 
-/// Name of the special point of a group: S, or the next letter that no point of the scene has, in either case and with or without a
-/// number; numbered where several groups have one.
-pub(crate) fn special_name(scene: &Scene, plan: &Plan, group: usize) -> String {
+/// Name of a special point (by its place in the plan's list): S, or the next letter that no point of the scene has, in either case and with
+/// or without a number; numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
+pub(crate) fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
     let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
     let letter = ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S");
-    let special = |v: &Vertex| if let Spot::Special { group, .. } = v.spot { Some(group) } else { None };
-    let mut groups: Vec<usize> = plan.vertices.iter().filter_map(special).collect();
-    groups.sort_unstable();
-    groups.dedup();
-    match groups[..] {
+    // Of a triad by the group, of a reduction by the link.
+    let key = |k: usize| {
+        let s = &plan.specials[k];
+        (s.group, s.legs.is_none().then_some(s.link))
+    };
+    let mut named: Vec<_> = (0..plan.specials.len()).map(key).collect();
+    named.sort_unstable();
+    named.dedup();
+    match named[..] {
         [] | [_] => letter.to_owned(),
-        _ => format!("{letter}{}", groups.iter().position(|g| *g == group).map_or(0, |k| k + 1)),
+        _ => format!("{letter}{}", named.iter().position(|k| *k == key(special)).map_or(0, |k| k + 1)),
     }
 }
 

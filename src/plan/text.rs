@@ -43,7 +43,7 @@ pub fn vertex_name(scene: &Scene, plan: &Plan, v: VertexId) -> String {
     let vertex = plan.vertex(v);
     let name = match vertex.spot {
         Spot::Point(p) => scene.point_name(p).to_owned(),
-        Spot::Special { group, .. } => special_name(scene, plan, group),
+        Spot::Special(k) => special_name(scene, plan, k),
     };
     numbered(scene, name, vertex.number.map(|n| scene.link_name(n)))
 }
@@ -53,7 +53,7 @@ pub fn line_name(scene: &Scene, plan: &Plan, a: VertexId, b: VertexId) -> String
     let (a, b) = ordered(plan, a, b);
     let plain = |v: VertexId| match plan.vertex(v).spot {
         Spot::Point(p) => scene.point_name(p).to_string(),
-        Spot::Special { group, .. } => special_name(scene, plan, group),
+        Spot::Special(k) => special_name(scene, plan, k),
     };
     format!("{}{}", plain(a), plain(b))
 }
@@ -77,7 +77,7 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
 fn ordered(plan: &Plan, a: VertexId, b: VertexId) -> (VertexId, VertexId) {
     let rank = |v: VertexId| match plan.vertex(v).spot {
         Spot::Point(p) => p.0,
-        Spot::Special { .. } => usize::MAX,
+        Spot::Special(_) => usize::MAX,
     };
     if rank(a) <= rank(b) { (a, b) } else { (b, a) }
 }
@@ -92,7 +92,7 @@ impl Writer<'_> {
     pub fn spot(&self, v: VertexId) -> String {
         match self.plan.vertex(v).spot {
             Spot::Point(p) => point_label(self.scene.point_name(p)),
-            Spot::Special { group, .. } => point_label(&special_name(self.scene, self.plan, group)),
+            Spot::Special(k) => point_label(&special_name(self.scene, self.plan, k)),
         }
     }
 
@@ -155,7 +155,7 @@ impl Writer<'_> {
         let vertex = self.plan.vertex(v);
         let name = match vertex.spot {
             Spot::Point(p) => small(self.scene, p),
-            Spot::Special { group, .. } => special_name(self.scene, self.plan, group).to_lowercase(),
+            Spot::Special(k) => special_name(self.scene, self.plan, k).to_lowercase(),
         };
         name_label(&numbered(self.scene, name, vertex.number.map(|n| self.scene.link_name(n))))
     }
@@ -214,7 +214,7 @@ impl Writer<'_> {
         let link = vertex.number.map(|l| self.scene.link_name(l));
         match vertex.spot {
             Spot::Point(p) => image_label(self.scene, p, link, prime(level)),
-            Spot::Special { group, .. } => image_of(&special_name(self.scene, self.plan, group).to_lowercase(), link, prime(level)),
+            Spot::Special(k) => image_of(&special_name(self.scene, self.plan, k).to_lowercase(), link, prime(level)),
         }
     }
 

@@ -96,6 +96,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             l == scene.ground
                 || m.group_of_link[l.0].is_some_and(|g| demand.groups[g].is_some())
                 || m.passive[l.0].is_some_and(|p| matches!(p, Passive::Block(_)))
+                || m.held(l).is_some_and(|(a, b)| demand.places(m, a) && demand.places(m, b))
         };
         let shapes: Vec<LinkShape<N>> = (0..scene.links.len())
             .map(LinkId)

@@ -26,6 +26,14 @@ struct Coupled<'a, N> {
     pins: &'a [PointId],
     constraints: Vec<Constraint>,
     scale: f64,
+    aside: Option<Aside>,
+}
+
+/// A driver that stands elsewhere than at the instant: by so much (rad or m) farther on. The others hold what they held then.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aside {
+    pub driver: usize,
+    pub by: f64,
 }
 
 /// One equation: what it is off by, and its coefficients.
@@ -36,6 +44,11 @@ struct Equation<N> {
 
 impl<N: Real> Assembly<'_, N> {
     pub(super) fn coupled_trial(&self, group: &Group, meant: &Configuration) -> Result<Trial<N>, Diagnostic> {
+        self.coupled_aside(group, meant, None)
+    }
+
+    /// The same with a driver elsewhere than at the instant, whose configuration the assembly must know.
+    pub(super) fn coupled_aside(&self, group: &Group, meant: &Configuration, aside: Option<Aside>) -> Result<Trial<N>, Diagnostic> {
         let unproven = |why| self.unproven(&group.links, why);
         let mut start = State { poses: Vec::new(), pins: Vec::new() };
         for l in &group.links {
@@ -49,7 +62,7 @@ impl<N: Real> Assembly<'_, N> {
         }
         let constraints = group.constraints.iter().map(|&c| self.m.constraints[c]).collect();
         let scale = meant.extent();
-        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, constraints, scale };
+        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, constraints, scale, aside };
         let root = if N::refines() {
             if system.equations(&start).is_none() {
                 return Err(unproven(Unproven::NotWritten));
@@ -108,6 +121,34 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
+    /// By how much a driver stands farther on than at the instant.
+    fn by(&self, driver: usize) -> N {
+        N::from_f64(self.aside.filter(|a| a.driver == driver).map_or(0.0, |a| a.by))
+    }
+
+    /// What a driver held at the instant and how much more it holds now, where it is one that stands elsewhere.
+    fn held_aside(&self, c: Constraint) -> Option<N> {
+        let a = self.assembly;
+        let then = a.instant.filter(|_| self.aside.is_some())?;
+        match c {
+            Constraint::Slide(d, g) => {
+                let guide = &a.scene.guides[g.0];
+                let Path::Line { through, direction } = a.guides[g.0]?.to_world(&then.poses[guide.on.0]?) else { return None };
+                Some(direction.dot(then.points[guide.pin?.0]? - through) + self.by(d))
+            }
+            Constraint::Cylinder(d) => {
+                let DriverKind::Cylinder { a: from, b: to, .. } = a.scene.drivers[d].kind else { return None };
+                Some(then.points[from.0]?.distance(then.points[to.0]?) + self.by(d))
+            }
+            Constraint::Pinned(..)
+            | Constraint::Slot(..)
+            | Constraint::Lock(_)
+            | Constraint::Glide(_)
+            | Constraint::Turn(_)
+            | Constraint::Roll(_) => None,
+        }
+    }
+
     /// The equations at a state; `None` where one of them is of a kind that is not written.
     fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
         let a = self.assembly;
@@ -147,8 +188,11 @@ impl<N: Real> Coupled<'_, N> {
                     list.push(Equation { off, row });
                 }
                 Constraint::Slide(d, g) => {
-                    let (guide, DriverKind::Slide { position: Some(s), .. }) = (&a.scene.guides[g.0], &a.scene.drivers[d].kind) else {
-                        return None;
+                    let guide = &a.scene.guides[g.0];
+                    let held = match (self.held_aside(c), &a.scene.drivers[d].kind) {
+                        (Some(held), _) => held,
+                        (None, DriverKind::Slide { position: Some(s), .. }) => a.inputs.driven(&a.scene.drivers[d], s),
+                        (None, _) => return None,
                     };
                     let Path::Line { through, direction } = a.guides[g.0]?.to_world(&self.pose(at, guide.on)?) else { return None };
                     let p = guide.pin?;
@@ -156,28 +200,38 @@ impl<N: Real> Coupled<'_, N> {
                     let mut row = self.zeros();
                     self.add_pin(&mut row, p, direction);
                     self.add_link(at, &mut row, guide.on, place, -direction);
-                    list.push(Equation { off: direction.dot(place - through) - a.inputs.driven(&a.scene.drivers[d], s), row });
+                    list.push(Equation { off: direction.dot(place - through) - held, row });
                 }
                 Constraint::Cylinder(d) => {
-                    let DriverKind::Cylinder { a: from, b: to, length: Some(length), .. } = &a.scene.drivers[d].kind else { return None };
+                    let DriverKind::Cylinder { a: from, b: to, length, .. } = &a.scene.drivers[d].kind else { return None };
+                    let held = match (self.held_aside(c), length) {
+                        (Some(held), _) => held,
+                        (None, Some(length)) => a.inputs.driven(&a.scene.drivers[d], length),
+                        (None, None) => return None,
+                    };
                     let u = self.point(at, *to)? - self.point(at, *from)?;
                     let l = u.norm();
                     let u = u * (N::from_f64(1.0) / l);
                     let mut row = self.zeros();
                     self.add_pin(&mut row, *to, u);
                     self.add_pin(&mut row, *from, -u);
-                    list.push(Equation { off: l - a.inputs.driven(&a.scene.drivers[d], length), row });
+                    list.push(Equation { off: l - held, row });
                 }
                 Constraint::Turn(d) => {
                     let (Node::Link(link), Node::Link(against)) = a.m.ends(a.scene, c) else { return None };
-                    if self.links.contains(&against) {
-                        return None;
-                    }
-                    let target = a.axis_of(link, against, Some(d)).ok()?;
                     let i = self.links.iter().position(|l| *l == link)?;
                     let axis = at.poses[i].axis;
                     let mut row = self.zeros();
-                    row[3 * i + 2] = target.dot(axis);
+                    let target = match a.instant.filter(|_| self.aside.is_some()) {
+                        Some(then) => {
+                            let stood = then.poses[link.0]?.axis.divide_by(then.poses[against.0]?.axis);
+                            stood.rotate_by(Vec2::from_angle(self.by(d))).rotate_by(self.pose(at, against)?.axis)
+                        }
+                        None if self.links.contains(&against) => return None,
+                        None => a.axis_of(link, against, Some(d)).ok()?,
+                    };
+                    self.add_turn(&mut row, against, -target.dot(axis));
+                    self.add_turn(&mut row, link, target.dot(axis));
                     list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
                 }
                 // Lengths and drivers do not tell how far one link has rolled on the other.

@@ -5,7 +5,7 @@ use super::{Configuration, Path, Pose, Rolled, Shapes, rolling};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::digits::significant;
 use crate::geom::Point;
-use crate::mechanism::{Mechanism, Passive};
+use crate::mechanism::{Mechanism, Opened, Passive};
 use crate::number::Real;
 use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
@@ -114,8 +114,11 @@ impl Assembly<'_, f64> {
     pub(super) fn check(&mut self, c: &Configuration) {
         let extent = c.extent();
         for (g, guide) in self.scene.guides.iter().enumerate() {
-            // Of a rolling pair the sizes are checked as such.
-            let (Some(p), Some(path), None) = (guide.pin, c.guides[g], guide.rolling) else { continue };
+            let (Some(p), Some(path)) = (guide.pin, c.guides[g]) else { continue };
+            // Of two circles that roll the sizes are checked as such; what is opened is looked at by itself.
+            if guide.rolling.is_some() && matches!(path, Path::Arc { .. }) || self.m.is_opened(&Opened::Guide(GuideId(g))) {
+                continue;
+            }
             let Some(at) = c.points[p.0] else { continue };
             let off = match path {
                 Path::Line { through, direction } => direction.cross(at - through).abs(),
@@ -163,7 +166,8 @@ impl Assembly<'_, f64> {
         self.check_rolling(c);
         for (l, shape) in self.shapes.iter().enumerate() {
             let Some(pose) = c.poses[l] else { continue };
-            for (p, local) in &shape.points {
+            let opened = |p: PointId| self.m.is_opened(&Opened::Link(LinkId(l))) || self.m.is_opened(&Opened::Pin(p, LinkId(l)));
+            for (p, local) in shape.points.iter().filter(|(p, _)| !opened(*p)) {
                 let Some(at) = c.points[p.0] else { continue };
                 let off = at.distance(pose.to_world(*local));
                 if off > same_place(extent, at) {
@@ -326,8 +330,18 @@ pub(super) fn complete<N: Real>(
                 }
                 _ => None,
             },
+            Some(Passive::Held(a, b)) => {
+                let shape = |p| shapes.local(LinkId(l), p);
+                let lies = |(((la, lb), wa), wb)| Pose::from_point_and_direction(la, lb - la, wa, wb - wa);
+                shape(a).zip(shape(b)).zip(points[a.0]).zip(points[b.0]).and_then(lies)
+            }
             None => poses[l],
         };
+        if let (Some(Passive::Held(..)), Some(pose)) = (passive, poses[l]) {
+            for (p, local) in &shapes.points[l] {
+                points[p.0].get_or_insert(pose.to_world(*local));
+            }
+        }
     }
     let mut at = Configuration { points, poses, guides, shapes, closures, rolled: Vec::new() };
     at.rolled = rolling::counted(scene, &at, before);

@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId};
+use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
@@ -21,7 +21,7 @@ impl<N: Real> Assembly<'_, N> {
         }
         match (pivot, angle) {
             (Some(pin), Some((of, driver))) => {
-                if let Some((runner, guide)) = self.posed_by_runner(link, driver) {
+                if let Some((runner, guide)) = self.posed_by_runner(link, pin, driver) {
                     return self.poses_of_lever(link, pin, runner, guide);
                 }
                 let axis = self.axis_of(link, of, driver)?;
@@ -41,11 +41,13 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle.
-    pub(super) fn posed_by_runner(&self, link: LinkId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
+    /// A guide about the pivot itself shows nothing: it looks the same at every angle.
+    pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
         let DriverKind::Turn { angle: None, .. } = &self.scene.drivers[driver?].kind else { return None };
+        let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
         (0..self.scene.guides.len())
             .map(GuideId)
-            .filter(|g| self.scene.guides[g.0].on == link)
+            .filter(|g| self.scene.guides[g.0].on == link && !about_pivot(&self.scene.guides[g.0].path))
             .find_map(|g| self.scene.guides[g.0].pin.filter(|p| given_at(self.scene, *p).is_some()).map(|p| (p, g)))
     }
 
@@ -215,13 +217,21 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        if let [Hold::Glide { guide, driver: Some(driver), .. }] = *holds {
+        let stated = |d: usize| matches!(self.scene.drivers[d].kind, DriverKind::Slide { position: Some(_), .. });
+        if let [Hold::Glide { guide, driver: Some(driver), .. }] = *holds
+            && (stated(driver) || !self.shapes[link.0].points.is_empty())
+        {
             return Ok(vec![Pose { origin: self.driven_place(guide, driver)?, axis }]);
         }
         // A point with given coordinates shows the place of a link whose direction is known.
         let shape = &self.shapes[link.0];
         if let Some((local, at)) = shape.points.iter().find_map(|(p, local)| Some((*local, given_place(self.scene, &self.inputs, *p)?))) {
             return Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }]);
+        }
+        // A driven carriage that has no point of its own is laid anywhere along its guide.
+        let driven = |h: &Hold| matches!(h, Hold::Glide { driver: Some(_), .. });
+        if shape.points.is_empty() && holds.iter().any(driven) {
+            return Ok(vec![Pose { origin: Point::origin(), axis }]);
         }
         // A slot that passes "through the pin where it is" is met wherever the link is put along its guide. Where the link
         // only translates its place changes no vector: its first point is put at the pin.

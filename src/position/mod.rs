@@ -19,6 +19,8 @@ mod links;
 pub mod newton;
 mod pins;
 mod proof;
+pub mod redundant;
+mod repeats;
 mod rolling;
 mod shape;
 pub mod toggle;

@@ -131,6 +131,22 @@ pub(super) fn counted<N: Real>(scene: &Scene, c: &Configuration<N>, before: &[Op
     all.collect()
 }
 
+/// By how much a pair has slipped since the instant (m of its second contour); `None` where it is not placed.
+pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Option<f64> {
+    let pair = &scene.rolling[r.0];
+    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { c.poses[l.0] };
+    let now = seen(pair, &c.shapes, &pose, &|_, p| c.points[p.0])?;
+    let turned = c.rolled.get(r.0)?.as_ref()?.slip(pair, c.shapes.rolling[r.0], &now);
+    let second_m = match pair.contours {
+        Contours::Circles { centres: [a, b], .. } => {
+            let [r1, r2] = c.shapes.rolling[r.0];
+            c.points[a.0]?.distance(c.points[b.0]?) * (r2 / (r1 + r2)).abs()
+        }
+        Contours::Track { .. } => c.shapes.rolling[r.0][1],
+    };
+    Some(turned * second_m)
+}
+
 /// An angle that is known but for whole turns, near to one that is known roughly.
 fn whole<N: Real>(wrapped: N, near: f64) -> N {
     wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
@@ -157,7 +173,7 @@ impl<N: Real> Assembly<'_, N> {
         let axis = match rolls.and_then(|(pair, other)| self.rolled(link, pair, other, at)) {
             Some(axis) => axis,
             None if shape.frame == Frame::Loose && self.instant.is_none() => Vec2::unit_x(),
-            None => return Err(self.no_phase(link)),
+            None => return Err(rolls.and_then(|(pair, _)| self.no_line(pair)).unwrap_or_else(|| self.no_phase(link))),
         };
         Ok(vec![Pose { origin: at - local.to_vec2().rotate_by(axis), axis }])
     }
@@ -261,6 +277,14 @@ impl<N: Real> Assembly<'_, N> {
         })
     }
 
+    /// What is wrong with a pair whose line of centres has no direction.
+    fn no_line(&self, id: RollingId) -> Option<Diagnostic> {
+        let pair = &self.scene.rolling[id.0];
+        let Contours::Circles { centres: [p, q], .. } = pair.contours else { return None };
+        let (at, other) = (self.points[p.0]?.approx(), self.points[q.0]?.approx());
+        (at.distance(other) == 0.0).then(|| coincident(self.scene, pair, [p, q]))
+    }
+
     fn no_phase(&self, link: LinkId) -> Diagnostic {
         Diagnostic::error(
             "phase-needed",
@@ -276,8 +300,11 @@ impl<N: Real> Assembly<'_, N> {
 
 /// What is wrong with the radii of two circles: their sum (of a ring their difference) is the distance of the centres.
 pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option<Diagnostic> {
-    let Contours::Circles { centres: [p, q], sizes: Sizes::Radii([a, b]), hollow } = &pair.contours else { return None };
+    let Contours::Circles { centres: [p, q], sizes, hollow } = &pair.contours else { return None };
     let (at, other) = (c.points[p.0]?, c.points[q.0]?);
+    let Sizes::Radii([a, b]) = sizes else {
+        return (at.distance(other) <= same_place(c.extent(), at)).then(|| coincident(scene, pair, [*p, *q]));
+    };
     let (given, distance) = (if hollow.is_some() { (a.value - b.value).abs() } else { a.value + b.value }, at.distance(other));
     if (given - distance).abs() <= same_place(c.extent().max(a.value.max(b.value)), at) {
         return None;
@@ -299,9 +326,24 @@ pub(super) fn misfit(scene: &Scene, pair: &Rolling, c: &Configuration) -> Option
             },
         )
         .at(pair.span)
-        .help(both!(
+        .help(if !pair.toothed {
+            both!(
+                "correct a radius or a centre; \"inside\": true lets a wheel roll inside its track",
+                "请改正半径或圆心；轮在圆形轨道内侧滚动时写 \"inside\": true"
+            )
+        } else {
+            both!(
             "correct a radius or a centre; \"teeth\" without \"module\" divide whatever distance there is; \"ring\" names an internal gear",
             "请改正半径或圆心；只给 \"teeth\" 而不给 \"module\" 时按实际中心距分配；内齿轮用 \"ring\" 写明"
-        )),
+            )
+        }),
     )
+}
+
+/// Two gears whose centres lie in one place touch nowhere.
+fn coincident(scene: &Scene, pair: &Rolling, [p, q]: [PointId; 2]) -> Diagnostic {
+    let (p, q) = (scene.point_name(p), scene.point_name(q));
+    Diagnostic::error("no-contact", both!("{p} and {q} lie in one place: the two gears touch nowhere", "{p} 与 {q} 重合：两齿轮没有接触点"))
+        .at(pair.span)
+        .help(both!("place the centres apart from one another", "请把两圆心分开放置"))
 }

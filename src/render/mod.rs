@@ -2,6 +2,7 @@
 
 use crate::diag::{Both, Diagnostic};
 
+pub mod dxf;
 pub mod number;
 pub mod pdf;
 pub mod png;

@@ -1,18 +1,17 @@
-//! Instantaneous centres as a table for people and as JSON for programs: how each is found, where it lies, and what they tell.
+//! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
 
-use super::answers::diagnostic;
 use super::phrase::tr;
 use crate::answer::Value;
-use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning};
-use crate::diag::Diagnostic;
+use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
-use crate::scene::quantity::{self, PointMotion, Rate};
-use crate::scene::{GuidePath, Kind, Lang, LinkId, OnLink, Scene};
-use serde_json::{Value as Json, json};
+use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// Significant digits of the table.
 const DIGITS: usize = 6;
+
+/// Differences below this are those of double precision.
+const ROUNDING: f64 = 1e-12;
 
 /// A writer for one result and language.
 pub struct Words<'a> {
@@ -98,6 +97,7 @@ impl<'a> Words<'a> {
     /// A length in that unit.
     pub fn length(&self, m: f64) -> String {
         let (name, per_metre) = self.unit();
+        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
         format!("{} {name}", significant(m * per_metre, DIGITS))
     }
 
@@ -148,6 +148,15 @@ impl<'a> Words<'a> {
         format!("{how}{given}")
     }
 
+    /// How a centre that is not of a pair is found, in a few words for a list: `23·34 × 12·14`.
+    pub fn found_by(&self, c: &Centre) -> String {
+        match c.origin {
+            Some(Origin::Crossing([a, b])) => format!("{} × {}", self.line(c.step.pair, a), self.line(c.step.pair, b)),
+            Some(Origin::Velocities) => tr(self.lang, "from velocities", "由速度求得").to_owned(),
+            Some(Origin::Pair) | None => "–".to_owned(),
+        }
+    }
+
     fn primary(&self, primary: Primary) -> String {
         match primary {
             Primary::Pin(p) => format!("{} {}", tr(self.lang, "turns about", "转动副"), self.scene.point_name(p)),
@@ -155,6 +164,12 @@ impl<'a> Words<'a> {
                 let guide = &self.scene.guides[g.0];
                 let at = guide.pin.map_or(String::new(), |p| format!(" {}", self.scene.point_name(p)));
                 format!("{}{at}", tr(self.lang, "square to the guide", "垂直于导路"))
+            }
+            Primary::Contact(r) => {
+                let rolling = &self.scene.rolling[r.0];
+                let words =
+                    if rolling.toothed { tr(self.lang, "pitch point", "节点") } else { tr(self.lang, "rolls at", "滚动接触点") };
+                format!("{words} {}", self.scene.point_name(rolling.at))
             }
             Primary::Cylinder(_) => tr(self.lang, "square to the cylinder", "垂直于液压缸").to_owned(),
         }
@@ -182,18 +197,22 @@ impl<'a> Words<'a> {
 
     fn proof(&self) -> String {
         let found = self.found;
-        let (residual, triple) = (significant(found.worst_residual(), 2), significant(found.worst_triple, 2));
+        let to = |off: f64| match off {
+            off if off < ROUNDING => tr(self.lang, "to rounding", "只差舍入误差").to_owned(),
+            off => format!("{} {}", tr(self.lang, "to", "相对差"), significant(off, 2)),
+        };
+        let (residual, triple) = (to(found.worst_residual()), to(found.worst_triple));
         let none = found.list.iter().all(|c| c.residual.is_none());
         match self.lang {
             _ if none => {
                 tr(self.lang, "the loop equations have no motion in this pose to check them by", "该位置回路方程无解，不能校核").to_owned()
             }
             Lang::En => format!(
-                "checked by the loop equations: each centre has one velocity on both links, to {residual} of the largest; all triples lie in line, to {triple}"
+                "checked by the loop equations: each centre has one velocity on both links, {residual}; the centres of any three links lie in line, {triple}"
             ),
-            Lang::Zh => format!(
-                "用回路方程校核：各瞬心在两构件上的速度相同（相对差不超过 {residual}），任意三个构件的三个瞬心共线（偏差不超过 {triple}）"
-            ),
+            Lang::Zh => {
+                format!("用回路方程校核：各瞬心在两构件上的速度相同（{residual}），任意三个构件的三个瞬心共线（{triple}）")
+            }
         }
     }
 
@@ -237,16 +256,24 @@ impl<'a> Words<'a> {
         self.found.uses.links.iter().find(|t| t.link == l)
     }
 
-    /// ω of a link against the frame.
+    /// ω of a link against the frame; zero where it is no more than rounding.
     fn rate_of(&self, l: LinkId) -> f64 {
-        self.of(l).map_or(0.0, |t| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 })
+        let rate = |t: &Turning| if let Motion::Turn(omega) = t.motion { omega } else { 0.0 };
+        let most = self.found.uses.links.iter().map(|t| rate(t).abs()).fold(0.0, f64::max);
+        self.of(l).map(rate).filter(|omega| omega.abs() > ROUNDING * most).unwrap_or(0.0)
+    }
+
+    /// A speed in words; zero where it is no more than rounding.
+    fn speed_words(&self, value: f64) -> String {
+        let most = self.found.uses.points.iter().map(|s| s.velocity.norm()).fold(0.0, f64::max);
+        self.velocity(if value <= ROUNDING * most { 0.0 } else { value })
     }
 
     fn turning(&self, t: &Turning) -> String {
         let (lang, frame) = (self.lang, self.found.uses.frame);
         let k = self.scene.link_name(t.link);
         let (rate, slide) = match t.motion {
-            Motion::Turn(omega) => (omega, None),
+            Motion::Turn(_) => (self.rate_of(t.link), None),
             Motion::Slide(v) => (0.0, Some(v)),
         };
         let rate_words = format!("{}{}", self.omega(rate.abs()), self.sense(rate));
@@ -277,7 +304,7 @@ impl<'a> Words<'a> {
                     (Lang::Zh, p) if p > 0.0 => format!("；{x} 在 {c}{o} 之外：转向相同"),
                     (Lang::Zh, _) => format!("；{x} 在 {c}{o} 之间：转向相反"),
                 };
-                let ratio = significant(of_other / arm, DIGITS);
+                let ratio = significant(if rate == 0.0 { 0.0 } else { of_other / arm }, DIGITS);
                 let (over, then) = if frame == self.scene.ground { ("/", tr(lang, ";", "；")) } else { (" : ", tr(lang, ";", "；")) };
                 let (near, far) = (self.length(of_other), self.length(arm));
                 format!("{own}{over}{m} = {c}{x}/{o}{x} = {near} / {far} = {ratio}{sense}{then} {own} = {rate_words}")
@@ -286,6 +313,14 @@ impl<'a> Words<'a> {
                 Lang::En => format!("{} lies at infinity: {own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
                 Lang::Zh => format!("{} 在无穷远处：{own} = {} = {rate_words}", self.name(t.link, m), self.symbol(m)),
             },
+            By::Wedge(m) => {
+                let (x, m) = (self.name(t.link, m), self.scene.link_name(m));
+                let v = slide.map_or(String::new(), slides);
+                match lang {
+                    Lang::En => format!("{x} lies at infinity: v_{k} and v_{m} have one component along its direction; v_{k} = {v}"),
+                    Lang::Zh => format!("{x} 在无穷远处：v_{k} 与 v_{m} 沿其方向的分量相等；v_{k} = {v}"),
+                }
+            }
             By::Slides { link, arm } => {
                 let (x, c, m) = (self.name(t.link, link), self.name(frame, link), self.symbol(link));
                 let turns = self.omega(self.rate_of(link).abs());
@@ -302,7 +337,7 @@ impl<'a> Words<'a> {
 
     fn speed(&self, s: &Speed) -> String {
         let (point, link) = (self.scene.point_name(s.point), self.scene.link_name(s.link));
-        let size = self.velocity(s.velocity.norm());
+        let size = self.speed_words(s.velocity.norm());
         match s.arm {
             Some(arm) => {
                 let o = self.name(self.scene.ground, s.link);
@@ -338,83 +373,31 @@ impl<'a> Words<'a> {
     }
 
     /// Symbol, kind, value by centres, and by drawing and analysis; of a vector the length.
-    fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
+    pub(super) fn values(&self) -> Vec<(String, Kind, f64, [Option<f64>; 2])> {
         let number = |v: Value| match v {
             Value::Scalar(s) => s,
-            Value::Vector(_) | Value::Point(_) => v.magnitude(),
+            Value::Vector(v) => v.norm(),
+            Value::Point(p) => p.to_vec2().norm(),
         };
         let links = self.found.uses.links.iter().filter(|t| t.link != self.scene.ground).map(|t| {
-            let others =
-                self.found.other_ways(&quantity::Turning { rate: Rate::Velocity, of: t.link, against: None }.into()).map(|v| v.map(number));
+            let others = self.found.other_ways(&omega(t.link, None)).map(|v| v.map(number));
             (format!("ω_{}", self.scene.link_name(t.link)), Kind::Omega, t.omega, others)
         });
         let points = self.found.uses.points.iter().map(|s| {
-            let others = self
-                .found
-                .other_ways(&PointMotion { rate: Rate::Velocity, of: OnLink { point: s.point, link: None } }.into())
-                .map(|v| v.map(number));
+            let others = self.found.other_ways(&velocity(s.point)).map(|v| v.map(number));
             (format!("v_{}", self.scene.point_name(s.point)), Kind::Velocity, s.velocity.norm(), others)
         });
         links.chain(points).collect()
     }
 }
 
-/// The centres for programs, in SI.
-pub fn json(found: &Centres, notes: &[Diagnostic]) -> Json {
-    let w = Words::new(found, Lang::En);
-    let scene = &found.scene;
-    let names = |p: Pair| [scene.link_name(p.i).to_owned(), scene.link_name(p.j).to_owned()];
-    let centres: Vec<Json> = found
-        .list
-        .iter()
-        .map(|c| {
-            let (at, direction) = match c.place {
-                Some(Place::At(p)) => (Some([p.x, p.y]), None),
-                Some(Place::Infinity(u)) => (None, Some(direction_degrees(u.angle()))),
-                None => (None, None),
-            };
-            let lines: Vec<String> = match c.origin {
-                Some(Origin::Crossing(lines)) => lines.iter().map(|l| w.line(c.step.pair, *l)).collect(),
-                Some(Origin::Pair | Origin::Velocities) | None => Vec::new(),
-            };
-            json!({
-                "name": c.step.pair.name(scene),
-                "links": names(c.step.pair),
-                "round": c.round,
-                "by": match (&c.step.how, c.origin) {
-                    (_, None) => "none",
-                    (How::Primary(_), _) => "pair",
-                    (_, Some(Origin::Velocities)) => "velocities",
-                    (_, Some(Origin::Crossing(_) | Origin::Pair)) => "lines",
-                },
-                "how": w.how(c),
-                "lines": lines,
-                "at": at,
-                "infinity_deg": direction,
-                "given_drivers": c.step.given_drivers,
-                "residual": c.residual,
-            })
-        })
-        .collect();
-    let values: Vec<Json> = w
-        .values()
-        .into_iter()
-        .map(|(symbol, kind, value, [drawing, analysis])| {
-            json!({"symbol": symbol, "unit": kind.si(), "centres": value, "drawing": drawing, "analysis": analysis})
-        })
-        .collect();
-    json!({
-        "title": {"en": scene.title.en, "zh": scene.title.zh},
-        "links": found.closure.links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
-        "count": found.closure.steps.len(),
-        "primary": found.closure.primary,
-        "by_theorem": found.closure.by_theorem,
-        "stalled": found.closure.stalled(),
-        "centres": centres,
-        "steps": {"en": w.steps(), "zh": Words::new(found, Lang::Zh).steps()},
-        "values": values,
-        "worst_residual": found.worst_residual(),
-        "worst_triple": found.worst_triple,
-        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
-    })
+/// Where all centres lie, in one line for readers who do not see the figure.
+pub fn places(found: &Centres, lang: Lang) -> String {
+    let w = Words::new(found, lang);
+    let place = |c: &Centre| match c.place {
+        Some(Place::At(p)) => format!("({}, {})", w.length(p.x), w.length(p.y)),
+        Some(Place::Infinity(_)) => tr(lang, "at infinity", "无穷远").to_owned(),
+        None => tr(lang, "not determined", "不定").to_owned(),
+    };
+    found.list.iter().map(|c| format!("{} {}", c.step.pair.name(w.scene), place(c))).collect::<Vec<_>>().join("; ")
 }

@@ -1,6 +1,7 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
 use super::phrase::tr;
+use crate::diag::{Both, both};
 use crate::digits::significant;
 use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
@@ -30,6 +31,9 @@ pub fn text(scene: &Scene, driver: usize, limits: &Limits, lang: Lang) -> String
         line(title.to_owned());
     }
     line(w.range());
+    if let Some(turns) = w.turns() {
+        line(format!("  {turns}"));
+    }
     for e in limits.events() {
         line(format!("  {}", w.event(e)));
     }
@@ -85,6 +89,7 @@ pub fn json(scene: &Scene, driver: usize, limits: &Limits) -> Json {
         "driver": w.name,
         "now": limits.range.now,
         "full_turn": w.angular && limits.range.full(),
+        "turns": limits.turns,
         "range": limits.range.ends.iter().map(|e| e.as_ref().map(event)).collect::<Vec<_>>(),
         "change_points": limits.range.changes.iter().map(event).collect::<Vec<_>>(),
         "outputs": swings,
@@ -99,14 +104,15 @@ impl<'a> Words<'a> {
         Words { scene, limits, lang, name, angular: kind == Kind::Angle }
     }
 
-    /// A crank's position in [0, 2π) where it turns fully.
+    /// A crank's position in [0, 2π) where it turns fully; in as many turns as are looked at.
     fn wrapped(&self, value: f64) -> f64 {
         if !(self.angular && self.limits.range.full()) {
             return value;
         }
-        let turned = value.rem_euclid(TAU);
+        let all = TAU * self.limits.seen as f64;
+        let turned = value.rem_euclid(all);
         // A hair below a full turn is the start.
-        if TAU - turned < 1e-12 { 0.0 } else { turned }
+        if all - turned < 1e-12 { 0.0 } else { turned }
     }
 
     fn value(&self, value: f64) -> String {
@@ -129,6 +135,24 @@ impl<'a> Words<'a> {
                 format!("{} {} {} … {}", self.name, tr(self.lang, "goes", "的范围："), end(low), end(high))
             }
         }
+    }
+
+    /// After how many turns everything stands as it did, where it takes more than one.
+    fn turns(&self) -> Option<String> {
+        let Limits { turns, seen, .. } = self.limits;
+        let both = match (*turns, *seen) {
+            (1, _) => return None,
+            (0, _) => {
+                both!("the wheels never stand as before; extreme positions are those of one turn", "各轮不再回到原位；极限位置取自一转")
+            }
+            (n, 1) => both!(
+                "the wheels stand as before after {n} turns; extreme positions are those of one",
+                "{n} 转后各轮回到原位；极限位置取自一转"
+            ),
+            (n, _) => both!("the wheels stand as before after {n} turns", "{n} 转后各轮回到原位"),
+        };
+        let Both { en, zh } = both;
+        Some(if self.lang == Lang::Zh { zh } else { en })
     }
 
     fn joint(&self, links: &[LinkId], pin: Option<PointId>) -> String {

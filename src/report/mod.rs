@@ -1,7 +1,9 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 pub mod answers;
+pub mod cam;
 pub mod centres;
+pub mod centres_json;
 pub mod composite;
 pub mod construction;
 pub mod diagnostics;
@@ -9,9 +11,11 @@ pub mod drafting;
 pub mod equation;
 pub mod limits;
 pub mod math;
+pub mod mobility;
 pub mod phrase;
 pub mod plan;
 pub mod plan_json;
 pub mod price;
 pub mod statement;
 pub mod table;
+pub mod trains;

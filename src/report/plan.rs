@@ -1,10 +1,10 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use super::phrase::{formula, tr};
-use crate::mechanism::{Core, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
-use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term};
-use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
+use crate::scene::{DriverKind, Lang, LinkId, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// The whole plan.
@@ -255,6 +255,39 @@ pub(super) fn rate_words(w: &Writer, level: Level, body: Body, rate: Rate) -> Op
     })
 }
 
+/// What a special point is: of a triad by its legs, else by the lines that cross.
+fn special_words(w: &Writer, special: &Special, name: &str) -> String {
+    match (special.legs, w.lang) {
+        (Some((a, b)), Lang::En) => format!("{name}: crossing of the constraint lines of legs {} and {}", a + 1, b + 1),
+        (Some((a, b)), Lang::Zh) => format!("{name}：第 {} 与第 {} 条支链约束线的交点", a + 1, b + 1),
+        (None, lang) => {
+            let [a, b] = special.lines.each_ref().map(|line| line_words(w, line));
+            let link = w.scene.link_name(special.link);
+            match lang {
+                Lang::En => format!("{name}: point of link {link} where {a} and {b} meet"),
+                Lang::Zh => format!("{name}：构件 {link} 上 {a} 与 {b} 的交点"),
+            }
+        }
+    }
+}
+
+/// A line along which a link is held.
+fn line_words(w: &Writer, line: &SpecialLine) -> String {
+    let name = |p: PointId| w.scene.point_name(p);
+    match *line {
+        SpecialLine::Leg(ConstraintLine::Along { near, far }) => format!("{}{}", name(far), name(near)),
+        SpecialLine::Leg(ConstraintLine::Normal { pin, .. }) => match w.lang {
+            Lang::En => format!("the normal to the guide at {}", name(pin)),
+            Lang::Zh => format!("过 {} 的导路垂线", name(pin)),
+        },
+        SpecialLine::Leg(ConstraintLine::Tangent { at, .. }) => match w.lang {
+            Lang::En => format!("the tangent at {}", name(at)),
+            Lang::Zh => format!("过 {} 的公切线", name(at)),
+        },
+        SpecialLine::Through { pin, special } => format!("{}{}", formula(&w.spot(special)), name(pin)),
+    }
+}
+
 fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Vec<String> {
     let lang = w.lang;
     match step {
@@ -262,15 +295,8 @@ fn step_lines(w: &Writer, level: Level, step: &Step, equation: &mut usize) -> Ve
             *equation += 1;
             let why = method_words(*method, lang);
             let mut out = vec![format!("({equation}) {} — {why}", formula(&w.vector(level, *target)))];
-            if let Spot::Special { legs, .. } = w.plan.vertex(*target).spot {
-                let special = formula(&w.spot(*target));
-                out.push(format!(
-                    "    {}",
-                    match lang {
-                        Lang::En => format!("{special}: crossing of the constraint lines of legs {} and {}", legs.0 + 1, legs.1 + 1),
-                        Lang::Zh => format!("{special}：第 {} 与第 {} 条支链约束线的交点", legs.0 + 1, legs.1 + 1),
-                    }
-                ));
+            if let Some(special) = w.plan.special(*target) {
+                out.push(format!("    {}", special_words(w, special, &formula(&w.spot(*target)))));
             }
             out.extend(table(w, &w.columns(level, *target, chains)).into_iter().map(|l| format!("    {l}")));
             out

@@ -154,7 +154,11 @@ impl Reporter<'_> {
         let vertex = self.w.plan.vertex(v);
         let (point, special) = match vertex.spot {
             Spot::Point(p) => (Some(self.scene.point_name(p)), None),
-            Spot::Special { group, legs } => (None, Some(json!({"group": group, "legs": [legs.0, legs.1]}))),
+            Spot::Special(k) => {
+                let special = &self.w.plan.specials[k];
+                let legs = special.legs.map(|(a, b)| [a, b]);
+                (None, Some(json!({"group": special.group, "legs": legs})))
+            }
         };
         json!({
             "name": vertex_name(self.scene, self.w.plan, v),

@@ -3,9 +3,9 @@
 mod composite;
 mod rolling;
 
-use super::keys;
 use super::model::Lang;
 use super::raw::*;
+use super::{cams, keys};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::json::fields::{Fields, What, list, object, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
@@ -23,9 +23,11 @@ const MAX_TITLE: usize = 500;
 const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
-pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
+///
+/// `topology`: links and pairs are enough.
+pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<RawScene> {
     let f = Fields::open(root, both!("a scene", "机构文件"), keys::SCENE, faults)?;
-    let mut raw = RawScene::default();
+    let mut raw = RawScene { topology, ..RawScene::default() };
     if let Some(node) = f.get("title") {
         raw.title = localized(node, "\"title\"", MAX_TITLE, faults);
     }
@@ -60,15 +62,21 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
     for node in items(f.get("guides"), "\"guides\"", faults) {
         raw.guides.extend(guide(node, faults));
     }
+    for node in items(f.get("cams"), "\"cams\"", faults) {
+        raw.cams.extend(cams::decode::cam(node, faults));
+    }
     for node in items(f.get("gears"), "\"gears\"", faults) {
         raw.rolling.extend(rolling::gear(node, faults));
     }
     for node in items(f.get("rolling"), "\"rolling\"", faults) {
         raw.rolling.extend(rolling::wheel(node, faults));
     }
-    let drivers = f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults);
+    let drivers = match topology {
+        true => f.get("driver"),
+        false => f.need("driver", "{\"link\": \"1\", \"angle\": \"60 deg\", \"omega\": \"10 rad/s\"}", faults),
+    };
     match drivers {
-        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() => {
+        Some(Node { kind: Kind::Array(list), span }) if list.is_empty() && !topology => {
             faults.push(
                 Diagnostic::error("empty", both!("\"driver\" is empty: nothing drives the mechanism", "\"driver\" 为空：没有原动件"))
                     .at(*span),
@@ -76,10 +84,10 @@ pub(super) fn scene(root: &Node, faults: &mut Faults) -> Option<RawScene> {
         }
         Some(Node { kind: Kind::Array(_), .. }) => {
             for node in items(drivers, "\"driver\"", faults) {
-                raw.drivers.extend(driver(node, faults));
+                raw.drivers.extend(driver(node, topology, faults));
             }
         }
-        Some(node) => raw.drivers.extend(driver(node, faults)),
+        Some(node) => raw.drivers.extend(driver(node, topology, faults)),
         None => {}
     }
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
@@ -109,7 +117,7 @@ fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Fault
 }
 
 /// The items of an optional list, within the limit.
-fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
+pub(super) fn items<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [Node] {
     let what = what.into();
     let items = node.and_then(|n| list(n, &what, faults)).unwrap_or_default();
     within(items, MAX_ENTRIES, &what, faults, |n| n.span)
@@ -212,12 +220,19 @@ fn guide(node: &Node, faults: &mut Faults) -> Option<RawGuide> {
     let (pin, slider, on, line, centre) = (name("pin"), name("slider"), name("on"), name("line"), name("centre"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset, radius) = (value("angle"), value("offset"), value("radius"));
-    let through = f.get("through").and_then(|n| match &n.kind {
-        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
-        _ => word(n, "\"through\"", faults).map(RawThrough::Point),
-    });
+    let through = through(&f, faults);
     // A guide with a member that could not be read must not be judged by what is left of it.
     (faults.list.len() == before).then_some(RawGuide { pin, slider, on, line, through, angle, offset, centre, radius, span: node.span })
+}
+
+/// A point by its name or by coordinates.
+fn through(f: &Fields, faults: &mut Faults) -> Option<RawThrough> {
+    f.get("through").and_then(|n| match &n.kind {
+        Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Object(_) => {
+            word(n, "\"through\"", faults).map(RawThrough::Point)
+        }
+    })
 }
 
 /// The three kinds of driver: the key that tells the kind, its name, all its keys.
@@ -231,7 +246,7 @@ fn words_of([en, zh]: [&str; 2]) -> Both {
     Both { en: en.to_owned(), zh: zh.to_owned() }
 }
 
-fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
+fn driver(node: &Node, topology: bool, faults: &mut Faults) -> Option<RawDriver> {
     let members = object(node, both!("a driver", "原动件"), faults)?;
     let present: Vec<_> = KINDS.iter().filter(|(mark, ..)| members.iter().any(|(k, _)| k.text == *mark)).collect();
     let (mark, what, known) = match present.as_slice() {
@@ -284,11 +299,12 @@ fn driver(node: &Node, faults: &mut Faults) -> Option<RawDriver> {
     }
     let all: Vec<&str> = KINDS.iter().flat_map(|(.., keys)| keys.iter().copied()).collect();
     let f = Fields::open(node, words_of(what), if mixed { &all } else { known }, faults)?;
-    let rate = match mark {
-        "link" => f.need("omega", "\"10 rad/s\"", faults),
-        "slide" => f.need("velocity", "\"2 m/s\"", faults),
-        _ => f.need("rate", "\"50 mm/s\"", faults),
+    let (key, example) = match mark {
+        "link" => ("omega", "\"10 rad/s\""),
+        "slide" => ("velocity", "\"2 m/s\""),
+        _ => ("rate", "\"50 mm/s\""),
     };
+    let rate = if topology { f.get(key) } else { f.need(key, example, faults) };
     let rate = rate.and_then(|n| quantity(n, both!("the rate of a driver", "原动件的速度"), faults));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let acceleration = value(if mark == "link" { "alpha" } else { "acceleration" });
@@ -343,7 +359,7 @@ pub(super) fn language_of(root: &Node) -> Option<Lang> {
 }
 
 /// A number or an expression in quotation marks.
-fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
+pub(super) fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<RawQuantity> {
     let (text, bare) = match &node.kind {
         Kind::Number(text) => (text.clone(), true),
         Kind::Text(_) => (word(node, what, faults)?.text, false),
@@ -353,7 +369,7 @@ fn quantity(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<R
 }
 
 /// Two quantities, such as coordinates.
-fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
+pub(super) fn two_quantities(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<[RawQuantity; 2]> {
     let what = what.into();
     match list(node, &what, faults)? {
         [a, b] => {

@@ -11,6 +11,7 @@ pub(super) const SCENE: &[&str] = &[
     "points",
     "lengths",
     "guides",
+    "cams",
     "gears",
     "rolling",
     "driver",
@@ -26,10 +27,34 @@ pub(super) const TEXT: &[&str] = &["en", "zh"];
 pub(super) const PLACE_XY: &[&str] = &["base", "x", "y"];
 pub(super) const PLACE_POLAR: &[&str] = &["base", "length", "angle"];
 pub(super) const GUIDE: &[&str] = &["pin", "slider", "on", "line", "through", "angle", "offset", "centre", "radius"];
-pub(super) const GEAR: &[&str] = &["links", "centres", "radii", "teeth", "module", "ring", "rack", "line", "angle", "at", "phase"];
-pub(super) const ROLLING: &[&str] = &["wheel", "centre", "radius", "on", "line", "angle", "track", "track_radius", "inside", "at", "phase"];
+pub(super) const GEAR: &[&str] = &[
+    "links",
+    "centres",
+    "radii",
+    "teeth",
+    "module",
+    "ring",
+    "rack",
+    "line",
+    "through",
+    "angle",
+    "at",
+    "phase",
+    "pressure_angle",
+    "shift",
+    "addendum",
+    "clearance",
+];
+pub(super) const ROLLING: &[&str] =
+    &["wheel", "centre", "radius", "on", "line", "through", "angle", "track", "track_radius", "inside", "at", "phase"];
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
 pub(super) const COMPOSITE: &[&str] = &["point", "on", "frame"];
 pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];
+pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at"];
+pub(super) const ROLLER: &[&str] = &["pin", "radius"];
+pub(super) const FACE: &[&str] = &["through", "line", "angle", "offset", "cam"];
+pub(super) const CAM_PART: &[&str] = &["centre", "radius", "corner"];
+pub(super) const CAM_LAW: &[&str] = &["base", "start", "turns", "law"];
+pub(super) const CAM_STAGE: &[&str] = &["rise", "dwell", "return", "over", "law"];

@@ -4,6 +4,7 @@
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 pub mod book;
+pub mod cams;
 mod decode;
 pub mod edit;
 pub mod eval;
@@ -30,7 +31,7 @@ mod written;
 pub use book::{Book, Kind};
 pub use model::*;
 pub use quantity::{Asked, Axis};
-pub use rolling::{Contours, Rolling, RollingId, Sizes};
+pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};
@@ -103,10 +104,28 @@ pub fn language_of(source: &[u8]) -> Option<Lang> {
     decode::language_of(&root)
 }
 
+/// Reads links and pairs, as counting them needs: a driver, its rate, the direction of a guide, any length may be missing.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
+/// assert!(hodograph::scene::read_topology(text).unwrap().value.drivers.is_empty());
+/// assert!(hodograph::scene::read(text).is_err());
+/// ```
+pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, true)
+}
+
 fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
+    read_as(source, questions, false)
+}
+
+fn read_as(source: &[u8], questions: Option<&str>, topology: bool) -> Result<Warned<Scene>, Faults> {
     let mut faults = Faults::default();
     let (text, root) = json::parse(source, &mut faults)?;
-    let raw = decode::scene(&root, &mut faults).map(|raw| match questions {
+    let raw = decode::scene(&root, topology, &mut faults).map(|raw| match questions {
         Some(questions) => raw::RawScene { find: Some(asked(questions, &mut faults)), ..raw },
         None => raw,
     });

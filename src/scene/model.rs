@@ -11,6 +11,7 @@ use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
+pub use super::cams::{Cam, Follows, Turning};
 pub use super::lang::Lang;
 
 /// Index into [`Scene::points`].
@@ -342,8 +343,10 @@ pub struct Scene {
     pub links: Vec<Link>,
     /// The fixed link.
     pub ground: LinkId,
-    /// Sliding pairs; after those of the file the guides of rolling pairs.
+    /// Sliding pairs, those that stand for the contact of a cam among them; after those of the file the guides of rolling pairs.
     pub guides: Vec<Guide>,
+    /// Disc cams.
+    pub cams: Vec<Cam>,
     /// Gears in mesh, gears on racks, wheels on tracks.
     pub rolling: Vec<Rolling>,
     /// Given distances.

@@ -1,5 +1,6 @@
 //! The scene file as written: the same words, each with its place, nothing interpreted yet.
 
+use super::cams::raw::RawCam;
 use crate::diag::Span;
 use crate::json::Word;
 
@@ -62,12 +63,23 @@ pub(super) struct RawRolling {
     pub sizes: RawSizes,
     /// Whether the pair has teeth.
     pub toothed: bool,
-    /// Direction of a straight track.
+    /// Direction of a straight track, and a point of it.
     pub line: Option<Word>,
+    pub through: Option<RawThrough>,
     pub angle: Option<RawQuantity>,
     pub at: Option<Word>,
     pub phase: Option<RawQuantity>,
+    pub flanks: RawFlanks,
     pub span: Span,
+}
+
+/// What the file says of a gear pair's flanks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RawFlanks {
+    pub pressure_angle: Option<RawQuantity>,
+    pub shift: Option<Vec<RawQuantity>>,
+    pub addendum: Option<RawQuantity>,
+    pub clearance: Option<RawQuantity>,
 }
 
 /// One link of a rolling pair.
@@ -133,6 +145,8 @@ pub(super) struct RawComposite {
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
+    /// Whether links and pairs are enough: neither a driver, nor its rate, nor the direction of a guide is missed.
+    pub topology: bool,
     pub title: Option<RawLocalized>,
     pub statement: Option<RawLocalized>,
     pub parameters: Vec<(Word, RawQuantity)>,
@@ -145,6 +159,7 @@ pub(super) struct RawScene {
     pub points: Vec<(Word, RawPlace)>,
     pub lengths: Vec<(Word, RawQuantity)>,
     pub guides: Vec<RawGuide>,
+    pub cams: Vec<RawCam>,
     pub rolling: Vec<RawRolling>,
     pub drivers: Vec<RawDriver>,
     pub sketch: Vec<(Word, [RawQuantity; 2])>,

@@ -28,8 +28,27 @@ pub struct Rolling {
     pub guide: Option<GuideId>,
     /// The angle of the second link's line, from the line of centres, when that of the first lies on it.
     pub phase: Option<Given<Angle>>,
+    /// What is known of the flanks of two gears: they have numbers of teeth.
+    pub flanks: Option<Flanks>,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// The flanks of a gear pair, which matter for its figure alone: kinematics has the pitch circles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flanks {
+    /// Numbers of teeth.
+    pub teeth: [u32; 2],
+    /// The module (m), where it is given; else it follows from the distance of the centres.
+    pub module: Option<f64>,
+    /// Pressure angle of the basic rack (rad).
+    pub pressure_angle: f64,
+    /// Profile shifts over the module, as far as they are given: a missing second one follows from the distance of the centres.
+    pub shifts: Vec<f64>,
+    /// Addendum over the module, h_a*.
+    pub addendum: f64,
+    /// Clearance over the module, c*.
+    pub clearance: f64,
 }
 
 /// The two contours of a rolling pair.

@@ -14,6 +14,7 @@ const FILES: &[(&str, &str)] = &[
     ("drag-link", include_str!("../../templates/drag-link.json")),
     ("crossed-four-bar", include_str!("../../templates/crossed-four-bar.json")),
     ("parallelogram", include_str!("../../templates/parallelogram.json")),
+    ("third-crank", include_str!("../../templates/third-crank.json")),
     ("slider-crank", include_str!("../../templates/slider-crank.json")),
     ("offset-slider-crank", include_str!("../../templates/offset-slider-crank.json")),
     ("oblique-guide", include_str!("../../templates/oblique-guide.json")),
@@ -36,6 +37,9 @@ const FILES: &[(&str, &str)] = &[
     ("atkinson", include_str!("../../templates/atkinson.json")),
     ("radial-engine", include_str!("../../templates/radial-engine.json")),
     ("jansen-leg", include_str!("../../templates/jansen-leg.json")),
+    ("cam-eccentric", include_str!("../../templates/cam-eccentric.json")),
+    ("cam-valve-train", include_str!("../../templates/cam-valve-train.json")),
+    ("cam-offset-roller", include_str!("../../templates/cam-offset-roller.json")),
 ];
 
 /// What a template is, for lists.

@@ -132,6 +132,11 @@ impl<'a> Values<'a> {
             .collect()
     }
 
+    /// The parameters that something uses.
+    pub fn used_names(&self) -> HashSet<String> {
+        self.used.borrow().clone()
+    }
+
     /// The dimension of a parameter's value, which counts as used; `None` where there is none or it has a fault.
     pub fn dim(&self, name: &str) -> Option<Dim> {
         self.used.borrow_mut().insert(name.to_owned());
@@ -167,6 +172,21 @@ impl<'a> Values<'a> {
         }
         let d = Diagnostic::error("not-positive", both!("{} is {}; it must be greater than zero", "{}为 {}，应大于零", what, given.text));
         faults.push(d.at(quantity.span));
+        None
+    }
+
+    /// A number without a dimension.
+    pub fn pure_number(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<f64> {
+        let fault = match self.evaluate(quantity) {
+            Ok((_, value, _)) if value.dim == Dim::NUMBER => return Some(value.number),
+            Ok((_, value, _)) => {
+                let text = &quantity.text;
+                let message = both!("a number is wanted here, `{text}` is {}", "此处需要数值，`{text}` 是{}", value.dim.describe());
+                Some(Diagnostic::error("dimension", message).at(quantity.span).help(both!("write it without a unit", "请不带单位")))
+            }
+            Err(fault) => fault,
+        };
+        faults.list.extend(fault);
         None
     }
 

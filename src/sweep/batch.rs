@@ -165,7 +165,7 @@ impl Batch<'_> {
         let scene = moved.as_ref().unwrap_or(scene);
         let placed = Placed { scene, mechanism: self.mechanism, demand: demand.clone(), at };
         let per_value = angle_per_value(scene, &placed.at, self.driver);
-        let here = || Stations::of_values(vec![compile::driver_positions(scene, &placed.at)[self.driver]], per_value);
+        let here = || Stations::of_values(vec![super::station::driver_positions(scene, &placed.at)[self.driver]], per_value);
         let stations = self.stations.as_ref().map_or_else(|| Cow::Owned(here()), Cow::Borrowed);
         let general = General::new(&placed, self.driver);
         let answers = columns.split_off(1);

@@ -1,12 +1,12 @@
 //! The change points of a driver on its way, and how they come again with its turns.
 //!
-//! Everything that a program knows of a turning driver has the period of a turn, as long as its joints keep their branches. So a whole
-//! turn without an event has none on any further turn; and where a change point comes again, whole turns on and with all branches as
+//! Everything that a program knows of a turning driver has the period of a turn (with wheels that roll, of several), as long as its joints
+//! keep their branches. So a whole
+//! period without an event has none on any further turn; and where a change point comes again, whole turns on and with all branches as
 //! they were, the same ones follow for ever. A way of a million turns is as soon searched as one of a few.
 
 use super::limit::{Event, Kind, Probe};
 use super::program::{Op, Program};
-use std::f64::consts::TAU;
 
 /// Change points on the way from where a driver stands, in the order in which they are met.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -61,14 +61,14 @@ impl Changes {
     }
 
     /// Whether the last event is one of the others on a further turn; `signs` are the branches behind each of them.
-    fn close(&mut self, signs: &[Vec<bool>]) -> bool {
+    fn close(&mut self, period: f64, signs: &[Vec<bool>]) -> bool {
         let (Some(last), Some(after)) = (self.events.last(), signs.last()) else { return false };
         let earlier = self.events.iter().zip(signs).take(self.events.len() - 1).enumerate();
         let comes_again = |(first, (event, behind)): (usize, (&Event, &Vec<bool>))| {
             let way = (last.value - event.value).abs();
-            let turns = libm::rint(way / TAU);
-            let same = event.joint == last.joint && behind == after && turns >= 1.0 && (way - turns * TAU).abs() < SAME;
-            same.then_some(Again { first, after: turns * TAU })
+            let turns = libm::rint(way / period);
+            let same = event.joint == last.joint && behind == after && turns >= 1.0 && (way - turns * period).abs() < SAME;
+            same.then_some(Again { first, after: turns * period })
         };
         self.again = earlier.rev().find_map(comes_again);
         self.again.is_some()
@@ -84,16 +84,18 @@ impl Probe<'_> {
             return (self.walk_tracks(until), changes);
         }
         let turning = self.program.angular;
+        let period = self.program.period();
         let mut signs = Vec::new();
         let mut from = self.now;
         // A change point is left behind by half a step; there are no more of them than steps.
         loop {
-            let to = if turning && (until - from).abs() > self.reach() { from + self.reach().copysign(until - from) } else { until };
+            let to = if turning && (until - from).abs() > self.span() { from + self.span().copysign(until - from) } else { until };
             let xs = self.samples(from, to);
             let step = xs[1] - xs[0];
             match self.first_event(&xs) {
-                // A whole turn without an event is like all that follow.
-                None => return (None, changes),
+                // A whole period without an event is like all that follow.
+                None if to == until || period.is_some() => return (None, changes),
+                None => from = to,
                 Some(event) if (event.value - until) * step > 0.0 => return (None, changes),
                 Some(limit) if limit.kind == Kind::Limit => return (Some(limit), changes),
                 Some(change) => {
@@ -101,7 +103,7 @@ impl Probe<'_> {
                     self.program.flip(change.joint.unwrap_or(0));
                     changes.events.push(change);
                     signs.push(self.program.signs());
-                    if (until - from) * step <= 0.0 || turning && changes.close(&signs) {
+                    if (until - from) * step <= 0.0 || period.is_some_and(|period| turning && changes.close(period, &signs)) {
                         return (None, changes);
                     }
                 }
@@ -129,6 +131,7 @@ mod tests {
     use crate::mechanism::Mechanism;
     use crate::scene::{Angle, edit, read, templates};
     use crate::sweep::{Placed, Stations, Table, Width, compile, run};
+    use std::f64::consts::TAU;
 
     fn with<T>(phi: &str, see: impl FnOnce(&Placed) -> T) -> T {
         let text = templates::instantiate("parallelogram", &[("phi_1", phi)]).unwrap();

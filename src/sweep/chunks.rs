@@ -158,7 +158,7 @@ pub(super) fn run_on_branches<C: DerefMut<Target = [f64]>>(
     if program.tracks.is_empty() && program.suspects().next().is_none() {
         return (fill(program, program.fused(), None, stations, width, columns, |_, _| {}), Vec::new());
     }
-    let watch = stations.len() <= WATCHED && program.tracks.is_empty() && dense(placed, driver, stations);
+    let watch = stations.len() <= WATCHED && program.tracks.is_empty() && dense(program, placed, driver, stations);
     let ran = if watch {
         let (rows, near) = run_watched(program, stations, width, columns);
         if !near {

@@ -91,7 +91,14 @@ pub struct Limits {
     pub transmission: Vec<Transmission>,
     /// The type of a four-bar with its lengths: driver, coupler, output, frame (m).
     pub grashof: Option<(Grashof, [f64; 4])>,
+    /// After how many turns of a driver that turns fully everything stands as it did: one, or what rolls needs more; 0: never.
+    pub turns: u64,
+    /// The turns that were looked through for extremes: those, or one where they are too many.
+    pub seen: u64,
 }
+
+/// Most turns whose extremes are told: of those of a hundred nobody reads the list.
+pub(super) const MOST_TURNS: u64 = 12;
 
 /// Samples over the whole motion, between which a rate changes its sign at most once.
 const SAMPLES: usize = 720;
@@ -110,13 +117,18 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
     let scene = &posed(at_unit_speed(scene, driver)?, mechanism, driver);
     let placed = placed(scene, mechanism)?;
     let found = outputs_of(scene, mechanism, driver);
+    if scene.has_laws(driver) {
+        return Ok(walked(&placed, driver, &found));
+    }
     let program = match outputs(scene, mechanism, &placed.at, driver, &found) {
         Ok(program) => program,
         // A group without a compiled form, or one that lies on it.
         Err(_) => return Ok(walked(&placed, driver, &found)),
     };
     let range = range(program.clone(), &placed, driver);
-    let span = if range.full() && program.angular { [range.now, range.now + TAU] } else { range.bounds() };
+    let turning = range.full() && program.angular;
+    let seen = if turning { turns_seen(program.turns) } else { 1 };
+    let span = if turning { [range.now, range.now + TAU * seen as f64] } else { range.bounds() };
     let swings = swings(&program, &placed, driver, &found, &range, span);
     let probe = Probe::of(program.clone(), &placed, driver);
     let joints = program.joints.iter().zip(probe.transmission(span[0], span[1]));
@@ -126,7 +138,13 @@ pub fn limits(scene: &Scene, mechanism: &Mechanism, driver: usize) -> Result<Lim
         .map(|(j, (at, angle))| Transmission { links: j.links.clone(), pin: j.pin, angle, driver: at })
         .collect();
     let grashof = grashof(&placed, driver);
-    Ok(Limits { range, swings, transmission, grashof })
+    let turns = if turning { program.turns } else { 1 };
+    Ok(Limits { range, swings, transmission, grashof, turns, seen })
+}
+
+/// The turns that are looked through of a motion that comes again after so many.
+pub(super) fn turns_seen(turns: u64) -> u64 {
+    if (1..=MOST_TURNS).contains(&turns) { turns } else { 1 }
 }
 
 /// The scene with one driver running at unit speed, so that rates are derivatives by its position; the others stand.
@@ -199,17 +217,19 @@ fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
     let follower = Follower::new(placed.scene, placed.mechanism, &placed.demand, &placed.at, driver);
     let walk = Walk::new(placed, driver, &follower, now);
     let (range, [low, high]) = (walk.range(), walk.span());
-    let stations = Stations::slid(low, high, SAMPLES, angle_per_value(placed.scene, &placed.at, driver));
+    let samples = SAMPLES * walk.turns() as usize;
+    let stations = Stations::slid(low, high, samples, angle_per_value(placed.scene, &placed.at, driver));
     let swing_of = |output: &Output| {
         let samples: Vec<Option<[f64; 3]>> = stations.values.iter().map(|x| walk.at(*x, *output)).collect();
         let column = |level: usize| samples.iter().map(|s| s.map_or(f64::NAN, |s| s[level])).collect();
         let lost = samples.iter().enumerate().filter(|(_, s)| s.is_none());
         let missing = lost.map(|(i, _)| (i, Faults::default())).collect();
         let rows = Rows { columns: vec![column(0), column(1), column(2)], missing, open: Vec::new() };
-        swing(*output, 0, &rows, &stations, &range, &|x| walk.at(x, *output))
+        swing(*output, 0, &rows, &stations, (&range, walk.period()), &|x| walk.at(x, *output))
     };
     let swings = found.iter().map(swing_of).collect();
-    Limits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver) }
+    let (turns, seen) = if range.full() { (walk.returns(), walk.turns()) } else { (1, 1) };
+    Limits { range, swings, transmission: Vec::new(), grashof: grashof(placed, driver), turns, seen }
 }
 
 fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
@@ -241,7 +261,8 @@ fn column(rows: &Rows, output: usize, level: usize) -> &[f64] {
 fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], range: &Range, [low, high]: [f64; 2]) -> Vec<Swing> {
     let per_value = angle_per_value(placed.scene, &placed.at, driver);
     let (parts, stations) = {
-        let stations = Stations::slid(low, high, SAMPLES, per_value);
+        let turns = if program.angular { ((high - low) / TAU - 1e-9).ceil().max(1.0) } else { 1.0 };
+        let stations = Stations::slid(low, high, (SAMPLES as f64 * turns * program.finer()) as usize, per_value);
         (super::branches(program.clone(), placed, driver, &stations).0, stations)
     };
     let rows = run_parts(&parts, placed, driver, &stations, Width::Widest);
@@ -253,10 +274,19 @@ fn swings(program: &Program, placed: &Placed, driver: usize, found: &[Output], r
         let rows = run_program(&part.0, placed, driver, &one, Width::One);
         rows.missing.is_empty().then(|| [0, 1, 2].map(|l| column(&rows, output, l)[0]))
     };
-    found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, range, &|x| at(x, k))).collect()
+    let period = program.period().filter(|period| range.full() && (high - low - period).abs() < 1e-9);
+    found.iter().enumerate().map(|(k, output)| swing(*output, k, &rows, &stations, (range, period), &|x| at(x, k))).collect()
 }
 
-fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Range, at: &dyn Fn(f64) -> Option<[f64; 3]>) -> Swing {
+/// `period`: that after which the first station comes again, where the stations are all of it.
+fn swing(
+    output: Output,
+    k: usize,
+    rows: &Rows,
+    stations: &Stations,
+    (range, period): (&Range, Option<f64>),
+    at: &dyn Fn(f64) -> Option<[f64; 3]>,
+) -> Swing {
     let (s, v) = (column(rows, k, 0), column(rows, k, 1));
     let there = |i: usize| !rows.missing.contains_key(&i) && s[i].is_finite() && v[i].is_finite();
     // Angles run on without jumps.
@@ -274,12 +304,11 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         Output::Sliding(_) => here,
     };
     let x = &stations.values;
-    let full = range.full() && (x[x.len() - 1] - x[0] - TAU).abs() < 1e-9;
     let rounding = ROUNDING * (0..v.len()).filter(|&i| there(i)).map(|i| v[i].abs()).fold(0.0, f64::max);
     // Samples with a rate; one that meets a zero is passed over. After a full turn the first comes again.
     let mut moving: Vec<(f64, usize)> = (0..x.len()).filter(|&i| there(i) && v[i].abs() > rounding).map(|i| (x[i], i)).collect();
-    if full && let Some(&(first, i)) = moving.first() {
-        moving.push((first + TAU, i));
+    if let (Some(period), Some(&(first, i))) = (period, moving.first()) {
+        moving.push((first + period, i));
     }
     let mut extremes: Vec<Extreme> = Vec::new();
     for pair in moving.windows(2) {
@@ -293,8 +322,8 @@ fn swing(output: Output, k: usize, rows: &Rows, stations: &Stations, range: &Ran
         }
     }
     let known: Vec<usize> = (0..x.len()).filter(|&i| there(i)).collect();
-    let time_ratio = match (&extremes[..], full) {
-        ([a, b], true) => {
+    let time_ratio = match (&extremes[..], period) {
+        ([a, b], Some(TAU)) => {
             let first = (b.driver - a.driver).rem_euclid(TAU);
             Some(first.max(TAU - first) / first.min(TAU - first))
         }

@@ -3,13 +3,17 @@
 //!
 //! Decided here: where the poses are and what is a limit. Not decided here: what is drawn in them.
 
+use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::accuracy::toggle::{driver_position, with_driver_at};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, Pose as Frame, newton};
-use crate::scene::{DriverKind, Given, Scene};
+use crate::scene::{DriverKind, Given, LinkId, Scene};
+
+use super::extreme::turns_seen;
+use super::train::Train;
 
 /// One pose.
 #[derive(Clone, Debug)]
@@ -25,13 +29,21 @@ pub struct Pose {
 pub struct Sweep {
     /// In the order of growing travel; the scene's own pose has the travel 0.
     pub poses: Vec<Pose>,
-    /// Whether the mechanism comes back to its first pose after a full turn.
+    /// Whether the mechanism comes back to its first pose after a full turn, or after [`Sweep::turns`].
     pub full: bool,
     /// Travel at which the mechanism can go no farther back and no farther on; the pose there is the first and the last one.
     pub limits: [Option<f64>; 2],
+    /// Through how many turns of a driver that turns: those after which everything stands as it did, one unless wheels roll; one too
+    /// where these are too many.
+    pub turns: u64,
 }
 
 impl Sweep {
+    /// The travel after which a full motion comes again (rad).
+    pub fn period(&self) -> f64 {
+        TAU * self.turns as f64
+    }
+
     /// Whether the driver can go no farther than a pose.
     pub fn is_limit(&self, k: usize) -> bool {
         k == 0 && self.limits[0].is_some() || k + 1 == self.poses.len() && self.limits[1].is_some()
@@ -88,13 +100,21 @@ impl<'a> Follower<'a> {
     /// All poses, in at least `count` steps.
     pub fn sweep(&self, count: usize) -> Sweep {
         let turns = matches!(self.scene.drivers[self.driver].kind, DriverKind::Turn { .. });
-        let reach = if turns { TAU } else { 2.0 * self.base.extent() };
-        let step = reach / count as f64;
+        let returns = if turns { self.returns() } else { 1 };
+        let seen = turns_seen(returns);
+        let one = if turns { TAU } else { 2.0 * self.base.extent() };
+        let (step, reach) = (one / count as f64, one * seen as f64);
         let (mut up, high) = self.walk(step, reach, None);
-        if turns && high.is_none() && up.last().is_some_and(|p| self.stray(&p.configuration, self.base) < 1e-6) {
+        let back = |p: &Pose| self.stray(&p.configuration, self.base) < 1e-6 && self.rolled_back(&p.configuration);
+        if turns && high.is_none() && up.last().is_some_and(back) {
             up.pop();
             up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
-            return Sweep { poses: up, full: true, limits: [None, None] };
+            return Sweep { poses: up, full: true, limits: [None, None], turns: seen };
+        }
+        if high.is_none() && returns != seen {
+            // One turn of many.
+            up.insert(0, Pose { travel: 0.0, configuration: self.base.clone() });
+            return Sweep { poses: up, full: false, limits: [None, None], turns: seen };
         }
         let (mut down, low) = self.walk(-step, reach, None);
         let range = up.last().map_or(0.0, |p| p.travel) - down.last().map_or(0.0, |p| p.travel);
@@ -108,7 +128,19 @@ impl<'a> Follower<'a> {
         let mut poses: Vec<Pose> = down.into_iter().rev().collect();
         poses.push(Pose { travel: 0.0, configuration: self.base.clone() });
         poses.extend(up);
-        Sweep { poses, full: false, limits: [low, high] }
+        Sweep { poses, full: false, limits: [low, high], turns: seen }
+    }
+
+    /// The turns of the driver after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        Train::of(&self.scene, self.mechanism, self.base).turns()
+    }
+
+    /// Whether all links that roll stand as at the instant.
+    fn rolled_back(&self, at: &Configuration) -> bool {
+        let axis = |c: &Configuration, l: LinkId| c.poses[l.0].map(|p| p.axis);
+        let links = self.scene.rolling.iter().flat_map(|r| r.links);
+        links.filter_map(|l| Some((axis(at, l)? - axis(self.base, l)?).norm())).all(|off| off < 1e-6)
     }
 
     /// Poses from the scene's one on, in steps, as far as `reach`; where the motion ends before, the last is its end, which may be
@@ -191,7 +223,8 @@ impl<'a> Follower<'a> {
         if self.mechanism.groups.iter().any(|g| g.class().is_some_and(|class| class != "II")) {
             return self.by_newton(guess, travel);
         }
-        let later = |meant: &Configuration| position::later(&self.scene, self.mechanism, self.demand, meant, self.base, travel);
+        let scene = self.with_followers(travel);
+        let later = |meant: &Configuration| position::later(&scene, self.mechanism, self.demand, meant, self.base, travel);
         let mut best = match later(guess) {
             Ok(found) => found,
             Err(faults) if faults.list.iter().any(|d| d.code == "pose-given") => return self.by_newton(guess, travel),
@@ -210,9 +243,30 @@ impl<'a> Follower<'a> {
         Some(best)
     }
 
+    /// The scene with the followers of its cams where the driver's travel holds them; they stand there.
+    fn with_followers(&self, travel: f64) -> Cow<'_, Scene> {
+        if !self.scene.has_laws(self.driver) {
+            return Cow::Borrowed(&self.scene);
+        }
+        let mut scene = self.scene.clone();
+        if let Some(start) = driver_position(&scene, self.driver) {
+            let rate = std::mem::replace(&mut scene.drivers[self.driver].rate.value, 0.0);
+            scene.set_followers(self.driver, Some(start + travel));
+            scene.drivers[self.driver].rate.value = rate;
+        }
+        Cow::Owned(scene)
+    }
+
     fn by_newton(&self, guess: &Configuration, travel: f64) -> Option<Configuration> {
         let mut values = newton::driver_values(&self.scene, self.base);
         values.0[self.driver] += travel;
+        let scene = self.with_followers(travel);
+        for t in scene.cams.iter().filter_map(|c| c.disc.as_ref()).filter(|t| t.driver == self.driver) {
+            if let Some(k) = t.by_law {
+                let gone = |s: &Scene| driver_position(s, k);
+                values.0[k] += gone(&scene).zip(gone(&self.scene)).map_or(0.0, |(there, here)| there - here);
+            }
+        }
         newton::moved(&self.scene, self.mechanism, guess, &values)
     }
 

@@ -2,6 +2,7 @@
 
 use super::Placed;
 use super::limit::Event;
+use super::moved::Moved;
 use super::station::Stations;
 use crate::accuracy::toggle::with_driver_at;
 use crate::analytic::{self, Solution};
@@ -33,7 +34,12 @@ impl<'a> General<'a> {
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
-        let at = position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?;
+        let moved = Moved::new(p, self.driver);
+        // Closed forms do not tell on which turn wheels stand.
+        let at = match moved.counts_turns() {
+            true => moved.standing(stations.values[row])?,
+            false => position::recompute::<f64>(&scene, p.mechanism, &p.demand, &p.at)?,
+        };
         self.answers(&scene, &at)
     }
 

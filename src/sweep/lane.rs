@@ -8,6 +8,9 @@ use crate::number::Ring;
 use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
+/// What a number is added to and taken from again to lose all digits behind the point: 1.5·2⁵².
+const WHOLE: f64 = 6_755_399_441_055_744.0;
+
 /// A number of a sweep: one or several positions.
 pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, Output = Self> {
     /// A constant in the numbers of this one.
@@ -23,6 +26,9 @@ pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, O
 
     /// The number, or zero where it is negative; NaN stays.
     fn or_zero(self) -> Self;
+
+    /// The nearest whole number, of numbers below 2⁵¹; its derivative is zero.
+    fn nearest(self) -> Self;
 
     /// The smaller one; `other` where either is NaN.
     fn least(self, other: Self) -> Self;
@@ -52,6 +58,11 @@ impl Lane for f64 {
         let quarter = slack * 0.25;
         let near = if self <= quarter && self >= -quarter { 0.0 } else { self };
         if near < -slack { f64::NAN } else { near }
+    }
+
+    #[inline(always)]
+    fn nearest(self) -> f64 {
+        (self + WHOLE) - WHOLE
     }
 
     #[inline(always)]
@@ -91,6 +102,11 @@ impl<S: Simd> Lane for f64x4<S> {
         let zero = f64x4::splat(self.simd, 0.0);
         let near = (self.simd_le(quarter) & self.simd_ge(-quarter)).select(zero, self);
         near.simd_lt(-slack).select(f64x4::splat(self.simd, f64::NAN), near)
+    }
+
+    #[inline(always)]
+    fn nearest(self) -> Self {
+        (self + WHOLE) + -WHOLE
     }
 
     #[inline(always)]
@@ -221,6 +237,10 @@ impl Lane for Dual {
         Dual { value: self.value.touching(slack.value), ..self }
     }
 
+    fn nearest(self) -> Dual {
+        Dual::fixed(self.value.nearest())
+    }
+
     fn or_zero(self) -> Dual {
         Dual { value: self.value.or_zero(), ..self }
     }
@@ -252,7 +272,8 @@ mod tests {
             let y = [1e-15, 1e-16, 0.7, -3.0];
             let (vx, vy) = (f64x4::from_slice(simd, &x), f64x4::from_slice(simd, &y));
             type One = fn(f64, f64) -> f64;
-            let both: [(f64x4<_>, One); 8] = [
+            let both: [(f64x4<_>, One); 9] = [
+                ((vx * 3.7).nearest(), |x, _| (x * 3.7).nearest()),
                 (vx.least(vy), |x, y| x.least(y)),
                 (vy.root_unless_touching(vx, vy), |x, y| y.root_unless_touching(x, y)),
                 (vx.touching(vy), |x, y| x.touching(y)),

@@ -91,8 +91,8 @@ pub(super) const SUSPECT: f64 = 0.1;
 
 /// Whether these stations leave no room between them for a limit or a change point that the crossings at them, each more than
 /// [`SUSPECT`], would not tell of: no farther apart than the samples of a search, with the driver's own place among them.
-pub(super) fn dense(placed: &Placed, driver: usize, stations: &Stations) -> bool {
-    let step = reach(placed, driver) / STEPS as f64;
+pub(super) fn dense(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> bool {
+    let step = reach(placed, driver) / (STEPS as f64 * program.finer());
     let now = position_now(placed.scene, &placed.at, driver);
     let ends = stations.values.first().zip(stations.values.last());
     // All of them, without a look at each whether to go on.
@@ -108,8 +108,17 @@ const GROWTH: f64 = 1.05;
 /// in line, sin² is 1e-14; a mechanism whose lengths miss a change point by less than that cannot be told from one that has it.
 const TOUCHING: f64 = 1e-14;
 
-/// See [`Probe::reach`].
-fn reach(placed: &Placed, driver: usize) -> f64 {
+/// Most turns through which limits are looked for: gears whose numbers of teeth have no common factor stand as they did after hundreds.
+const MOST_TURNS: u64 = 1000;
+
+/// Turns that are looked through where a mechanism never stands as it did.
+const SOME_TURNS: f64 = 100.0;
+
+/// A wheel that turns faster than this many times the driver is looked at no more closely.
+const FASTEST: f64 = 16.0;
+
+/// A turn, or twice the mechanism's size.
+pub(super) fn reach(placed: &Placed, driver: usize) -> f64 {
     match placed.scene.drivers[driver].kind {
         DriverKind::Turn { .. } => TAU,
         _ => 2.0 * placed.at.extent(),
@@ -135,9 +144,17 @@ impl<'a> Probe<'a> {
         (libm::cos(x * self.per_value), libm::sin(x * self.per_value), self.per_value)
     }
 
-    /// How far a driver is looked at to either side of where it stands: a turn, or twice the mechanism's size.
+    /// A turn, or twice the mechanism's size.
     pub fn reach(&self) -> f64 {
         reach(self.placed, self.driver)
+    }
+
+    /// How far a driver is looked at to either side of where it stands: until everything stands as it did, or twice the mechanism's size.
+    pub fn span(&self) -> f64 {
+        match self.program.angular {
+            true => self.program.period().unwrap_or(SOME_TURNS * TAU),
+            false => self.reach(),
+        }
     }
 
     /// sin² of the crossing of a joint at a driver position, with its derivative.
@@ -157,7 +174,7 @@ impl<'a> Probe<'a> {
         let way = until - from;
         let near = FAR * self.reach();
         let equal = |way: f64| {
-            let steps = (way.abs() / self.reach() * STEPS as f64).ceil().clamp(1.0, 1e6) as usize;
+            let steps = (way.abs() / self.reach() * STEPS as f64 * self.program.finer()).ceil().clamp(1.0, 2e7) as usize;
             let step = way / steps as f64;
             (0..=steps + 1).map(move |i| from + step * i as f64)
         };
@@ -317,11 +334,13 @@ impl<'a> Probe<'a> {
         if !self.program.tracks.is_empty() {
             return Vec::new();
         }
-        let xs: Vec<f64> = (0..=STEPS).map(|i| low + (high - low) * (i as f64 / STEPS as f64)).collect();
+        let turns = if self.program.angular { ((high - low) / TAU).max(1.0) } else { 1.0 };
+        let steps = (STEPS as f64 * turns * self.program.finer() - 1e-6).ceil() as usize;
+        let xs: Vec<f64> = (0..=steps).map(|i| low + (high - low) * (i as f64 / steps as f64)).collect();
         let angle = |sin2: f64| libm::asin(sin2.clamp(0.0, 1.0).sqrt());
         let worst = |(j, c): (usize, &Vec<f64>)| {
             let i = (0..c.len()).filter(|&i| c[i] >= 0.0).min_by(|&a, &b| c[a].total_cmp(&c[b]))?;
-            let (at, least) = self.least(j, xs[i.saturating_sub(1)], xs[(i + 1).min(STEPS)]);
+            let (at, least) = self.least(j, xs[i.saturating_sub(1)], xs[(i + 1).min(steps)]);
             let (at, least) = if least < c[i] { (at, least) } else { (xs[i], c[i]) };
             Some((at, angle(least)))
         };
@@ -350,10 +369,10 @@ fn sampled_at(xs: &[f64], per_value: f64) -> Rc<Stations> {
 /// The range of a driver from where it stands, for a program that holds the groups that matter.
 pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
     let mut probe = Probe::of(program.clone(), placed, driver);
-    let (now, reach) = (probe.now, probe.reach());
+    let (now, reach) = (probe.now, probe.span());
     let (up, changes) = probe.walk(now + reach);
     let mut changes = changes.events;
-    if up.is_none() && program.angular {
+    if up.is_none() && program.angular && program.period().is_some() {
         return Range { now, ends: [None, None], changes, reach };
     }
     let (down, others) = Probe::of(program, placed, driver).walk(now - reach);
@@ -362,6 +381,16 @@ pub fn range(program: Program, placed: &Placed, driver: usize) -> Range {
 }
 
 impl Program {
+    /// By how much a driver that turns goes on until everything stands as it did (rad); `None` where that is never, or too far to look.
+    pub(super) fn period(&self) -> Option<f64> {
+        (1..=MOST_TURNS).contains(&self.turns).then_some(TAU * self.turns as f64)
+    }
+
+    /// How many times as many steps it takes to look at everything.
+    pub(super) fn finer(&self) -> f64 {
+        self.fastest.min(FASTEST).ceil()
+    }
+
     /// Turns a joint to its other branch.
     pub fn flip(&mut self, joint: usize) {
         match &mut self.steps[0][self.joints[joint].step].op {

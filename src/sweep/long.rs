@@ -8,7 +8,7 @@ use super::moved::{self, Moved};
 use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
 use super::tracked::{self, Tracked};
-use super::{Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, ends, span, stretches};
+use super::{Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
 
@@ -36,6 +36,8 @@ enum Way<'a> {
     },
     /// With links that are followed.
     Tracked { course: Box<Course<Tracked<'a>>>, reach: Stations },
+    /// Each by the general solver: followers of cams move by laws.
+    Each,
     /// The whole mechanism is followed; why there is no program.
     Moved { course: Course<Moved<'a>>, why: Diagnostic },
 }
@@ -43,11 +45,10 @@ enum Way<'a> {
 impl<'a> Long<'a> {
     /// Begins a sweep of a driver that the scene has.
     pub fn new(placed: &'a Placed<'a>, driver: usize, steps: Steps) -> Long<'a> {
-        let scene = placed.scene;
         let [first, last] = [0, steps.steps].map(|i| steps.value(i));
         let (descending, count) = (last < first, steps.steps + 1);
         let values = |position| steps.value(flipped(position, descending, count));
-        let way = match compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find) {
+        let way = match compiled(placed, driver) {
             Ok(program) => {
                 let reach = Stations::of_values(vec![first, last], 0.0);
                 if program.tracks.is_empty() {
@@ -58,6 +59,7 @@ impl<'a> Long<'a> {
                     Way::Tracked { course: Box::new(Tracked::course(program, placed, driver, count, &values)), reach }
                 }
             }
+            Err(_) if placed.scene.has_laws(driver) => Way::Each,
             Err(why) => Way::Moved { course: Moved::course(placed, driver, count, &values), why },
         };
         Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
@@ -79,6 +81,7 @@ impl<'a> Long<'a> {
                 let program = course.follow().program();
                 (program, run_with(program, Some(&states), stations, Width::Widest))
             }
+            Way::Each => return Some(each(general, stations)),
             Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
         };
         if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
@@ -108,7 +111,7 @@ impl Pieces for Long<'_> {
         match self.way {
             Way::Free { .. } => 1 << 16,
             // As many as are gone over again from one state.
-            Way::Tracked { .. } | Way::Moved { .. } => STRIDE,
+            Way::Tracked { .. } | Way::Moved { .. } | Way::Each => STRIDE,
         }
     }
 
@@ -129,6 +132,7 @@ impl Pieces for Long<'_> {
                 notes.extend(limits(program, reach));
                 notes
             }
+            Way::Each => Vec::new(),
             Way::Tracked { course, reach } => limits(course.follow().program(), reach),
             Way::Moved { course, why } => std::iter::once(why.clone()).chain(moved::ends(course)).collect(),
         };

@@ -3,7 +3,7 @@
 //! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
+//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
 //! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
@@ -31,6 +31,8 @@ pub mod pieces;
 pub mod points;
 pub mod program;
 pub mod reading;
+#[cfg(test)]
+mod rolling_tests;
 pub mod rows;
 pub mod run;
 pub mod station;
@@ -38,6 +40,8 @@ mod suspect;
 pub mod table;
 pub mod track;
 mod tracked;
+mod train;
+pub mod turns;
 pub mod vary;
 mod walked;
 pub mod zoom;
@@ -75,8 +79,9 @@ impl<'a> Placed<'a> {
     /// Places a scene for its own questions.
     ///
     /// # Errors
-    /// Those of [`position::configure`].
+    /// Those of [`position::configure`], and of [`position::redundant::check`] for a pair that locks the mechanism.
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism) -> Result<Placed<'a>, Faults> {
+        position::redundant::check(scene, mechanism)?;
         let demand = Demand::of(scene, mechanism);
         let at = position::configure(scene, mechanism, &demand)?.value;
         Ok(Placed { scene, mechanism, demand, at })
@@ -114,7 +119,7 @@ impl<'a> Sweep<'a> {
                 Diagnostic::error("no-driver", both!("the scene has no driver {}", "机构文件没有第 {} 个原动件", driver + 1)).into()
             );
         }
-        let program = compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find);
+        let program = compiled(placed, driver);
         Ok(Sweep { placed, driver, program })
     }
 
@@ -138,6 +143,7 @@ impl<'a> Sweep<'a> {
                 }
                 rows
             }
+            Err(_) if placed.scene.has_laws(*driver) => each(&general, stations),
             Err(note) => {
                 notes.push(note.clone());
                 let (rows, limits) = moved::follow(placed, *driver, stations);
@@ -151,9 +157,29 @@ impl<'a> Sweep<'a> {
     }
 }
 
+/// The program of a driver; none where followers of cams move with it by laws, which have no operation.
+fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
+    let scene = placed.scene;
+    if scene.has_laws(driver) {
+        let message = both!("followers of cams move by laws: each position is solved by itself", "凸轮从动件按规律运动：逐个位置求解");
+        return Err(Diagnostic::note("no-kernel", message));
+    }
+    compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find)
+}
+
+/// All rows by the general solver, each by itself.
+fn each(general: &General, stations: &Stations) -> chunks::Rows {
+    let width = general.scene().find.iter().flat_map(compile::ask::names).count();
+    let columns = vec![vec![f64::NAN; stations.len()]; width];
+    let mut rows = chunks::Rows { columns, open: (0..stations.len()).collect(), ..Default::default() };
+    rows.complete(general, stations, &never, &|_| None);
+    rows.explain(general, stations);
+    rows
+}
+
 /// The numbers next to a station: the mean of a thousandth of the reach to either side, each on its own side of a change point.
 fn beside(program: &Program, placed: &Placed, driver: usize, x: f64) -> Option<Vec<f64>> {
-    let off = 1e-3 * Probe::of(program.clone(), placed, driver).reach();
+    let off = 1e-3 * limit::reach(placed, driver);
     let sides = Stations::of_values(vec![x - off, x + off], station::angle_per_value(placed.scene, &placed.at, driver));
     let (parts, _) = branches(program.clone(), placed, driver, &sides);
     let rows = run_parts(&parts, placed, driver, &sides, Width::One);

@@ -8,6 +8,7 @@ use super::course::{Course, Follow, Values};
 use super::general::{self, General};
 use super::limit::{Event, Kind};
 use super::station::{Stations, position_now};
+use super::train::Train;
 use crate::accuracy::toggle::with_driver_at;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Mechanism};
@@ -17,16 +18,18 @@ use crate::position::newton::{self, DriverValues};
 use crate::position::toggle::Toggle;
 use crate::scene::DriverKind;
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// In one step of the whole mechanism no joint moves farther than this part of its size: a longer step may end on another
 /// assembly.
 const NEAR: f64 = 0.05;
 
-/// Where gears tell one turn of the driver from the next, no step may be taken for one in the other sense: an eighth of a turn.
+/// Where gears tell one turn from the next, no step of the driver may be taken for one in the other sense: an eighth of a turn of the fastest
+/// wheel.
 const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Steps between two positions before the way counts as blocked.
+/// Steps through such a part of a turn, or of the mechanism's size, before the way counts as blocked.
 const MOST_STEPS: usize = 200;
 
 /// A mechanism that is moved by one of its drivers.
@@ -37,6 +40,8 @@ pub(super) struct Moved<'a> {
     now: f64,
     /// What the drivers hold at the instant, as Newton's method counts.
     drivers: DriverValues,
+    /// How many times as fast as the driver the fastest wheel turns, and the turns after which all stand as they did; 0: never.
+    wheels: (f64, u64),
 }
 
 /// Where everything is at a value of the driver.
@@ -50,7 +55,9 @@ impl<'a> Moved<'a> {
     /// A mechanism where it stands.
     pub fn new(placed: &'a Placed<'a>, driver: usize) -> Moved<'a> {
         let now = position_now(placed.scene, &placed.at, driver);
-        Moved { placed, driver, now, drivers: newton::driver_values(placed.scene, &placed.at) }
+        let train = Train::of(placed.scene, placed.mechanism, &placed.at);
+        let wheels = (train.fastest(), train.turns());
+        Moved { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
     }
 
     /// Its course through `count` values.
@@ -72,7 +79,7 @@ impl<'a> Moved<'a> {
     }
 
     /// Whether the mechanism stands elsewhere after a turn of the driver: gears may.
-    fn counts_turns(&self) -> bool {
+    pub fn counts_turns(&self) -> bool {
         self.is_turning() && !self.placed.scene.rolling.is_empty()
     }
 
@@ -82,6 +89,17 @@ impl<'a> Moved<'a> {
         let p = self.placed;
         let (there, at) = fold(p.scene, p.mechanism, near, &self.holding(value), self.driver)?;
         Some(event(p.mechanism, self.now + (there - self.drivers.0[self.driver]), &at))
+    }
+
+    /// Where everything is at a value, which may be many turns on: for what only the numbers next to one position need.
+    pub fn standing(&self, value: f64) -> Result<Configuration, Faults> {
+        let mut way = value - self.now;
+        if self.wheels.1 > 0 {
+            let period = TAU * self.wheels.1 as f64;
+            way -= period * libm::trunc(way / period);
+        }
+        let first = Standing { value: self.now, at: self.placed.at.clone() };
+        self.advance(&first, self.now + way).map(|s| s.at).map_err(|last| self.stopped(Some(&last), value))
     }
 
     /// The limit by which a state was the last on its way.
@@ -109,12 +127,19 @@ impl Follow for Moved<'_> {
     /// In steps that each converge near by.
     fn advance(&self, from: &Standing, to: f64) -> Result<Standing, Standing> {
         let p = self.placed;
-        let mut state = from.clone();
-        let most = if self.counts_turns() { PART_OF_A_TURN } else { f64::INFINITY };
+        let part = if self.is_turning() { PART_OF_A_TURN / self.wheels.0 } else { PART_OF_A_TURN * p.at.extent() };
+        // So many for every part of the way: no end of it is out of reach because it is far.
+        let (mut state, mut left) = (from.clone(), MOST_STEPS);
+        let mut gone = 0.0;
+        let most = if self.counts_turns() { PART_OF_A_TURN / self.wheels.0 } else { f64::INFINITY };
         let mut step = to - state.value;
         let extent = p.at.extent();
-        let steps = MOST_STEPS + libm::ceil(step.abs() / most) as usize;
-        for _ in 0..steps {
+        while left > 0 {
+            let reached = libm::floor(((state.value - from.value) / part).abs());
+            if reached > gone {
+                (gone, left) = (reached, MOST_STEPS);
+            }
+            left -= 1;
             step = step.clamp(-most, most);
             if state.value == to {
                 return Ok(state);
@@ -143,7 +168,7 @@ impl Follow for Moved<'_> {
     }
 
     fn turns(&self) -> bool {
-        self.is_turning() && !self.counts_turns()
+        self.is_turning() && (!self.counts_turns() || self.wheels.1 == 1)
     }
 }
 

@@ -75,7 +75,7 @@ pub fn bounded(mut sizes: Vec<f64>, own: f64, full: bool) -> Option<f64> {
 /// other.
 pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
     let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
-    let turn = std::f64::consts::TAU;
+    let turn = sweep.period();
     let (from, step) = match (sweep.full, count) {
         (true, n) => (0.0, turn / n.max(1) as f64),
         (false, 1) => (0.0, 0.0),
@@ -130,7 +130,7 @@ pub fn motion(
     if sweep.full
         && let Some(first) = moments.first().cloned()
     {
-        moments.push(Moment { travel: std::f64::consts::TAU, ..first });
+        moments.push(Moment { travel: sweep.period(), ..first });
     }
     let marks = at_equal_steps(&follower, &sweep, marks).iter().map(|p| tracer.moment(p)).collect();
     for _ in 0..ROUNDS {

@@ -12,6 +12,7 @@ use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::run::{Runner, operations};
 use super::track::Track;
+use super::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
 use crate::mechanism::Level;
 use crate::scene::{LinkId, PointId};
 use std::ops::Range;
@@ -88,6 +89,18 @@ operations! { Op:
     Coriolis,
     /// Sum of two numbers.
     Sum,
+    /// The driver's angle in quarter turns.
+    Quarters,
+    /// A part of the driver's way.
+    Geared,
+    /// cos and sin of an angle.
+    Turned,
+    /// How far a line has turned against another.
+    Against,
+    /// Rate of a way along a track.
+    WayRate,
+    /// The rate of that.
+    WayAcceleration,
 }
 
 /// An operation and the first of the registers that it fills.
@@ -133,6 +146,10 @@ pub struct Program {
     pub tracks: Vec<Track>,
     /// Whether the swept quantity is an angle.
     pub angular: bool,
+    /// After how many turns of it everything stands as it did: one, or what rolls needs more; 0 where it never does.
+    pub turns: u64,
+    /// How many times as fast as it the fastest of all wheels turns; at least 1.
+    pub fastest: f64,
     /// The program as it is run, once it has been: for its answers, for its joints' crossings, for its answers and some crossings.
     pub(super) runs: [OnceLock<Fused>; 3],
 }

@@ -1,8 +1,8 @@
 //! The positions at which a driver is looked at: its values, with the cosine and sine of each where it turns.
 
-use super::compile::driver_positions;
-use crate::position::{Configuration, Path};
-use crate::scene::{Angle, DriverKind, Scene};
+use crate::geom::Vec2;
+use crate::position::{Configuration, Path, newton};
+use crate::scene::{Angle, DriverKind, LinkId, PointId, Scene};
 use crate::trig;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -157,16 +157,42 @@ pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 
 }
 
 /// Where a driver stands at the instant (rad or m). Of an angle of more than a turn only the part of a turn counts: the pose is the
-/// same, and the way from it is counted in turns of the stations, not in those that a scene has written.
+/// same, and the way from it is counted in turns of the stations, not in those that a scene has written; unless wheels stand elsewhere on
+/// every turn.
 pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
     let written = match &scene.drivers[driver].kind {
         DriverKind::Turn { angle: Some(angle), .. } => Some(angle.value),
         DriverKind::Turn { angle: None, .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
     };
-    match written {
+    match written.filter(|_| scene.rolling.is_empty()) {
         // The remainder of floating-point numbers is exact.
         Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
         Some(Angle::Rad(r)) if r.abs() > TAU => libm::atan2(libm::sin(r), libm::cos(r)),
         _ => driver_positions(scene, at)[driver],
     }
+}
+
+/// The value of each driver in a placed mechanism: the angle that the scene counts (rad, as written where it is written),
+/// the coordinate along the guide, the length of the cylinder (m).
+pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
+    let measured = newton::driver_values(scene, at);
+    scene
+        .drivers
+        .iter()
+        .zip(measured.0)
+        .map(|(driver, measured)| match &driver.kind {
+            DriverKind::Turn { angle: Some(angle), .. } => angle.value.radians(),
+            DriverKind::Turn { link, against, line, against_line, angle: None } => {
+                let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
+                    Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
+                    None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
+                    None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
+                };
+                let turned = of(*link, *line).zip(of(*against, *against_line)).map(|(own, base)| own.divide_by(base).angle());
+                turned.unwrap_or(measured)
+            }
+            DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => x.value,
+            _ => measured,
+        })
+        .collect()
 }

@@ -60,7 +60,7 @@ impl Follow for Tracked<'_> {
     }
 
     fn turns(&self) -> bool {
-        self.program.angular
+        self.program.angular && self.program.turns == 1
     }
 }
 

@@ -14,7 +14,7 @@ use crate::mechanism::Mechanism;
 use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::units::Dim;
-use crate::scene::{Angle, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Through, templates};
+use crate::scene::{Angle, Contours, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Sizes, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -52,6 +52,14 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
         }
     }
     out.extend(scene.lengths.iter_mut().map(|l| Slot::Number(&mut l.value, true)));
+    for r in &mut scene.rolling {
+        match &mut r.contours {
+            Contours::Circles { sizes: Sizes::Radii(both), .. } => out.extend(both.iter_mut().map(|x| Slot::Number(x, true))),
+            Contours::Circles { sizes: Sizes::Teeth(_), .. } => {}
+            Contours::Track { radius, .. } => out.push(Slot::Number(radius, true)),
+        }
+        out.extend(r.phase.iter_mut().map(Slot::Angle));
+    }
     for d in &mut scene.drivers {
         match &mut d.kind {
             DriverKind::Turn { angle, .. } => out.extend(angle.iter_mut().map(Slot::Angle)),
@@ -83,6 +91,14 @@ impl Variation {
     /// # Errors
     /// A name that is no parameter, or is named twice.
     pub fn new(scene: &Scene, names: &[&str]) -> Result<Variation, Faults> {
+        if scene.has_momentary_cams() {
+            let message = both!(
+                "a cam by a law or by several pieces is replaced for one instant: its parameters cannot be varied in one table",
+                "按运动规律或多段廓线的凸轮只在一个瞬时被替代：不能在一张表中改变参数"
+            );
+            let d = Diagnostic::error("cam-varied", message);
+            return Err(d.help(both!("run `solve` or `cam` with --set for each value", "请对每个值用 --set 运行 `solve` 或 `cam`")).into());
+        }
         let mut faults = Faults::default();
         let known: Vec<&str> = scene.parameters.iter().map(|p| p.0.as_str()).collect();
         let mut varied = Vec::new();

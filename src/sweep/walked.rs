@@ -6,7 +6,7 @@
 
 use super::Placed;
 use super::extreme::Output;
-use super::follow::{Follower, Sweep};
+use super::follow::{Follower, Sweep, scene_at};
 use super::limit::Range;
 use super::moved::{Moved, event};
 use crate::analytic;
@@ -14,7 +14,7 @@ use crate::answer::Source;
 use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, PointId, Scene};
-use std::f64::consts::TAU;
+use std::borrow::Cow;
 
 /// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
 const SAMPLES: usize = 360;
@@ -38,7 +38,7 @@ impl<'a> Walk<'a> {
     pub fn range(&self) -> Range {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
         let reach = match scene.drivers[self.driver].kind {
-            DriverKind::Turn { .. } => TAU,
+            DriverKind::Turn { .. } => self.sweep.period(),
             _ => 2.0 * self.placed.at.extent(),
         };
         let mut ends = [None, None];
@@ -58,7 +58,22 @@ impl<'a> Walk<'a> {
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
         let travel = |pose: Option<&super::follow::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
-        if self.sweep.full { [self.now, self.now + TAU] } else { [travel(poses.first()), travel(poses.last())] }
+        if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
+    }
+
+    /// That after which everything stands as it did, where it has been followed through all of it.
+    pub fn period(&self) -> Option<f64> {
+        self.sweep.full.then(|| self.sweep.period())
+    }
+
+    /// The turns through which it was followed.
+    pub fn turns(&self) -> u64 {
+        self.sweep.turns
+    }
+
+    /// The turns after which everything stands as it did; 0: never.
+    pub fn returns(&self) -> u64 {
+        self.follower.returns()
     }
 
     /// Position, rate and acceleration of an output at a place of the driver; `None` where it has none.
@@ -66,22 +81,29 @@ impl<'a> Walk<'a> {
         let travel = value - self.now;
         let poses = &self.sweep.poses;
         if let Some(pose) = poses.iter().find(|p| p.travel == travel) {
-            return self.moving(&pose.configuration, output);
+            return self.moving(&pose.configuration, travel, output);
         }
         // At a limit two assemblies meet: from there Newton's method may go to either, from this side of it only to its own.
         let inner = poses.iter().enumerate().filter(|(k, _)| !self.sweep.is_limit(*k)).map(|(_, pose)| pose);
         let near = inner.min_by(|a, b| self.apart(a.travel, travel).total_cmp(&self.apart(b.travel, travel)))?;
-        self.moving(&self.follower.at(&near.configuration, travel)?, output)
+        self.moving(&self.follower.at(&near.configuration, travel)?, travel, output)
     }
 
     /// How far two places of the driver are apart; on a full turn the end is the beginning.
     fn apart(&self, a: f64, b: f64) -> f64 {
         let d = (a - b).abs();
-        if self.sweep.full { (d % TAU).min(TAU - d % TAU) } else { d }
+        let period = self.sweep.period();
+        if self.sweep.full { (d % period).min(period - d % period) } else { d }
     }
 
-    fn moving(&self, at: &Configuration, output: Output) -> Option<[f64; 3]> {
-        let Placed { scene, mechanism, .. } = self.placed;
+    fn moving(&self, at: &Configuration, travel: f64, output: Output) -> Option<[f64; 3]> {
+        let mechanism = self.placed.mechanism;
+        let there = if self.placed.scene.has_laws(self.driver) {
+            Cow::Owned(scene_at(self.placed.scene, self.driver, travel))
+        } else {
+            Cow::Borrowed(self.placed.scene)
+        };
+        let scene: &Scene = &there;
         let demand =
             Demand { groups: vec![Some(Level::Acceleration); mechanism.groups.len()], level: Level::Acceleration, needs: Vec::new() };
         let solution = analytic::solve(scene, mechanism, at, &demand).ok()?;

@@ -1,4 +1,6 @@
-//! What is given, as a list: lengths, fixed points, guides, drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides, gears and wheels ([`rolling`]), drivers. Numbers as the scene writes them.
+
+mod rolling;
 
 use super::Maker;
 use crate::digits::{self, shortest};
@@ -27,7 +29,9 @@ impl Maker<'_> {
         if !places.is_empty() {
             all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
         }
-        all.extend(self.scene.guides.iter().map(|g| self.guide(g)));
+        // The guides that rolling pairs bring with them are not in the file.
+        all.extend(self.scene.guides.iter().filter(|g| g.rolling.is_none()).map(|g| self.guide(g)));
+        all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
         all.extend((0..self.scene.drivers.len()).map(|d| self.driver(d)));
         all.push(match self.lang() {
             Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),

@@ -98,7 +98,7 @@ impl Maker<'_> {
         match value {
             Value::Vector(v) => told(v.norm()),
             Value::Scalar(s) => told(s),
-            Value::Point(p) => format!("({}, {})", told(p.x), told(p.y)),
+            Value::Point(p) => format!("({},\\,{})", told(p.x), told(p.y)),
         }
     }
 

@@ -5,8 +5,8 @@ use crate::construct::Polygon;
 use crate::figure::label::Label;
 use crate::figure::results::number;
 use crate::figure::sheet::{drawing, of_level};
-use crate::figure::tables::constraint_line;
-use crate::mechanism::{Core, Level};
+use crate::figure::tables::special_line;
+use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
@@ -32,7 +32,7 @@ impl Maker<'_> {
             .vertices
             .iter()
             .enumerate()
-            .any(|(v, vertex)| matches!(vertex.spot, Spot::Special { .. }) && self.worked.construction.diagram.spots[v].is_some());
+            .any(|(v, vertex)| matches!(vertex.spot, Spot::Special(_)) && self.worked.construction.diagram.spots[v].is_some());
         self.freedom(blocks);
         if alone || special {
             blocks.extend(self.figure("construction", Level::Position));
@@ -130,11 +130,10 @@ impl Maker<'_> {
     fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
         let w = self.writer();
         if let Step::Equation { target, .. } = step
-            && let Spot::Special { group, legs } = w.plan.vertex(*target).spot
-            && let Core::Link { link, legs: all } = &self.worked.mechanism.groups[group].core
+            && let Some(special) = w.plan.special(*target)
         {
-            let [a, b] = [legs.0, legs.1].map(|k| constraint_line(self.scene, self.words(), &all[k]));
-            let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(*link))]);
+            let [a, b] = special.lines.each_ref().map(|line| special_line(&w, self.words(), line));
+            let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(special.link))]);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
         match (written(&w, level, step), step) {

@@ -159,3 +159,16 @@ fn positions_make_a_sheet_or_lie_over_one_another() {
     run(&["-o", "vectors.svg", "--vectors", "velocity", "--poses", "4"]);
     assert!(folder.path().join("vectors.svg").exists());
 }
+
+/// A wheel that is nothing but its centre has no angle to show, and a train that stands nowhere has none at all.
+#[test]
+fn gears_and_wheels_have_line_diagrams() {
+    let out = tempfile::tempdir().unwrap();
+    for name in ["hibbeler-16-27", "shigley-13-6", "involute-tooth-contact-gears", "spool-and-rope"] {
+        let text = std::fs::read_to_string(format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"))).unwrap();
+        let case: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let mut run = hodograph();
+        run.args(["curves", "-", "--steps", "2", "-o"]).arg(out.path().join(format!("{name}.svg")));
+        run.write_stdin(case["scene"].to_string()).assert().success();
+    }
+}

@@ -297,3 +297,33 @@ fn limits_of_higher_groups_are_told() {
     let run = hodograph().args(["limits", &templates_path("class-iii-six-bar"), "--lang", "zh"]).assert().success();
     assert!(text(&run.get_output().stdout).contains("三条支链"));
 }
+
+#[test]
+fn centres_are_told_with_how_they_are_found() {
+    let shaper = templates_path("shaper");
+    let run = hodograph().args(["centres", &shaper]).assert().success();
+    let said = text(&run.get_output().stdout);
+    for line in
+        ["15 centres: 7 at the pairs, 8 by the theorem", "P13     1      12·23 × 16·36", "at infinity", "the same sense", "loop equations"]
+    {
+        assert!(said.contains(line), "{line} is not in\n{said}");
+    }
+    let run = hodograph().args(["centres", &shaper, "--lang", "zh"]).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("15 个瞬心") && said.contains("转向相同") && !said.contains("centre"), "{said}");
+    let run = hodograph().args(["centres", &shaper, "--json", "--set", "phi_1=200"]).assert().success();
+    let json: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    assert_eq!((json["count"].as_u64(), json["by_theorem"].as_u64(), json["stalled"].as_bool()), (Some(15), Some(15), Some(false)));
+    let found = json["centres"].as_array().unwrap();
+    assert!(found.iter().all(|c| c["at"].is_array() != c["infinity_deg"].is_number()), "{found:?}");
+    // A scene that says nothing of rates has the same centres.
+    let scene = std::fs::read_to_string(&shaper).unwrap();
+    let rate = scene.lines().find(|l| l.contains("\"driver\"")).unwrap();
+    let without = scene.replace(rate, &rate.replace(", \"omega\": \"omega_1\"", ""));
+    assert!(without != scene, "{rate}");
+    let run = hodograph().args(["centres", "-", "--json", "--set", "phi_1=200"]).write_stdin(without).assert().success();
+    let bare: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    for (a, b) in bare["centres"].as_array().unwrap().iter().zip(found) {
+        assert_eq!((&a["name"], &a["how"], &a["at"]), (&b["name"], &b["how"], &b["at"]));
+    }
+}

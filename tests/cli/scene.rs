@@ -16,6 +16,8 @@ fn parameters_are_set_and_scenes_piped_everywhere() {
         vec!["plan"],
         vec!["plan", "--json", "--figure"],
         vec!["limits"],
+        vec!["centres"],
+        vec!["draw", "--figure", "centres", "-o", &file("centres.svg")],
         vec!["accuracy", "--patience", "1"],
         vec!["draw", "-o", &file("sheet.svg")],
         vec!["lesson", "--positions", "8", "-o", &file("lesson.html")],

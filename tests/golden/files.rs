@@ -22,13 +22,15 @@ pub const DRAFTED: [&str; 1] = ["shaper"];
 pub const LESSONS: [&str; 2] = ["crank-rocker", "five-bar"];
 
 /// One picture of every kind of figure: template, kind, style.
-pub const KINDS: [(&str, &str, &str); 6] = [
+pub const KINDS: [(&str, &str, &str); 8] = [
     ("class-iii-six-bar", "inset", "print"),
     ("shaper", "slides", "slides"),
     ("jansen-leg", "dark", "dark"),
     ("offset-slider-crank", "overlay", "slides"),
     ("slotted-lever", "step", "print"),
     ("crank-rocker", "equations", "print"),
+    ("shaper", "groups", "print"),
+    ("third-crank", "groups", "slides"),
 ];
 
 /// Line diagrams.
@@ -44,6 +46,9 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
 
 /// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
 pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
+
+/// Figures of centres: a crank-rocker, a shaper with centres at infinity.
+pub const CENTRES: [&str; 2] = ["crank-rocker", "shaper"];
 
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
@@ -66,6 +71,7 @@ fn kept() -> BTreeSet<String> {
     CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
     PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
     POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
+    CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.png", "centres.LANG.txt"]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all

@@ -175,6 +175,10 @@ fn nothing_overlaps_and_nothing_is_cut_on_any_page() {
         let path = file.unwrap().path();
         let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
         let name = path.file_stem().unwrap().to_string_lossy();
+        // What is only counted has no solution.
+        if case["expect"].as_array().unwrap().iter().all(|e| e["find"].is_null()) {
+            continue;
+        }
         let scene = scene::read(case["scene"].to_string().as_bytes()).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         check(&name, &scene, &worked, Lang::En);

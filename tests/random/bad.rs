@@ -45,6 +45,14 @@ const DEMANDS: &[(&str, &[&str])] = &[
     ("several-faults", &["100", "CE", "7", "w_3", "colour"]),
     ("negative-length", &["-250"]),
     ("mobility-zero", &["driver", "F = 0"]),
+    ("gear-radii", &["80.00 mm", "90.00 mm", "AD", "radius"]),
+    ("ring-radii", &["100.0 mm", "90.00 mm", "inside"]),
+    ("gear-no-phase", &["wheel 3", "phase"]),
+    ("gear-no-contact", &["A and D", "apart"]),
+    ("gear-twice", &["locks", "gear pair", "2 and 3"]),
+    ("wheel-off-track", &["1.184 m", "link 3", "B"]),
+    ("wheel-off-centre", &["1.000 m", "0.6000 m", "KB", "\"inside\""]),
+    ("wheel-beside-track", &["0.1000 m", "B", "link 1"]),
 ];
 
 #[test]

@@ -117,3 +117,45 @@ fn a_higher_group_is_answered_though_not_drawn() {
     assert!((v - velocity).norm() < 1e-6 * v.norm(), "{v:?} {velocity:?}");
     assert!((a - acceleration).norm() < 1e-4 * a.norm(), "{a:?} {acceleration:?}");
 }
+
+/// The double butterfly has no link on three legs: two of its links are held by two lines each, and in between lies a dyad. Whatever the
+/// places of its joints, what is drawn by the special points is what the loop equations say, or the note says that it is not drawn.
+#[test]
+fn a_double_butterfly_is_drawn_by_special_points() {
+    let (mut drawn, mut left) = (0, 0);
+    for seed in 0..60 {
+        let mut rng = crate::rng::Rng::new(seed);
+        let places =
+            [(0.0, 0.0), (1.0, 6.0), (-5.0, 1.0), (-4.0, 5.0), (6.0, 0.0), (7.0, 4.0), (-2.0, 3.0), (-1.0, 5.0), (3.0, 2.0), (4.0, 7.0)];
+        let points: Vec<String> = places
+            .iter()
+            .zip("ABCDEFGHKL".chars())
+            .map(|((x, y), name)| format!("\"{name}\": [{}, {}]", x + rng.between(-1.0, 1.0), y + rng.between(-1.0, 1.0)))
+            .collect();
+        let text = format!(
+            r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A","C","E"], "2": ["A","G","K"], "3": ["B","D","H"], "4": ["B","F","L"], "5": ["C","D"], "6": ["E","F"],
+               "7": ["G","H"], "8": ["K","L"]}}, "ground": "1", "points": {{{}}}, "driver": {{"link": "2", "omega": "1 rad/s", "alpha": "2 rad/s^2"}},
+               "find": ["v_B", "a_B", "omega_3", "alpha_3", "omega_8", "alpha_8", "v_L", "a_H"]}}"#,
+            points.join(", ")
+        );
+        let scene = scene::read(&text).unwrap_or_else(|f| panic!("{f}")).value;
+        let done = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("seed {seed}: {f}"));
+        let w = done.value;
+        let not_drawn = done.notes.iter().any(|d| d.code == "higher-group" && d.message.en.contains("not drawn"));
+        assert_eq!(w.plan.undrawable.is_empty(), !not_drawn, "seed {seed}");
+        for r in &w.results {
+            let Some(d) = &r.drawn else {
+                assert!(not_drawn, "seed {seed}: {}", scene.find[r.find].text);
+                continue;
+            };
+            let off = match (d.value, r.computed) {
+                (Value::Vector(a), Value::Vector(b)) => (a - b).norm() / b.norm(),
+                (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs() / b.abs(),
+                _ => f64::INFINITY,
+            };
+            assert!(off < 1e-12 * w.construction.magnification[1].max(1e3), "seed {seed}: {} is off by {off:e}", scene.find[r.find].text);
+        }
+        if not_drawn { left += 1 } else { drawn += 1 }
+    }
+    assert!(drawn > 55, "{drawn} drawn, {left} left");
+}

@@ -115,7 +115,10 @@ fn promises_are_kept_in_hard_cases() {
     files.sort();
     for path in files {
         let case: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(&path).unwrap()).unwrap();
-        seen.check(&path.file_stem().unwrap().to_string_lossy(), &scene_of(&case["scene"].to_string()));
+        // What is only counted has no solution.
+        if case["expect"].as_array().unwrap().iter().any(|e| !e["find"].is_null()) {
+            seen.check(&path.file_stem().unwrap().to_string_lossy(), &scene_of(&case["scene"].to_string()));
+        }
     }
     seen.done(250);
 }

@@ -5,6 +5,7 @@
 
 mod asked;
 mod bad;
+mod centres;
 mod composite;
 mod dead;
 mod digits;

@@ -277,7 +277,7 @@ impl Oracle<'_> {
         match vertex.spot {
             Spot::Point(p) => w.configuration.point(p),
             // A special point lies nowhere but on the diagram.
-            Spot::Special { .. } => {
+            Spot::Special(_) => {
                 let d = &w.construction.diagram;
                 d.origin + d.spots[v.0].unwrap().to_vec2() * d.mu_l
             }
@@ -289,7 +289,7 @@ impl Oracle<'_> {
         match vertex.spot {
             Spot::Point(_) if vertex.fixed => Some(Vec2::ZERO),
             Spot::Point(p) => self.c.worked.solution.vector(level, p, vertex.on),
-            Spot::Special { .. } => None,
+            Spot::Special(_) => None,
         }
     }
 

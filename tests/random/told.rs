@@ -7,9 +7,9 @@ use hodograph::answer::Source;
 use hodograph::construct::{Action, Polygon};
 use hodograph::digits::shortest;
 use hodograph::geom::{Point, Vec2, cross_lines};
-use hodograph::mechanism::{Core, Leg, Level};
+use hodograph::mechanism::{ConstraintLine, Level};
 use hodograph::number::{Big, Real};
-use hodograph::plan::{Body, By, Spot, Term, TermKind, VertexId};
+use hodograph::plan::{Body, By, SpecialLine, Spot, Term, TermKind, VertexId};
 use hodograph::position::{Configuration, Path};
 use hodograph::scene::{DriverKind, LinkId, Scene};
 use hodograph::worked::Worked;
@@ -37,9 +37,8 @@ pub fn told(scene: &Scene, w: &Worked, d: &Differences<Big>, pencil_mm: f64) -> 
     let o = Oracle { scene, w, d };
     let mut out = Vec::new();
     for (action, c) in w.construction.diagram.crossed.iter().enumerate() {
-        let Spot::Special { group, legs } = w.plan.vertex(c.target).spot else { panic!("only special points are crossed on the diagram") };
-        let Core::Link { legs: all, .. } = &w.mechanism.groups[group].core else { panic!("a special point belongs to a link") };
-        let [u, v] = [legs.0, legs.1].map(|k| o.constraint_line(&all[k]).1);
+        let special = w.plan.special(c.target).expect("only special points are crossed on the diagram");
+        let [u, v] = special.lines.each_ref().map(|line| o.line(line).1);
         let crossing = crossing(u, v, Big::from_decimal(&shortest(w.construction.diagram.mu_l)), pencil_mm);
         out.extend(crossing.map(|(what, value, nothing)| Told { level: Level::Position, action, what, value, nothing }));
     }
@@ -100,25 +99,23 @@ impl Oracle<'_> {
     fn place(&self, v: VertexId) -> Point<Big> {
         match self.w.plan.vertex(v).spot {
             Spot::Point(p) => self.d.now.point(p),
-            Spot::Special { group, legs } => {
-                let Core::Link { legs: all, .. } = &self.w.mechanism.groups[group].core else {
-                    panic!("a special point belongs to a link")
-                };
-                let [(p, u), (q, w)] = [legs.0, legs.1].map(|k| self.constraint_line(&all[k]));
+            Spot::Special(k) => {
+                let [(p, u), (q, w)] = self.w.plan.specials[k].lines.each_ref().map(|line| self.line(line));
                 cross_lines(p, u, q, w).at
             }
         }
     }
 
-    fn constraint_line(&self, leg: &Leg) -> (Point<Big>, Vec2<Big>) {
+    fn line(&self, line: &SpecialLine) -> (Point<Big>, Vec2<Big>) {
         let at = |p| self.d.now.point(p);
-        match *leg {
-            Leg::Bar { near, far, .. } | Leg::Cylinder { near, far, .. } => (at(near), at(near) - at(far)),
-            Leg::OnGuide { pin, guide } | Leg::InSlot { pin, guide } => match self.d.now.guide(guide) {
+        match *line {
+            SpecialLine::Through { pin, special } => (at(pin), at(pin) - self.place(special)),
+            SpecialLine::Leg(ConstraintLine::Along { near, far }) => (at(near), at(near) - at(far)),
+            SpecialLine::Leg(ConstraintLine::Tangent { .. }) => panic!("these mechanisms have no wheels"),
+            SpecialLine::Leg(ConstraintLine::Normal { pin, guide }) => match self.d.now.guide(guide) {
                 Path::Line { direction, .. } => (at(pin), direction.perp()),
                 Path::Arc { centre, .. } => (at(pin), at(pin) - centre),
             },
-            ref other => panic!("no constraint line of {other:?}"),
         }
     }
 
@@ -127,8 +124,8 @@ impl Oracle<'_> {
         match vertex.spot {
             _ if vertex.fixed => Vec2::zero(),
             Spot::Point(p) => self.d.vector(level, p, vertex.on).expect("a drawn point has places"),
-            Spot::Special { group, .. } => {
-                let Core::Link { link, .. } = &self.w.mechanism.groups[group].core else { panic!("a special point belongs to a link") };
+            Spot::Special(k) => {
+                let link = self.w.plan.specials[k].link;
                 let local = self.d.now.poses[link.0].expect("placed").to_local(self.place(v));
                 let at = |c: &Configuration<Big>| c.poses[link.0].expect("placed").to_world(local);
                 let (before, now, after) = (at(&self.d.before), at(&self.d.now), at(&self.d.after));

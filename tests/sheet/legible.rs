@@ -6,6 +6,7 @@
 use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
 use hodograph::figure::extent::Rect;
 use hodograph::figure::item::{Figure, Item, Shape};
+use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::place::Obstacles;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2};
@@ -165,4 +166,43 @@ fn every_pose_can_be_read() {
     table.push(all.line("all"));
     println!("{}", table.join("\n"));
     assert!(faults.is_empty(), "{} sheets:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// The centres of every template at all positions: no label on another, none off the paper.
+#[test]
+fn every_centre_can_be_read() {
+    let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
+    let (mut all, mut faults, mut table) = (Found::default(), Vec::new(), Vec::new());
+    let entry = list::named("centres").unwrap();
+    for t in templates::list() {
+        if !only.is_empty() && !only.split(',').any(|o| o == t.name) {
+            continue;
+        }
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        // Sixty-six centres on one mechanism are more than a drawing can hold clearly.
+        if scene.links.len() > A4_LINKS {
+            continue;
+        }
+        let mut here = Found::default();
+        for (k, pose) in poses(&scene).iter().enumerate() {
+            let Ok(worked) = work(pose, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                let options = Options::of_language(lang);
+                let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{} pose {k}: {f}", t.name)).value;
+                let found = look(&pages[0].1, pose.links.len());
+                if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
+                    let (overlaps, outside, least) = (found.overlaps, found.outside, found.smallest_mm);
+                    faults
+                        .push(format!("{} pose {k} {lang:?}: {overlaps} overlaps, {outside} outside, smallest type {least:.2} mm", t.name));
+                }
+                here.add(found);
+            }
+        }
+        table.push(here.line(t.name));
+        all.add(here);
+    }
+    table.push(all.line("all"));
+    println!("{}", table.join("\n"));
+    assert!(faults.is_empty(), "{} figures:\n{}", faults.len(), faults.join("\n"));
 }

@@ -141,6 +141,30 @@ impl Renamed {
         }
     }
 
+    /// A cam: its parts name points of it, its follower's end points of the follower.
+    fn cam(&self, value: &mut Value) {
+        match value {
+            Value::Array(list) => list.iter_mut().for_each(|v| self.cam(v)),
+            Value::Object(object) => {
+                for (key, value) in object.iter_mut() {
+                    let Some(text) = value.as_str().map(str::to_owned) else {
+                        self.cam(value);
+                        continue;
+                    };
+                    *value = match key.as_str() {
+                        // Of a face `cam` is a side.
+                        "cam" | "follower" if !["left", "right"].contains(&text.as_str()) => self.link(&text),
+                        "pin" | "through" | "centre" | "corner" | "edge" => self.point(&text),
+                        "line" => self.pair(&text),
+                        _ => text,
+                    }
+                    .into();
+                }
+            }
+            _ => {}
+        }
+    }
+
     fn scene(&self, text: &str) -> String {
         let mut scene: Value = serde_json::from_str(text).unwrap();
         let keys = |value: &mut Value, new: &dyn Fn(&str) -> String| {
@@ -167,6 +191,7 @@ impl Renamed {
                 "sketch" => keys(value, &|p| self.point(p)),
                 "lengths" => keys(value, &|ends| self.pair(ends)),
                 "guides" => value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap())),
+                "cams" => self.cam(value),
                 "driver" => match value {
                     Value::Array(list) => list.iter_mut().for_each(|d| self.part(d.as_object_mut().unwrap())),
                     one => self.part(one.as_object_mut().unwrap()),

@@ -5,6 +5,8 @@
 
 mod drawings;
 mod equations;
+mod gears;
+mod kutzbach;
 mod results;
 mod sheet;
 
@@ -13,6 +15,7 @@ use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
+use super::centres;
 use super::composite;
 use super::item::Figure;
 use super::mechanism::Overlay;
@@ -40,6 +43,9 @@ pub const LIST: &[&Entry] = &[
     &drawings::ACCELERATION,
     &equations::ENTRY,
     &results::ENTRY,
+    &centres::ENTRY,
+    &kutzbach::ENTRY,
+    &gears::ENTRY,
     &composite::ENTRY,
 ];
 

@@ -75,10 +75,13 @@ impl Draft<'_> {
             return None;
         }
         let link = &self.scene.links[l.0];
-        let own_guides: Vec<GuideId> = (0..self.scene.guides.len())
-            .map(GuideId)
-            .filter(|g| self.scene.guides[g.0].on == l && self.scene.guides[g.0].rolling.is_none())
-            .collect();
+        // A cam and a flat face are drawn as what they are.
+        if self.is_profile(l) {
+            return None;
+        }
+        let drawn = |g: &GuideId| self.scene.guides[g.0].rolling.is_none() && !self.is_contact(*g);
+        let own_guides: Vec<GuideId> =
+            (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].on == l && drawn(g)).collect();
         // The centre of a slot is no part of the body, unless something is pinned there.
         let centre_only = |p| {
             !self.is_pin(p)

@@ -30,7 +30,9 @@ impl Draft<'_> {
             let id = format!("number-{name}");
             self.d.of_link((l != self.scene.ground.0).then_some(l));
             if l == self.scene.ground.0 {
-                self.ground_number(&id, &name);
+                if self.shows(self.scene.ground) {
+                    self.ground_number(&id, &name);
+                }
                 continue;
             }
             let half = self.style.link.width_mm / 2.0;
@@ -106,7 +108,7 @@ impl Draft<'_> {
     /// Letters of points, away from the links that meet there.
     pub(super) fn letters(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
-            let Some(at) = self.point(p) else { continue };
+            let Some(at) = self.point(p).filter(|_| self.shows_point(p)) else { continue };
             let shown = self.is_fixed_pivot(p)
                 || self.is_pin(p)
                 || self.is_reference(p)

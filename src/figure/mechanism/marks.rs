@@ -36,6 +36,9 @@ impl Draft<'_> {
     pub(super) fn drivers(&mut self) {
         let mut centres: Vec<Point> = Vec::new();
         for k in 0..self.scene.drivers.len() {
+            if !self.shows_driver(k) {
+                continue;
+            }
             let driver = &self.scene.drivers[k];
             match driver.kind {
                 DriverKind::Turn { link, against, .. } => {
@@ -100,7 +103,7 @@ impl Draft<'_> {
             return;
         }
         let radius = match wheel {
-            Some((_, _, rim)) => rim + RIM_OFF_MM + wider_mm,
+            Some((_, _, rim)) => rim + RIM_OFF_MM,
             None => (ROTATION_PART * crank).clamp(ROTATION_MM[0], ROTATION_MM[1]) + wider_mm,
         };
         let outward = if at.distance(centre) <= to.distance(centre) { u } else { -u };

@@ -5,6 +5,8 @@
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
+mod apart;
+mod cams;
 mod composed;
 mod directions;
 mod form;
@@ -17,17 +19,20 @@ mod special;
 mod wheels;
 
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Opened;
 use crate::plan::notation::Notation;
 use crate::position::Path;
 use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use crate::worked::Worked;
 
 use super::drawing::{Drawing, Part};
-use super::item::{Colour, Shape, Stroke};
+use super::item::{Colour, Item, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
 pub use composed::{Composed, SHORTEST_MM, Vector, composed};
 use form::Form;
+
+pub use apart::{Piece, apart};
 pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
@@ -83,6 +88,16 @@ pub fn drawing(style: &Style, scene: &Scene, worked: &Worked, notation: &Notatio
     draft.d
 }
 
+/// The same with its links numbered, and without what belongs to the polygons: special points and directions.
+pub fn numbered(style: &Style, scene: &Scene, worked: &Worked, notation: &Notation) -> Drawing {
+    let alone = Course::default();
+    let mut draft = Draft::new(style, scene, worked, notation, &alone);
+    draft.constructed = false;
+    draft.everything();
+    draft.numbers();
+    draft.d
+}
+
 /// The diagram in the making.
 struct Draft<'a> {
     style: &'a Style,
@@ -102,6 +117,8 @@ struct Draft<'a> {
     course: &'a Course,
     /// Whether it belongs to a construction: links are numbered, special points and directions named.
     constructed: bool,
+    /// What is shown of a mechanism that is drawn apart; `None`: all of it.
+    only: Option<apart::Only>,
 }
 
 impl<'a> Draft<'a> {
@@ -120,6 +137,7 @@ impl<'a> Draft<'a> {
             hatched,
             course,
             constructed: true,
+            only: None,
         };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft.parted = draft.parted();
@@ -130,12 +148,14 @@ impl<'a> Draft<'a> {
     fn everything(&mut self) {
         self.ground_guides();
         self.wheels();
+        self.cams();
         self.plates(true);
         self.carriers();
         self.blocks();
         self.plates(false);
         self.bars();
         self.cylinders();
+        self.equivalents();
         self.joints();
         self.contacts();
         self.drivers();
@@ -186,6 +206,11 @@ impl<'a> Draft<'a> {
         Some((at, path.tangent_at(at)))
     }
 
+    /// Items of a pair, dashed where it only repeats what the others fix.
+    fn as_opened(&self, what: Opened, items: Vec<Item>) -> Vec<Item> {
+        if self.worked.mechanism.is_opened(&what) { sym::dashed(items) } else { items }
+    }
+
     fn is_pin(&self, p: PointId) -> bool {
         self.worked.mechanism.pins.contains(&p)
     }
@@ -198,7 +223,7 @@ impl<'a> Draft<'a> {
     fn is_fixed_pivot(&self, p: PointId) -> bool {
         let cylinder_end = |k: &DriverKind| matches!(k, DriverKind::Cylinder { a, b, .. } if *a == p || *b == p);
         let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || self.scene.drivers.iter().any(|d| cylinder_end(&d.kind));
-        self.on_ground(p) && joined
+        self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
     /// Whether a point of the ground is named by a guide: then it is shown as a dot.
@@ -282,7 +307,7 @@ impl<'a> Draft<'a> {
             if plate.is_empty() || with_guides != self.scene.guides.iter().any(|g| g.on.0 == l) {
                 continue;
             }
-            let items = sym::plate(self.style, plate);
+            let items = self.as_opened(Opened::Link(LinkId(l)), sym::plate(self.style, plate));
             self.d.of_link(Some(l));
             self.d.draw(&self.link_id(l), "", items);
         }
@@ -298,7 +323,9 @@ impl<'a> Draft<'a> {
                 self.gaps(l, *bar);
                 self.d.of_link(Some(l));
                 let aside = self.aside(LinkId(l), k);
-                self.d.draw(&id, "", sym::link(self.style, &[bar.0 + aside, bar.1 + aside]));
+                let items = sym::link(self.style, &[bar.0 + aside, bar.1 + aside]);
+                let items = self.as_opened(Opened::Link(LinkId(l)), items);
+                self.d.draw(&id, "", items);
             }
             self.d.of_link(Some(l));
             for (corner, one, other) in &form.corners {
@@ -338,7 +365,7 @@ impl<'a> Draft<'a> {
     /// Supports, pins and dots, over everything else.
     fn joints(&mut self) {
         for p in (0..self.scene.points.len()).map(PointId) {
-            let Some(at) = self.point(p) else { continue };
+            let Some(at) = self.point(p).filter(|_| self.shows_point(p)) else { continue };
             let name = self.scene.point_name(p).to_owned();
             if self.is_fixed_pivot(p) {
                 let items = sym::fixed_pivot(self.style, at, self.support_side(p));

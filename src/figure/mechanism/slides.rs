@@ -3,6 +3,7 @@
 use crate::figure::item::{Dash, Shape};
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2, cross_lines};
+use crate::mechanism::Opened;
 use crate::position::Path;
 use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Through};
 
@@ -35,7 +36,7 @@ impl Draft<'_> {
     pub(super) fn ground_guides(&mut self) {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
-            if guide.on != self.scene.ground {
+            if guide.on != self.scene.ground || !self.shows_runner(g) {
                 continue;
             }
             let (pin, slider) = (guide.pin, guide.slider);
@@ -73,8 +74,9 @@ impl Draft<'_> {
         }
         self.hatched[g.0] = Some(-u.perp());
         let [back, on] = self.travel(g);
-        let middle = at + direction * ((back + on) / 2.0);
+        let middle = at + self.raised(g, direction) + direction * ((back + on) / 2.0);
         let items = sym::guide(self.style, middle, u.angle(), GUIDE_MM + on - back, sym::Guide::OneSided);
+        let items = self.as_opened(Opened::Guide(g), items);
         self.d.draw(&format!("guide-{}", self.scene.point_name(p)), "", items);
     }
 
@@ -188,10 +190,17 @@ impl Draft<'_> {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
             let (Some(_), Some(slider)) = (guide.pin, guide.slider) else { continue };
+            if !self.shows(slider) {
+                continue;
+            }
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });
-            let Some((at, tangent)) = self.runner(g) else { continue };
+            let Some((pin, tangent)) = self.runner(g) else { continue };
+            let at = pin + self.raised(g, tangent);
             let items = sym::block(self.style, at, tangent.angle(), through);
             self.d.of_link(Some(slider.0));
+            if at != pin {
+                self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", sym::link(self.style, &[pin, at]));
+            }
             self.d.draw(&format!("link-{}", self.scene.links[slider.0].name), "", items);
             self.number_at[slider.0] = Some(NumberPlace::Around(at, self.hatched[g.0].map(|side| -side)));
         }
@@ -202,6 +211,9 @@ impl Draft<'_> {
     pub(super) fn cylinders(&mut self) {
         for k in 0..self.scene.drivers.len() {
             let DriverKind::Cylinder { a, b, links, .. } = &self.scene.drivers[k].kind else { continue };
+            if !self.shows_driver(k) {
+                continue;
+            }
             let (links, name) = (links.clone(), format!("cylinder-{}{}", self.scene.point_name(*a), self.scene.point_name(*b)));
             let (Some(base), Some(tip)) = (self.point(*a), self.point(*b)) else { continue };
             let length = base.distance(tip);

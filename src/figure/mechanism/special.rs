@@ -1,12 +1,11 @@
-//! The special point of a triad: where the constraint lines of the two legs meet that the drawing uses.
+//! Special points: where two lines meet along which a link is held.
 
 use super::super::item::{Dash, Shape};
 use super::super::symbols as sym;
 use super::Draft;
 use crate::geom::Point;
-use crate::mechanism::Core;
-use crate::plan::Spot;
 use crate::plan::names::{point_label, special_name};
+use crate::plan::{SpecialLine, Spot};
 
 /// A special point further from the mechanism than this part of its size is only told in words: drawn, it would make the
 /// mechanism small.
@@ -17,19 +16,22 @@ impl Draft<'_> {
     pub(super) fn special_points(&mut self) {
         let worked = self.worked;
         for (v, vertex) in worked.plan.vertices.iter().enumerate() {
-            let (Spot::Special { group, legs }, Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
-            let Core::Link { legs: all, .. } = &worked.mechanism.groups[group].core else { continue };
+            let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
             let drawn = worked.construction.velocity.as_ref().is_some_and(|p| p.images[v].is_some());
             if vertex.on.is_some() || !drawn || !self.within_reach(at) {
                 continue;
             }
-            for leg in [&all[legs.0], &all[legs.1]] {
-                if let Some(from) = leg.line().and_then(|line| self.point(line.pin())) {
+            for line in &worked.plan.specials[k].lines {
+                let pin = match *line {
+                    SpecialLine::Leg(line) => line.pin(),
+                    SpecialLine::Through { pin, .. } => pin,
+                };
+                if let Some(from) = self.point(pin) {
                     let shape = Shape::Line { from, to: at, stroke: self.style.thin.dashed(Dash::DashDot) };
                     self.d.shape("constraint-line", "special construction", shape);
                 }
             }
-            let name = point_label(&special_name(self.scene, &worked.plan, group));
+            let name = point_label(&special_name(self.scene, &worked.plan, k));
             self.d.draw("special-point", "special point", sym::dot(self.style, at));
             self.d.label_at("special-point-letter", "special letter", &name, at, self.style.dot_radius_mm, None);
         }

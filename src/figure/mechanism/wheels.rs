@@ -4,11 +4,13 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
-use crate::figure::extent::on_circle;
+use crate::figure::extent::{Rect, on_circle};
 use crate::figure::item::{Dash, Piece, Shape};
+use crate::figure::label::Label;
+use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::scene::{Contours, GuideId, LinkId, Rolling};
+use crate::scene::{Contours, GuideId, LinkId, PointId, Rolling};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -23,33 +25,63 @@ const HATCHED_RAD: f64 = FRAC_PI_4;
 /// A rack goes on so far to either side of the contact.
 const RACK_HALF_MM: f64 = 22.0;
 
+/// A hollow circle that makes the figure more than so many times as large is drawn as an arc, as books do.
+const DWARFS: f64 = 2.0;
+/// Half of that arc, in parts of the rest of the figure: it passes behind all of it.
+const ARC_PART: f64 = 0.6;
+/// Where the number of teeth is written, seen from the middle of the side that is turned away from the contact.
+const TEETH_RAD: [f64; 2] = [0.3, 1.1];
+
 /// One round contour of a pair, on paper.
 struct Round {
     link: LinkId,
     centre: Point,
     radius_mm: f64,
     hollow: bool,
+    teeth: Option<u32>,
 }
 
 impl Draft<'_> {
     /// The round contours of a pair.
     fn rounds(&self, pair: &Rolling) -> Vec<Round> {
         let Some(contact) = self.point(pair.at) else { return Vec::new() };
+        let teeth = pair.flanks.as_ref().map(|f| f.teeth);
         let hollow = match pair.contours {
             Contours::Circles { hollow, .. } => hollow,
             Contours::Track { .. } => None,
         };
         let round = |i: usize| {
             let centre = self.point(pair.centres()[i]?)?;
-            Some(Round { link: pair.links[i], centre, radius_mm: centre.distance(contact), hollow: hollow == Some(i) })
+            let (radius_mm, hollow) = (centre.distance(contact), hollow == Some(i));
+            Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.map(|z| z[i]) })
         };
         [0, 1].into_iter().filter_map(round).collect()
     }
 
-    /// The largest circle about a link's centre that rolls, if it has one: centre and radius.
+    /// The largest circle about a link's centre that rolls, if it has one: centre and radius, of a ring that of its rim.
     pub(super) fn wheel(&self, l: LinkId) -> Option<(Point, f64)> {
-        let all = self.scene.rolling.iter().flat_map(|pair| self.rounds(pair)).filter(|r| r.link == l && !r.hollow);
-        all.map(|r| (r.centre, r.radius_mm)).max_by(|a, b| a.1.total_cmp(&b.1))
+        let of_link = |hollow| move |r: &Round| r.link == l && r.hollow == hollow;
+        let largest = |hollow: bool| {
+            let all = self.scene.rolling.iter().flat_map(|pair| self.rounds(pair)).filter(of_link(hollow));
+            all.max_by(|a, b| a.radius_mm.total_cmp(&b.radius_mm))
+        };
+        let rim = |r: Round| (r.centre, r.radius_mm + RIM_MM);
+        largest(false).map(|r| (r.centre, r.radius_mm)).or_else(|| largest(true).map(rim))
+    }
+
+    /// The angles over which a circle is drawn: all around, or about the contact where it would dwarf the figure.
+    fn span(&self, pair: &Rolling, round: &Round) -> [f64; 2] {
+        let points = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p)));
+        let wheels = self.scene.rolling.iter().flat_map(|p| self.rounds(p)).filter(|r| !r.hollow);
+        let boxes = points.map(|p| Rect::new(p, p)).chain(wheels.map(|r| Rect::new(r.centre, r.centre).grown(r.radius_mm)));
+        let rest = boxes.reduce(Rect::union).map_or(0.0, |b| b.width_mm().max(b.height_mm()));
+        match self.point(pair.at) {
+            Some(contact) if round.hollow && 2.0 * round.radius_mm > DWARFS * rest => {
+                let (middle, half) = ((contact - round.centre).angle(), ARC_PART * rest / round.radius_mm);
+                [middle - half, middle + half]
+            }
+            Some(_) | None => [0.0, TAU],
+        }
     }
 
     /// All wheels and tracks, behind the links.
@@ -57,7 +89,7 @@ impl Draft<'_> {
         let scene = self.scene;
         let mut drawn: Vec<(LinkId, Point, f64)> = Vec::new();
         for pair in &scene.rolling {
-            for round in self.rounds(pair) {
+            for round in self.rounds(pair).into_iter().filter(|r| self.shows(r.link)).collect::<Vec<_>>() {
                 // The gears of one link about one centre that mesh twice are drawn once.
                 let same = |d: &(LinkId, Point, f64)| {
                     d.0 == round.link && d.1.distance(round.centre) < super::SAME_MM && (d.2 - round.radius_mm).abs() < super::SAME_MM
@@ -70,7 +102,9 @@ impl Draft<'_> {
                     self.hatched_rim(pair, &round);
                 }
             }
-            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide) {
+            if let (Contours::Track { .. }, Some(guide)) = (&pair.contours, pair.guide)
+                && self.shows(pair.links[0])
+            {
                 self.track(pair, guide);
             }
         }
@@ -85,17 +119,24 @@ impl Draft<'_> {
         let stroke = if pair.toothed { self.style.outline.dashed(Dash::DashDot) } else { self.style.outline };
         self.d.of_link(l);
         // A line and no disc: labels may stand inside.
-        let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke };
+        let [from_rad, to_rad] = self.span(pair, round);
+        let circle = |radius_mm, stroke| Shape::Arc { centre: round.centre, radius_mm, from_rad, to_rad, stroke };
         let owner = self.d.shape(&id, class, circle(round.radius_mm, stroke));
         if round.hollow && pair.toothed && !ground {
             self.d.shape(&id, class, circle(round.radius_mm + RIM_MM, self.style.outline));
+        }
+        let contact = self.point(pair.at).unwrap_or(round.centre);
+        let away = (round.centre - contact).unit().unwrap_or(Vec2::new(0.0, 1.0));
+        if let Some(teeth) = round.teeth {
+            let angles = TEETH_RAD.map(|a| away.angle() + a);
+            let text = Label::math(format!("z = {teeth}"));
+            let request = LabelRequest::along_arc(text, self.style.small_mm, round.centre, round.radius_mm, angles, stroke.width_mm / 2.0);
+            self.d.label(&format!("teeth-{}", self.scene.link_name(round.link)), "teeth", request.owned(owner).optional(true));
         }
         self.d.of_link(None);
         // A wheel that is no bar has its number inside its rim, away from the contact.
         let has_bars = self.forms.get(round.link.0).is_some_and(|f| f.as_ref().is_some_and(|f| !f.segments().is_empty()));
         if !ground && !has_bars && self.number_at[round.link.0].is_none() {
-            let contact = self.point(pair.at).unwrap_or(round.centre);
-            let away = (round.centre - contact).unit().unwrap_or(Vec2::new(0.0, 1.0));
             let along = away.rotate_by(Vec2::from_angle(-FRAC_PI_4));
             let (from, to) =
                 (on_circle(round.centre, round.radius_mm, along.angle()), on_circle(round.centre, round.radius_mm, away.angle()));
@@ -138,20 +179,29 @@ impl Draft<'_> {
         }
         self.d.of_link(Some(on.0));
         let half = half.max(RACK_HALF_MM);
-        let (from, to) = (at + direction * (back - half), at + direction * (ahead + half));
+        // It reaches as far as the points of its link, which it holds by a stem where none lies on it.
+        let held: Vec<Point> = self.scene.links[on.0].points.iter().filter_map(|p| self.point(*p)).collect();
+        let foot = |p: &Point| at + direction * (*p - at).dot(direction);
+        let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
+        let [from, to] = reach.map(|s| at + direction * s);
         let owner = self.d.draw(&id, "", sym::link(self.style, &[from, to]));
+        let nearest = held.iter().min_by(|p, q| p.distance(foot(p)).total_cmp(&q.distance(foot(q))));
+        if let Some(p) = nearest.filter(|p| p.distance(foot(p)) > super::SAME_MM) {
+            self.d.draw(&id, "", sym::link(self.style, &[*p, foot(p)]));
+        }
         self.d.of_link(None);
         if self.number_at[on.0].is_none() && self.forms[on.0].is_none() {
             self.number_at[on.0] = Some(NumberPlace::Along(from, at, owner));
         }
     }
 
-    /// Crosses at the contacts.
+    /// Crosses at the contacts, their arms between the normal and the tangent: along either they would be hidden by bars and contours.
     pub(super) fn contacts(&mut self) {
         let scene = self.scene;
         for pair in &scene.rolling {
             let Some(at) = self.point(pair.at) else { continue };
-            let arm = |k: f64| Vec2::from_angle(FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
+            let normal = self.rounds(pair).first().map_or(0.0, |r| (at - r.centre).angle());
+            let arm = |k: f64| Vec2::from_angle(normal + FRAC_PI_4 + FRAC_PI_2 * k) * CROSS_MM;
             let pieces = vec![Piece::Line(at - arm(0.0)), Piece::Move(at + arm(1.0)), Piece::Line(at - arm(1.0))];
             let shape = Shape::Path { start: at + arm(0.0), pieces, closed: false, stroke: Some(self.style.outline), fill: None };
             self.d.shape(&format!("contact-{}", scene.point_name(pair.at)), "contact", shape);

@@ -108,6 +108,7 @@ impl Draft<'_> {
         let centre = lo + size * 0.5;
         let mut inset = Inset { arrows, centre, radius_mm: size.norm() / 2.0 + AIR_MM / times, mu, times, at: centre };
         let mut all: Vec<Point> = self.arrows.iter().flat_map(|a| [a.from, a.to]).collect();
+        all.extend(self.image_circles().iter().flat_map(|c| c.corners()));
         for i in before {
             all.extend([Vec2::new(1.0, 1.0), Vec2::new(-1.0, -1.0)].map(|u| i.at + u * i.outer_mm()));
         }

@@ -1,10 +1,11 @@
 //! A velocity or acceleration polygon, from the drawing board's actions to ink.
 //!
 //! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
-//! what is too small for its names.) The places are
+//! what is too small for its names, [`circles`] are the images of what rolls.) The places are
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
 
+mod circles;
 mod inset;
 mod marks;
 
@@ -242,7 +243,7 @@ impl Draft<'_> {
         }
         self.letter(at, self.w.image(self.p.level, v), step);
         // The special point belongs to the construction: its vector answers nothing.
-        if matches!(vertex.spot, Spot::Special { .. }) {
+        if matches!(vertex.spot, Spot::Special(_)) {
             return;
         }
         let symbol = self.w.vector(self.p.level, v);
@@ -277,6 +278,7 @@ impl Draft<'_> {
         for (from, to, step) in &self.lines {
             d.shape("line", &format!("construction step-{step}"), Shape::Line { from: *from, to: *to, stroke: style.thin });
         }
+        self.circles(&mut d, style);
         let mut drawn: Vec<(Point, Point)> = self.arrows.iter().map(|a| (a.from, a.to)).collect();
         for ([a, b, c], step) in &self.copies {
             let corners = [*a, *b, *c].map(|v| self.p.images[v.0]);

@@ -97,7 +97,7 @@ pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted
     if rows.len() < wanted.count {
         notes.push(Diagnostic::note("poses", both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count)));
     }
-    if scene.drivers.len() > 1 {
+    if scene.own_drivers() > 1 {
         let text = both!(
             "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
             "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"

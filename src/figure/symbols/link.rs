@@ -1,6 +1,6 @@
 //! Links: bars, plates, and the mark of a rigid corner.
 
-use crate::figure::item::{Colour, Item, Shape};
+use crate::figure::item::{Cap, Colour, Dash, Item, Shape, Stroke};
 use crate::figure::style::Style;
 use crate::geom::Point;
 
@@ -11,6 +11,22 @@ pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {
         _ => Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(style.link), fill: None },
     };
     vec![Item::new("link", shape)]
+}
+
+/// The same drawn dashed: what is there and only repeats what others fix.
+pub fn dashed(items: Vec<Item>) -> Vec<Item> {
+    let dashed = |stroke: Stroke| Stroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
+    let change = |shape| match shape {
+        Shape::Line { from, to, stroke } => Shape::Line { from, to, stroke: dashed(stroke) },
+        Shape::Polyline { points, closed, stroke, fill } => Shape::Polyline { points, closed, stroke: stroke.map(dashed), fill },
+        other @ (Shape::Path { .. }
+        | Shape::Circle { .. }
+        | Shape::Arc { .. }
+        | Shape::Arrow { .. }
+        | Shape::ArcArrow { .. }
+        | Shape::Label { .. }) => other,
+    };
+    items.into_iter().map(|item| Item { shape: change(item.shape), ..item }).collect()
 }
 
 /// A link with three or more joints: a plate, light grey inside.

@@ -11,7 +11,7 @@ mod mark;
 mod slide;
 
 pub use joint::{dot, fixed_pivot, ground_line, pin};
-pub use link::{link, plate, weld};
+pub use link::{dashed, link, plate, weld};
 pub use mark::{angle, dimension, dimension_line, rotation, scale_bar};
 pub use slide::{Guide, block, cylinder, guide, slot, slot_arc};
 

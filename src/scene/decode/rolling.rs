@@ -2,7 +2,7 @@
 
 use super::super::keys;
 use super::super::raw::*;
-use super::{quantity, words};
+use super::{quantity, through, words};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::json::fields::{Fields, list, word};
 use crate::json::{Kind, Node, Word};
@@ -17,8 +17,11 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let (ring, rack, line, at) = (name("ring"), name("rack"), name("line"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (module, angle, phase) = (value("module"), value("angle"), value("phase"));
+    let (pressure_angle, addendum, clearance) = (value("pressure_angle"), value("addendum"), value("clearance"));
     let mut values = |key: &str| f.get(key).map(|n| quantities(n, key, faults));
-    let (radii, teeth) = (values("radii"), values("teeth"));
+    let (radii, teeth, shift) = (values("radii"), values("teeth"), values("shift"));
+    let through = through(&f, faults);
+    let flanks = RawFlanks { pressure_angle, shift, addendum, clearance };
     if faults.list.len() > before {
         return None;
     }
@@ -41,32 +44,39 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
         }
     };
     let [a, b] = &links[..] else {
-        fault(Diagnostic::error("wrong-count", both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件")));
+        let d = Diagnostic::error("wrong-count", both!("\"links\" of a gear pair names two links", "齿轮副的 \"links\" 须写两个构件"));
+        fault(d.help(both!(
+            "write \"links\": [\"2\", \"4\"]; three gears in mesh are two pairs",
+            "请写 \"links\": [\"2\", \"4\"]；三个齿轮相啮合是两个齿轮副"
+        )));
         return None;
     };
     let among = |w: &Option<Word>| w.as_ref().map(|w| links.iter().position(|l| l.text == w.text));
     let (hollow, flat) = (among(&ring), among(&rack));
-    if let (Some(None), Some(w)) | (_, Some(w)) = (hollow, ring.as_ref())
-        && hollow == Some(None)
-    {
-        let d =
-            Diagnostic::error("unknown-link", both!("the ring `{}` is not one of the two links", "内齿轮 `{}` 不是这两个构件之一", w.text));
-        faults.push(d.at(w.span));
-        return None;
+    for (given, place, what) in [(&ring, hollow, both!("the ring", "内齿轮")), (&rack, flat, both!("the rack", "齿条"))] {
+        if let (Some(word), Some(None)) = (given, place) {
+            let message = both!("{} `{}` is not one of the two links", "{} `{}` 不是这两个构件之一", what, word.text);
+            let names = both!("they are {}, {}", "它们是 {}、{}", a.text, b.text);
+            faults.push(Diagnostic::error("unknown-link", message).at(word.span).help(names));
+            return None;
+        }
     }
-    if let Some(w) = rack.as_ref()
-        && flat == Some(None)
-    {
-        let d =
-            Diagnostic::error("unknown-link", both!("the rack `{}` is not one of the two links", "齿条 `{}` 不是这两个构件之一", w.text));
-        faults.push(d.at(w.span));
+    if let (Some(word), Some(_)) = (&ring, &rack) {
+        let d = Diagnostic::error(
+            "ring-and-rack",
+            both!("a gear pair has both a `ring` and a `rack`", "齿轮副同时写了内齿轮 `ring` 和齿条 `rack`"),
+        );
+        faults.push(
+            d.at(word.span).help(both!("a gear runs inside a ring, or on a rack: keep one", "齿轮或在内齿轮中，或在齿条上：请只保留其一")),
+        );
         return None;
     }
     let sides = match (flat.flatten(), &centres[..]) {
         (Some(i), [c]) => [side(&links[i], None, false), side(&links[1 - i], Some(c), false)],
         (None, [c, d]) => [side(a, Some(c), hollow.flatten() == Some(0)), side(b, Some(d), hollow.flatten() == Some(1))],
         (Some(_), _) => {
-            fault(Diagnostic::error("wrong-count", both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心")));
+            let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one centre", "齿轮齿条副只有一个圆心"));
+            fault(d.help(both!("write \"centres\": [\"C\"], the centre of the gear", "请写 \"centres\": [\"C\"]，即齿轮的圆心")));
             return None;
         }
         (None, _) => {
@@ -78,7 +88,7 @@ pub(super) fn gear(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
             return None;
         }
     };
-    Some(RawRolling { sides, sizes, toothed: true, line, angle, at, phase, span: node.span })
+    Some(RawRolling { sides, sizes, toothed: true, line, through, angle, at, phase, flanks, span: node.span })
 }
 
 /// A wheel that rolls without slip on a straight or round track.
@@ -92,6 +102,7 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     let (on, line, track, at) = (name("on"), name("line"), name("track"), name("at"));
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, track_radius, phase) = (value("angle"), value("track_radius"), value("phase"));
+    let through = through(&f, faults);
     let inside = f.get("inside").map(|n| match n.kind {
         Kind::Bool(inside) => inside,
         Kind::Text(_) | Kind::Number(_) | Kind::Null | Kind::Array(_) | Kind::Object(_) => {
@@ -133,7 +144,18 @@ pub(super) fn wheel(node: &Node, faults: &mut Faults) -> Option<RawRolling> {
     }
     let of_track = RawRollingSide { link: on, centre: track, hollow: inside == Some(true) };
     let sides = [of_track, RawRollingSide { link: Some(link), centre: Some(centre), hollow: false }];
-    Some(RawRolling { sides, sizes: RawSizes::Radii(radii), toothed: false, line, angle, at, phase, span: node.span })
+    Some(RawRolling {
+        sides,
+        sizes: RawSizes::Radii(radii),
+        toothed: false,
+        line,
+        through,
+        angle,
+        at,
+        phase,
+        flanks: RawFlanks::default(),
+        span: node.span,
+    })
 }
 
 fn side(link: &Word, centre: Option<&Word>, hollow: bool) -> RawRollingSide {

@@ -94,12 +94,15 @@ pub struct Entry {
     pub over: Over,
     /// Whether it is counted from a place or direction that was chosen: its size says nothing, and an error relative to it neither.
     pub from_origin: bool,
-    name: [&'static str; 2],
-    several: Option<[&'static str; 2]>,
+    /// In English, in Chinese.
+    pub(super) name: [&'static str; 2],
+    /// The same of several.
+    pub(super) several: Option<[&'static str; 2]>,
 }
 
 impl Entry {
-    /// A line of the table; its level is that of its kind, and its letter its symbol. `name`: in English, in Chinese.
+    /// A line of the table; its level is that of its kind, and its letter its symbol, where the family does not say otherwise. `name`: in
+    /// English, in Chinese.
     pub(super) const fn new(symbol: &'static str, example: &'static str, kind: Kind, form: Form, name: [&'static str; 2]) -> Entry {
         let level = kind.level();
         Entry {
@@ -124,6 +127,11 @@ impl Entry {
     /// With the name of several of its quantities whose symbols say of what they are.
     pub(super) const fn several_are(self, several: [&'static str; 2]) -> Entry {
         Entry { several: Some(several), ..self }
+    }
+
+    /// As deep as this, where its kind alone does not say it.
+    pub(super) const fn at_level(self, level: Level) -> Entry {
+        Entry { level, ..self }
     }
 
     /// Counted from a chosen place or direction.

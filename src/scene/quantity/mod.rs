@@ -8,6 +8,8 @@
 //! The drawing board, the loop equations and the sweep each have ways of their own to answer; they go by the [`Meaning`] of a question.
 //! One without it is reckoned by its own formula ([`Asked::value`]) from places, vectors and angular velocities.
 
+mod cam;
+mod centre;
 pub mod composite;
 mod entry;
 mod frame;
@@ -24,6 +26,8 @@ mod tests;
 mod turning;
 mod value;
 
+pub use cam::CamQuantity;
+pub use centre::InstantCentre;
 pub use composite::Composite;
 pub use entry::{Entry, Form, Of, Over};
 pub(crate) use frame::owns;
@@ -154,6 +158,10 @@ families! {
     Turning,
     /// `x_E`, `phi_3`, `l_AB`: where things are.
     Place,
+    /// `s_3`, `pressure_3`, `rho_2/3`: of a cam and its follower.
+    CamQuantity,
+    /// `P_24`: the instantaneous centre of two links.
+    InstantCentre,
 }
 
 impl Asked {

@@ -3,14 +3,17 @@
 use super::guides::Numbered;
 use super::*;
 
-pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> Vec<Driver> {
+pub(super) fn drivers(c: &Context, guides: &[Numbered], rolling: &rolling::Resolved, faults: &mut Faults) -> Vec<Driver> {
     let mut out: Vec<Driver> = Vec::new();
     for raw in &c.raw.drivers {
         let (rate, acceleration) = match raw.kind {
             RawDriverKind::Turn { .. } => (Wanted::Omega, Wanted::Alpha),
             _ => (Wanted::Velocity, Wanted::Acceleration),
         };
-        let rate = raw.rate.as_ref().and_then(|q| c.values.si(q, rate, faults));
+        let rate = match &raw.rate {
+            Some(q) => c.values.si(q, rate, faults),
+            None => c.raw.topology.then(|| zero(raw.span)),
+        };
         let acceleration = match &raw.acceleration {
             Some(q) => c.values.si(q, acceleration, faults).map(Some),
             None => Some(None),
@@ -19,7 +22,7 @@ pub(super) fn drivers(c: &Context, guides: &[Numbered], faults: &mut Faults) -> 
             RawDriverKind::Turn { link, against, line, against_line, angle } => {
                 turn(c, raw, guides, (link, against), [line, against_line], angle, faults)
             }
-            RawDriverKind::Slide { slide, position } => self::slide(c, guides, slide, position, faults),
+            RawDriverKind::Slide { slide, position } => self::slide(c, (guides, rolling), slide, position, faults),
             RawDriverKind::Cylinder { ends, length, links } => cylinder(c, ends, length, links, faults),
         };
         let (Some(kind), Some(rate), Some(acceleration)) = (kind, rate, acceleration) else { continue };
@@ -136,7 +139,13 @@ fn guided(
 /// Two texts of one angle may differ by the rounding of what a person types (nine digits).
 const ONE_ANGLE: f64 = 1e-9;
 
-fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQuantity>, faults: &mut Faults) -> Option<DriverKind> {
+fn slide(
+    c: &Context,
+    (guides, rolling): (&[Numbered], &rolling::Resolved),
+    word: &Word,
+    position: &Option<RawQuantity>,
+    faults: &mut Faults,
+) -> Option<DriverKind> {
     let position = match position {
         Some(q) => Some(c.values.si(q, Wanted::Length, faults)?),
         None => None,
@@ -147,10 +156,18 @@ fn slide(c: &Context, guides: &[Numbered], word: &Word, position: &Option<RawQua
         // A guide that has been left out for its own fault is not missed here.
         [one] => guides.iter().position(|(_, i)| i == one).map(|i| DriverKind::Slide { guide: GuideId(i), position }),
         [] => {
-            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().map(|w| w.text.as_str());
+            // The centre of a wheel runs along its track.
+            let wheel =
+                |g: &Guide| g.pin.is_some_and(|p| c.point_name(p) == word.text) && g.rolling.is_some_and(|r| !rolling.rolling[r.0].toothed);
+            if let Some(i) = rolling.guides.iter().position(wheel) {
+                return Some(DriverKind::Slide { guide: GuideId(guides.len() + i), position });
+            }
+            let wheels = c.raw.rolling.iter().filter(|p| !p.toothed).filter_map(|p| p.sides[1].centre.as_ref());
+            let runners = c.raw.guides.iter().flat_map(|g| [&g.pin, &g.slider]).flatten().chain(wheels).map(|w| w.text.as_str());
+            let nothing = runners.clone().next().is_none();
             let d = Diagnostic::error("driver", both!("no guide has a pin or slider `{}`", "没有导路以 `{}` 为销或滑块", word.text))
                 .at(word.span);
-            faults.push(if c.raw.guides.is_empty() {
+            faults.push(if nothing {
                 d.help(both!("add \"guides\"", "请加上 \"guides\""))
             } else {
                 d.help(suggest(&word.text, runners, both!("there are", "有")))

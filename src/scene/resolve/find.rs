@@ -1,13 +1,13 @@
 //! The section `find`: what is asked.
 
 use super::*;
-use crate::scene::quantity::{self, Asked, Entry, Frame, PointMotion, Rate, Turning};
+use crate::scene::quantity::{self, Asked, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
     let Some(words) = &c.raw.find else { return everything(c) };
     for word in words {
-        let Some(what) = note(asked(c, word), faults) else { continue };
+        let Some(what) = note(asked(c, word).and_then(|what| of_links(c, word, what)), faults) else { continue };
         if out.iter().any(|f| f.text == word.text) {
             let d = Diagnostic::warning("given-twice", both!("`{}` is asked twice", "`{}` 求了两次", word.text)).at(word.span);
             faults.push(d.help(both!("ask once", "请只求一次")));
@@ -16,6 +16,30 @@ pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
         out.push(Find { what, text: word.text.clone(), span: word.span });
     }
     out
+}
+
+/// A point of contact is on no link: what moves there is a point of one of the links.
+fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> {
+    let moving = match what.of() {
+        // It has a place all the same.
+        _ if what.entry().level == Level::Position => Vec::new(),
+        Of::Point(p) => vec![p],
+        Of::Points(p, q) => vec![p, q],
+        Of::Seen(p, Frame::Point(q)) => vec![p, q],
+        Of::Seen(p, Frame::Link(_)) => vec![p],
+        Of::Line(..) | Of::Link(_) | Of::Links(..) => Vec::new(),
+    };
+    let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.contacts.contains(&p.point)) else { return Ok(what) };
+    let name = c.point_name(contact.point);
+    let message = both!("`{}`: {name} is a point of contact, not a point of a link", "`{}`：{name} 是接触点，不是构件上的点", word.text);
+    let sides = c.raw.rolling.iter().zip(c.contacts).filter(|(_, at)| **at == contact.point).flat_map(|(pair, _)| &pair.sides);
+    let of = |side: &RawRollingSide| c.names.run(name, side.link.as_ref().map_or(c.link_name(c.ground), |w| &w.text));
+    let names: Vec<Both> = sides.map(of).map(Both::same).collect();
+    Err(Diagnostic::error("find", message).at(word.span).help(both!(
+        "name the link whose point is meant: {}",
+        "请写明是哪个构件上的点：{}",
+        Both::join(&names, " or ", " 或 ")
+    )))
 }
 
 /// A scene that asks nothing in particular wants it all: every moving point's v and a, every moving link's ω and α.
@@ -128,6 +152,38 @@ impl Question<'_> {
     /// A name that is no link's.
     pub fn link(&self, name: &str) -> Result<LinkId, Diagnostic> {
         self.c.names.link_in(name, self.word)
+    }
+
+    /// Two different links, their names one after the other: `24`, `2,10`, `2/4`.
+    ///
+    /// # Errors
+    /// Names that are no two links, that could be read in two ways, or twice the same.
+    pub fn two_links(&self) -> Result<[LinkId; 2], Diagnostic> {
+        let names = self.names;
+        if let Some((a, b)) = names.split_once([',', '/']) {
+            return self.different([self.link(a.trim())?, self.link(b.trim())?]);
+        }
+        let cuts = names.char_indices().skip(1).map(|(k, _)| names.split_at(k));
+        let found: Vec<[LinkId; 2]> = cuts.filter_map(|(a, b)| Some([self.link(a).ok()?, self.link(b).ok()?])).collect();
+        match found[..] {
+            [links] => self.different(links),
+            _ => {
+                let d = self.fault(both!("`{}` does not name two links", "`{}` 没有写明两个构件", self.text()));
+                Err(d.help(both!("write the two names with a comma, such as {}_1,3", "请用逗号隔开两个构件名，如 {}_1,3", self.symbol)))
+            }
+        }
+    }
+
+    fn different(&self, links: [LinkId; 2]) -> Result<[LinkId; 2], Diagnostic> {
+        if links[0] == links[1] {
+            return Err(self.fault(both!("`{}` names one link twice", "`{}` 两次写了同一构件", self.text())));
+        }
+        Ok(links)
+    }
+
+    /// The first point of a link.
+    pub fn first_point(&self, link: LinkId) -> Option<PointId> {
+        self.c.names.links[link.0].points.first().copied()
     }
 
     /// Two different points.

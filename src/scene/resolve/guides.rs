@@ -141,6 +141,10 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
         (None, Some(angle)) => Direction::Instant(angle),
+        // Whatever it is, the pairs are the same.
+        (None, None) if c.raw.topology => {
+            Direction::Instant(Given { value: Angle::Deg(0.0), radius: 0.0, text: "0 deg".into(), span: raw.span })
+        }
         (None, None) => own(c, raw, on, pin, &through, places, faults)?,
     };
     let through = through.unwrap_or(match &direction {
@@ -150,7 +154,7 @@ fn line(c: &Context, raw: &RawGuide, on: LinkId, pin: Option<PointId>, places: &
     Some(GuidePath::Line { through, direction, offset })
 }
 
-fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
+pub(super) fn through(c: &Context, on: LinkId, raw: &RawThrough, faults: &mut Faults) -> Option<Through> {
     match raw {
         RawThrough::At(xy, span) => {
             let xy = c.values.two_lengths(xy, faults);

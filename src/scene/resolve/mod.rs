@@ -8,6 +8,7 @@ mod composite;
 mod declare;
 mod drivers;
 mod find;
+mod free;
 mod guides;
 mod lengths;
 mod paper;
@@ -15,6 +16,7 @@ mod places;
 mod rolling;
 mod statement;
 
+use super::cams::expand;
 use super::model::*;
 use super::names::Names;
 use super::raw::*;
@@ -106,7 +108,7 @@ fn zero(span: Span) -> Given {
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.
 pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     let mut found = Faults::default();
-    let scene = sections(raw, source, &mut found);
+    let scene = with_cams(raw, source, &mut found);
     if !raw.links_sound {
         found.list.retain(|d| !matches!(d.code, "unknown-point" | "unknown-link" | "not-on-link" | "no-points" | "too-few-links"));
     }
@@ -114,6 +116,29 @@ pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Opti
     let broken = faults.has_errors() || found.has_errors();
     faults.list.extend(found.list.into_iter().filter(|d| !broken || d.code != "unused-parameter"));
     scene
+}
+
+/// The sections of a scene whose cams have been written as other pairs; without cams those of the scene itself.
+fn with_cams(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
+    if raw.cams.is_empty() {
+        return sections(raw, source, faults);
+    }
+    let marked = expand::marked(raw);
+    // What is wrong besides the cams is told when all is read.
+    let Some(bare) = sections(&marked, source, &mut Faults::default()) else { return sections(&marked, source, faults) };
+    let expanded = expand::expand(marked, source, &bare, faults);
+    let broken = faults.has_errors();
+    let mut rest = Faults::default();
+    let scene = sections(&expanded.raw, source, &mut rest);
+    // A parameter of a piece that is not touched is used all the same.
+    let unused = |d: &Diagnostic| {
+        let named = raw.parameters.iter().find(|(name, _)| d.span == Some(name.span));
+        d.code == "unused-parameter" && named.is_some_and(|(name, _)| expanded.used.contains(&name.text))
+    };
+    faults.list.extend(rest.list.into_iter().filter(|d| !unused(d)));
+    let mut scene = scene.filter(|_| !broken)?;
+    scene.cams = expanded.cams(&scene);
+    Some(scene)
 }
 
 fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
@@ -124,15 +149,22 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         let context = Context { raw, values: &values, names: Names::new(points, links), ground: ground.unwrap_or(LinkId(0)), contacts };
         // Without a ground every guide and driver would be judged against the wrong link; the rest can still be read.
         let mut lengths = lengths::lengths(&context, faults);
-        let places = places::places(&context, *ground, &lengths, faults);
+        let mut places = places::places(&context, *ground, &lengths, faults);
         let sketch = places::sketch(&context, faults);
         let sides = places::sides(&context, faults);
         let guides = ground.map(|_| guides::guides(&context, &places, faults));
-        let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, faults));
         let first_guide = guides.as_ref().map_or(0, Vec::len);
-        let rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
-        lengths.extend(rolling.lengths);
+        let mut rolling = rolling::rolling(&context, &places, &lengths, first_guide, faults);
+        if let Some(ground) = *ground {
+            // The radii of two gears on fixed axes are a length between the pivots.
+            places::pivots(&context, ground, &rolling.lengths, &mut places);
+        }
+        let drivers = guides.as_ref().map(|g| drivers::drivers(&context, g, &rolling, faults));
         let find = ground.map(|_| find::find(&context, faults));
+        if let (Some(drivers), Some(find)) = (&drivers, &find) {
+            free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);
+        }
+        lengths.extend(rolling.lengths);
         let composite = composite::composite(&context, faults);
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
@@ -149,6 +181,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             links: links.clone(),
             ground: (*ground)?,
             guides: guides?.into_iter().map(|g| g.0).chain(rolling.guides).collect(),
+            cams: Vec::new(),
             rolling: rolling.rolling,
             lengths,
             drivers: drivers?,

@@ -104,7 +104,7 @@ fn circular(c: &Context, places: &mut [Place], faults: &mut Faults) {
 
 /// Ground pivots without coordinates: two with a length between them lie on the x axis, the first at the origin; a single
 /// one lies at the origin. Where any point has coordinates the frame of the plane is given already.
-fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [Place]) {
+pub(super) fn pivots(c: &Context, ground: LinkId, lengths: &[Length], places: &mut [Place]) {
     if places.iter().any(|p| matches!(p, Place::At(_))) {
         return;
     }

@@ -1,6 +1,6 @@
 //! The sections `gears` and `rolling`: rolling pairs, the guides that keep them in touch, and the distances of their centres.
 
-use super::super::rolling::{Contours, Rolling, RollingId, Sizes};
+use super::super::rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
 use super::*;
 
 /// Most teeth of a gear: more are a mistyped number.
@@ -68,7 +68,20 @@ fn pair(
         );
         faults.push(Diagnostic::error("contact-point", message).at(raw.at.as_ref().map_or(raw.span, |w| w.span)).help(help));
     }
+    let flanks = flanks(c, raw, faults);
     let phase = transpose(phase)?;
+    if let Some(q) = &raw.phase
+        && [a, b].iter().all(|side| stands(c, side.link, places))
+    {
+        let message = both!(
+            "`phase` is given, but coordinates or a driver say how both wheels stand",
+            "给了 `phase`，而坐标或原动件已确定两轮的位置"
+        );
+        let d = Diagnostic::error("phase", message).at(q.span);
+        faults
+            .push(d.help(both!("leave the phase away, or what says how one of them stands", "请去掉 phase，或去掉确定其中一轮位置的数据")));
+        return None;
+    }
     let id = RollingId(out.rolling.len());
     let wheel = b.centre?;
     let (contours, path) = match a.centre {
@@ -83,7 +96,17 @@ fn pair(
         out.guides.push(Guide { pin: Some(wheel), slider: None, on: a.link, path, rolling: Some(id), span: raw.span });
         GuideId(first_guide + out.guides.len() - 1)
     });
-    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, span: raw.span })
+    Some(Rolling { links: [a.link, b.link], contours, at, toothed: raw.toothed, guide, phase, flanks: flanks?, span: raw.span })
+}
+
+/// Whether something other than the phase says how a link stands: it is fixed, coordinates give two of its points, or a driver its angle.
+fn stands(c: &Context, link: LinkId, places: &[Place]) -> bool {
+    let placed = c.names.links[link.0].points.iter().filter(|p| matches!(places[p.0], Place::At(_))).count();
+    let turned = c.raw.drivers.iter().any(|d| match &d.kind {
+        RawDriverKind::Turn { link: word, angle, .. } => word.text == c.link_name(link) && angle.is_some(),
+        RawDriverKind::Slide { .. } | RawDriverKind::Cylinder { .. } => false,
+    });
+    link == c.ground || placed >= 2 || turned
 }
 
 fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> {
@@ -119,15 +142,14 @@ fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &
         RawSizes::Radii(radii) => match &radii[..] {
             [r] => c.values.positive_length(r, both!("the radius of the wheel", "轮的半径"), faults),
             _ => {
-                faults.push(
-                    Diagnostic::error("wrong-count", both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径")).at(raw.span),
-                );
+                let d = Diagnostic::error("wrong-count", both!("a gear on a rack has one radius", "齿轮齿条副只有一个半径"));
+                faults.push(d.at(raw.span).help(both!("a rack has none: write that of the gear", "齿条没有半径：请写齿轮的半径")));
                 None
             }
         },
         RawSizes::Teeth(teeth, module) => match (&teeth[..], module) {
             ([z], Some(module)) => {
-                let (z, module) = (whole(z, faults)?, c.values.positive_length(module, both!("the module", "模数"), faults)?);
+                let (z, module) = (whole(c, z, faults)?, c.values.positive_length(module, both!("the module", "模数"), faults)?);
                 let text = format!("({})*{z}/2", module.text);
                 Some(Given {
                     value: module.value * f64::from(z) / 2.0,
@@ -149,6 +171,14 @@ fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &
             }
         },
     };
+    if let Some(q) = &raw.phase {
+        let message = both!("a straight track has no `phase`", "直线轨道没有 `phase`");
+        let d = Diagnostic::error("phase", message).at(q.span);
+        faults.push(
+            d.help(both!("leave it away; coordinates of two points of the wheel say how it stands", "请去掉；轮上两点的坐标可说明其位置")),
+        );
+        return None;
+    }
     let (ends, angle, radius) = (transpose(ends)?, transpose(angle)?, radius?);
     let direction = match (ends, angle) {
         (Some((a, b)), turned) => Direction::Along(a, b, turned),
@@ -165,29 +195,40 @@ fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &
             return None;
         }
     };
-    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through: Through::Pin, direction, offset: None }))
+    // The wheel's centre runs beside the track, at the distance of its radius.
+    let (through, offset) = match &raw.through {
+        Some(given) => (guides::through(c, on, given, faults)?, Some(radius.clone())),
+        None => (Through::Pin, None),
+    };
+    Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
 }
 
 /// Two circles: the second centre runs on a circle about the first.
 fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faults) -> Option<(Contours, GuidePath)> {
-    for (key, given) in [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span))] {
+    let through = raw.through.as_ref().map(|t| match t {
+        RawThrough::At(_, span) => *span,
+        RawThrough::Point(word) => word.span,
+    });
+    let of_a_line = [("line", raw.line.as_ref().map(|w| w.span)), ("angle", raw.angle.as_ref().map(|q| q.span)), ("through", through)];
+    for (key, given) in of_a_line {
         if let Some(span) = given {
             let message = both!("two circles have no `{key}`", "两圆相切没有 `{key}`");
-            faults.push(
-                Diagnostic::error("rolling", message)
-                    .at(span)
-                    .help(both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")),
-            );
+            faults.push(Diagnostic::error("rolling", message).at(span).help(if raw.toothed {
+                both!("leave it away, or name the \"rack\"", "请去掉，或写明 \"rack\"")
+            } else {
+                both!("leave it away, or the \"track\" if it is straight", "请去掉；若轨道是直线，请去掉 \"track\"")
+            }));
         }
     }
     let hollow = raw.sides.iter().position(|s| s.hollow);
     let (sizes, radius) = match &raw.sizes {
         RawSizes::Radii(radii) => {
             let [a, b] = &radii[..] else {
-                faults.push(Diagnostic::error("wrong-count", both!("two circles have two radii", "两圆须有两个半径")).at(raw.span));
+                let d = Diagnostic::error("wrong-count", both!("two gears have two pitch radii", "两齿轮须有两个节圆半径")).at(raw.span);
+                faults.push(d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")));
                 return None;
             };
-            let what = || both!("a pitch radius", "节圆半径");
+            let what = || if raw.toothed { both!("a pitch radius", "节圆半径") } else { both!("a radius", "半径") };
             let (a, b) = (c.values.positive_length(a, what(), faults), c.values.positive_length(b, what(), faults));
             let (a, b) = (a?, b?);
             larger(c, raw, hollow, [a.value, b.value], faults)?;
@@ -196,16 +237,17 @@ fn round(c: &Context, raw: &RawRolling, centres: [PointId; 2], faults: &mut Faul
         }
         RawSizes::Teeth(teeth, module) => {
             let [a, b] = &teeth[..] else {
-                faults.push(
-                    Diagnostic::error("wrong-count", both!("two gears have two numbers of teeth", "两齿轮须有两个齿数")).at(raw.span),
-                );
+                let d = Diagnostic::error("wrong-count", both!("two gears have two numbers of teeth", "两齿轮须有两个齿数")).at(raw.span);
+                faults.push(d.help(both!("write them in the order of the centres", "请按圆心的顺序写出")));
                 return None;
             };
-            let (za, zb) = (whole(a, faults), whole(b, faults));
+            let (za, zb) = (whole(c, a, faults), whole(c, b, faults));
             let (za, zb) = (za?, zb?);
             larger(c, raw, hollow, [f64::from(za), f64::from(zb)], faults)?;
             match module {
                 None => (Sizes::Teeth([za, zb]), None),
+                // Shifted gears run at the distance that their centres have.
+                Some(_) if raw.flanks.shift.is_some() => (Sizes::Teeth([za, zb]), None),
                 Some(module) => {
                     c.values.positive_length(module, both!("the module", "模数"), faults)?;
                     let radius = |z: u32, q: &RawQuantity| {
@@ -265,14 +307,85 @@ fn distance(
     Some(Length { a: p, b: q, value: sum(c, a, b, hollow)? })
 }
 
-/// A number of teeth.
-fn whole(q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
-    match q.text.trim().parse::<u32>() {
-        Ok(z) if (1..=MOST_TEETH).contains(&z) => Some(z),
-        _ => {
-            let d = Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text)).at(q.span);
-            faults.push(d.help(both!("write a whole number from 1 to {MOST_TEETH}", "请写 1 到 {MOST_TEETH} 的整数")));
-            None
+/// Pressure angles beyond this (rad) are mistyped: 20° is usual, 14.5° to 30° are made.
+const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
+
+/// The flanks of two gears; `None` where something about them is wrong, `Some(None)` where nothing is known of them.
+fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<Flanks>> {
+    let RawFlanks { pressure_angle, shift, addendum, clearance } = &raw.flanks;
+    let any = [pressure_angle, addendum, clearance].into_iter().flatten().chain(shift.iter().flatten()).next();
+    let (teeth, module) = match &raw.sizes {
+        RawSizes::Teeth(teeth, module) if raw.sides.iter().all(|s| s.centre.is_some()) && teeth.len() == 2 => (teeth, module),
+        RawSizes::Teeth(..) | RawSizes::Radii(_) => {
+            let Some(first) = any else { return Some(None) };
+            let message =
+                both!("flanks are given of a pair that is not two gears with `teeth`", "给出了齿廓参数，但该副不是给出 `teeth` 的两个齿轮");
+            faults.push(
+                Diagnostic::error("gear-flanks", message)
+                    .at(first.span)
+                    .help(both!("give \"teeth\": [20, 40], or leave the flanks away", "请给出 \"teeth\": [20, 40]，或去掉齿廓参数")),
+            );
+            return None;
         }
+    };
+    let mut wrong = |q: &RawQuantity, what: Both| {
+        faults.push(Diagnostic::error("gear-flanks", what).at(q.span));
+        None::<f64>
+    };
+    let alpha = match pressure_angle {
+        None => Some(20.0_f64.to_radians()),
+        Some(q) => match c.values.angle(q, &mut Faults::default()).map(|a| a.value.radians()) {
+            Some(a) if a > 0.0 && a <= STEEPEST_RAD => Some(a),
+            _ => {
+                wrong(q, both!("`{}` is no pressure angle: above 0, at most 45 deg", "`{}` 不能作压力角：应大于 0 且不超过 45 deg", q.text))
+            }
+        },
+    };
+    let number = |q: &RawQuantity| {
+        // A number has no dimension of its own in the table of units: it is read as so many metres.
+        let text = RawQuantity { text: format!("({})*(1 m)", q.text), span: q.span, bare: false };
+        c.values.si(&text, Wanted::Length, &mut Faults::default()).map(|g| g.value).filter(|x| x.is_finite())
+    };
+    let mut part = |q: &Option<RawQuantity>, usual: f64, least: f64| match q {
+        None => Some(usual),
+        Some(q) => number(q).filter(|x| *x >= least && *x <= 3.0).or_else(|| {
+            wrong(
+                q,
+                both!("`{}` is no part of a module: a number from {least} to 3", "`{}` 不是模数的倍数：应为 {least} 到 3 的数", q.text),
+            )
+        }),
+    };
+    let (addendum, clearance) = (part(addendum, 1.0, 0.1), part(clearance, 0.25, 0.0));
+    let shifts: Vec<Option<f64>> = shift
+        .iter()
+        .flatten()
+        .map(|q| {
+            number(q).filter(|x| x.abs() <= 5.0).or_else(|| {
+                wrong(
+                    q,
+                    both!("`{}` is no profile shift: a number from −5 to 5, in modules", "`{}` 不是变位系数：应为 −5 到 5 的数", q.text),
+                )
+            })
+        })
+        .collect();
+    if shifts.len() > 2 {
+        wrong(&shift.as_ref()?[2], both!("two gears have two profile shifts", "两个齿轮只有两个变位系数"));
     }
+    let teeth: Vec<u32> = teeth.iter().filter_map(|z| z.text.trim().parse().ok()).collect();
+    let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
+    let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
+    let &[a, b] = &teeth[..] else { return Some(None) };
+    let (pressure_angle, addendum, clearance) = (alpha?, addendum?, clearance?);
+    (shifts.len() <= 2).then_some(Some(Flanks { teeth: [a, b], module, pressure_angle, shifts, addendum, clearance }))
+}
+
+/// A number of teeth.
+fn whole(c: &Context, q: &RawQuantity, faults: &mut Faults) -> Option<u32> {
+    let z = c.values.pure_number(q, faults)?;
+    if z.fract() == 0.0 && (1.0..=f64::from(MOST_TEETH)).contains(&z) {
+        return Some(z as u32);
+    }
+    let d = Diagnostic::error("teeth", both!("`{}` is no number of teeth", "`{}` 不是齿数", q.text)).at(q.span);
+    faults.push(d.help(both!("write a whole number from 1 to {MOST_TEETH}", "请写 1 到 {MOST_TEETH} 的整数")));
+    None
 }

@@ -3,7 +3,7 @@
 //! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
 //! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
 //! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
-//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups, [`ask`] the questions.
+//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`ask`] the questions.
 //!
 //! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
 //! Newton's method, position by position.
@@ -11,19 +11,24 @@
 pub(super) mod ask;
 mod place;
 mod rate;
+mod rolling;
+mod triad;
 
 use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::extreme::Output;
 use super::kernel::{Pair, Reg};
 use super::program::{COS, Joint, Op, Program, SIN, Step, VALUE};
+use super::station::driver_positions;
 use super::track::Track;
+use super::train::Train;
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism, Passive};
 use crate::position::kernel::power_of_two_scale;
-use crate::position::{Configuration, Path, newton};
-use crate::scene::{DriverKind, Find, GuideId, LinkId, PointId, Scene};
+use crate::position::{Configuration, Path};
+use crate::scene::{DriverKind, Find, GuideId, LinkId, PointId, RollingId, Scene};
 use rate::Row;
+use rolling::Trains;
 
 /// Why a scene is not compiled: the group that has no kernel.
 pub type NoKernel = Diagnostic;
@@ -115,6 +120,7 @@ pub(super) struct Compiler<'a> {
     /// For each group, up to which level it is done.
     done: Vec<Option<Level>>,
     rows: Vec<Vec<Row>>,
+    trains: Trains,
 }
 
 impl<'a> Compiler<'a> {
@@ -138,6 +144,7 @@ impl<'a> Compiler<'a> {
             slots: vec![None; scene.guides.len()],
             done: vec![None; m.groups.len()],
             rows: vec![Vec::new(); m.groups.len()],
+            trains: Trains::new(Train::of(scene, m, at)),
         };
         let zero = c.zero();
         let still = Pair { x: zero, y: zero };
@@ -169,6 +176,8 @@ impl<'a> Compiler<'a> {
             columns: self.columns,
             joints: self.joints,
             tracks: self.tracks,
+            turns: self.trains.turns,
+            fastest: self.trains.fastest,
             angular: self.driver.is_some_and(|d| matches!(self.scene.drivers[d].kind, DriverKind::Turn { .. })),
         }
     }
@@ -280,6 +289,11 @@ impl<'a> Compiler<'a> {
             if let Some(pair) = self.points[p.0][level as usize] {
                 return Ok(pair);
             }
+        }
+        if let (Level::Position, Some(r)) = (level, self.scene.rolling.iter().position(|r| r.at == p)) {
+            let pair = self.contact(RollingId(r))?;
+            self.points[p.0][0] = Some(pair);
+            return Ok(pair);
         }
         let carrier = self.scene.carriers(p).find(|l| !self.m.is_passive(*l) && self.at.shapes.local(*l, p).is_some());
         let Some((l, local)) = carrier.and_then(|l| Some((l, self.at.shapes.local(l, p)?))) else {
@@ -429,10 +443,10 @@ impl<'a> Compiler<'a> {
                     _ => return self.turning(guide.on, level),
                 }
             }
-            Passive::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => (Spot::Pin(a), Spot::Pin(b)),
-                _ => return Err(self.lost(l)),
-            },
+            Passive::Cylinder(_) | Passive::Held(..) => {
+                let (a, b) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
+                (Spot::Pin(a), Spot::Pin(b))
+            }
         };
         let arm = |c: &mut Self, level| -> Result<Pair, NoKernel> {
             let (from, to) = (c.spot(from, level)?, c.spot(to, level)?);
@@ -453,10 +467,10 @@ impl<'a> Compiler<'a> {
                 Some(pin) => Spot::Pin(pin),
                 None => return Err(self.lost(l)),
             },
-            Some(Passive::Cylinder(d)) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, .. } => Spot::Pin(a),
-                _ => return Err(self.lost(l)),
-            },
+            Some(Passive::Cylinder(_) | Passive::Held(..)) => {
+                let (a, _) = self.m.line_of(self.scene, l).ok_or_else(|| self.lost(l))?;
+                Spot::Pin(a)
+            }
             None => Spot::Own(l),
         };
         let (from, to) = (self.spot(base, Level::Position)?, self.point(p, Level::Position)?);
@@ -497,29 +511,4 @@ impl<'a> Compiler<'a> {
         }
         Ok(self.slots[g.0])
     }
-}
-
-/// The value of each driver in a placed mechanism: the angle that the scene counts (rad, as written where it is written),
-/// the coordinate along the guide, the length of the cylinder (m).
-pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
-    let measured = newton::driver_values(scene, at);
-    scene
-        .drivers
-        .iter()
-        .zip(measured.0)
-        .map(|(driver, measured)| match &driver.kind {
-            DriverKind::Turn { angle: Some(angle), .. } => angle.value.radians(),
-            DriverKind::Turn { link, against, line, against_line, angle: None } => {
-                let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
-                    Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
-                    None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
-                    None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
-                };
-                let turned = of(*link, *line).zip(of(*against, *against_line)).map(|(own, base)| own.divide_by(base).angle());
-                turned.unwrap_or(measured)
-            }
-            DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => x.value,
-            _ => measured,
-        })
-        .collect()
 }

@@ -11,11 +11,10 @@ use crate::sweep::closure::{CircleLine, Circles, Crossing, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{Joint, Op};
 use crate::sweep::reading::{Length, Quotient, Sum};
-use crate::sweep::track::{Held, Track};
 
 /// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
 #[derive(Clone, Copy)]
-enum Locus {
+pub(super) enum Locus {
     Circle { centre: Pair, radius: Reg, now: Point },
     Line { through: Pair, direction: Pair, now: (Point, Vec2) },
 }
@@ -42,6 +41,9 @@ impl Compiler<'_> {
 
     fn place(&mut self, g: usize) -> Result<(), NoKernel> {
         let m = self.m;
+        if self.train(g)? {
+            return Ok(());
+        }
         match &m.groups[g].core {
             Core::Pin { pin, legs } => self.place_pin(g, *pin, legs),
             Core::Link { link, legs } => self.place_link(g, *link, legs),
@@ -105,7 +107,7 @@ impl Compiler<'_> {
     }
 
     /// A link is known by a pin of it and the arm `d` in its frame, placed already.
-    fn known_by_turning(&mut self, link: LinkId, origin: Spot, pin: PointId, d: Vec2, arm: Pair) -> Result<(), NoKernel> {
+    pub(super) fn known_by_turning(&mut self, link: LinkId, origin: Spot, pin: PointId, d: Vec2, arm: Pair) -> Result<(), NoKernel> {
         let at = self.at.shapes.local(link, pin).ok_or_else(|| self.lost(link))?;
         self.bodies[link.0] = Some(Body { origin, at, d, between: None, own: [None; 3], arm: [Some(arm), None, None], turning: [None; 2] });
         Ok(())
@@ -333,7 +335,7 @@ impl Compiler<'_> {
     }
 
     /// The point by which a link on legs is known: that at which its first leg holds it.
-    fn own_point(&self, link: LinkId, holds: &[Hold]) -> Point {
+    pub(super) fn own_point(&self, link: LinkId, holds: &[Hold]) -> Point {
         let near = holds.iter().find_map(Hold::near);
         let local = near.and_then(|p| self.at.shapes.local(link, p));
         local.or(self.at.shapes.points[link.0].first().map(|(_, at)| *at)).unwrap_or(Point::ORIGIN)
@@ -365,7 +367,7 @@ impl Compiler<'_> {
     }
 
     /// How a leg holds a link: the place of the link that it holds, and the locus of that place; its row is noted.
-    fn held(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<(Spot, Locus), NoKernel> {
+    pub(super) fn held(&mut self, g: usize, link: LinkId, hold: &Hold) -> Result<(Spot, Locus), NoKernel> {
         let local = |c: &Self, p: PointId| c.at.shapes.local(link, p).ok_or_else(|| c.without_kernel(g));
         match *hold {
             Hold::Distance { near, far, strut } => {
@@ -393,7 +395,14 @@ impl Compiler<'_> {
                     self.in_slot(g, link, Spot::Own(other), guide)
                 }
             }
-            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } | Hold::Rolls { .. } => Err(self.without_kernel(g)),
+            Hold::Rolls { pair, other, .. } => {
+                let (spot, through, direction) = self.along_track(link, pair)?;
+                let n = self.tangent(pair)?;
+                self.rows[g].push(Row::Rolled { pair, other, n });
+                let normal = self.at.normal(self.scene, pair).ok_or_else(|| self.without_kernel(g))?;
+                Ok((spot, Locus::Line { through, direction, now: (self.now(spot), normal) }))
+            }
+            Hold::Guide { driver: Some(_), .. } | Hold::Glide { driver: Some(_), .. } => Err(self.without_kernel(g)),
         }
     }
 
@@ -457,68 +466,5 @@ impl Compiler<'_> {
             None => return Err(self.without_kernel(g)),
         }
         Ok(())
-    }
-
-    /// A link on three legs: followed from position to position.
-    fn triad(&mut self, g: usize, link: LinkId, holds: &[Hold]) -> Result<(), NoKernel> {
-        let [_, _, _] = holds else { return Err(self.without_kernel(g)) };
-        let pose = self.at.poses[link.0].ok_or_else(|| self.lost(link))?;
-        let at = self.own_point(link, holds);
-        let d = Vec2::new(self.unit, 0.0);
-        let first = self.take(4);
-        let pair = |i: u32| Pair { x: Reg(first.0 + i), y: Reg(first.0 + i + 1) };
-        let (own, arm) = (pair(0), pair(2));
-        let body = Body {
-            origin: Spot::Own(link),
-            at,
-            d,
-            between: None,
-            own: [Some(own), None, None],
-            arm: [Some(arm), None, None],
-            turning: [None; 2],
-        };
-        let mut held = Vec::new();
-        for hold in holds {
-            held.push(self.held_for_track(g, link, &body, hold)?);
-        }
-        let held: [Held; 3] = held.try_into().map_err(|_| self.without_kernel(g))?;
-        let step = self.steps[P as usize].len();
-        let start = (pose.to_world(at), pose.axis);
-        self.tracks.push(Track { group: g, link, step, own, arm, unit: self.unit, held, start });
-        self.bodies[link.0] = Some(body);
-        // The rows come after the track: they need the link's places.
-        for hold in holds {
-            self.held(g, link, hold)?;
-        }
-        Ok(())
-    }
-
-    /// A leg of a followed link: what is known of it, in registers.
-    fn held_for_track(&mut self, g: usize, link: LinkId, body: &Body, hold: &Hold) -> Result<Held, NoKernel> {
-        // Local places are counted from the link's own point.
-        let from_own = |local: Point| local - body.at;
-        match *hold {
-            Hold::Slot { pin, guide } => match self.at.shapes.guides[guide.0] {
-                Some(Path::Line { through, direction }) => {
-                    Ok(Held::Slot { through: from_own(through), direction, over: self.point(pin, P)? })
-                }
-                Some(Path::Arc { centre, radius }) => {
-                    Ok(Held::Circle { near: from_own(centre), far: self.point(pin, P)?, radius: self.constant(radius) })
-                }
-                None => Err(self.without_kernel(g)),
-            },
-            // A gliding leg needs the link's own place at the instant only, which is known before the link is.
-            Hold::Glide { .. } | Hold::Rolls { .. } => Err(self.without_kernel(g)),
-            Hold::Distance { .. } | Hold::Guide { .. } => {
-                let rows = self.rows[g].len();
-                let (spot, locus) = self.held(g, link, hold)?;
-                self.rows[g].truncate(rows);
-                let Spot::Fixed(_, local) = spot else { return Err(self.without_kernel(g)) };
-                Ok(match locus {
-                    Locus::Circle { centre, radius, .. } => Held::Circle { near: from_own(local), far: centre, radius },
-                    Locus::Line { through, direction, .. } => Held::Line { near: from_own(local), through, direction },
-                })
-            }
-        }
     }
 }

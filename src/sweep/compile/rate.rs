@@ -4,11 +4,11 @@ use super::{Compiler, NoKernel, Spot};
 use crate::geom::Vec2;
 use crate::mechanism::{Core, Level};
 use crate::position::Path;
-use crate::scene::{GuideId, LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId, RollingId};
 use crate::sweep::carry::{Along, Arm, Turning};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::Op;
-use crate::sweep::reading::Sum;
+use crate::sweep::reading::{Dot, Sum};
 use crate::sweep::rows::{
     Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf,
 };
@@ -26,6 +26,8 @@ pub(super) enum Row {
     Slot { link: LinkId, over: Spot, n: Pair },
     /// The core link turns against a known one at a rate.
     Turning { of: LinkId, rates: [f64; 2] },
+    /// The core link rolls on a known one: at the contact both have one velocity along `n`, and of their accelerations the parts along it.
+    Rolled { pair: RollingId, other: LinkId, n: Pair },
     /// A link pinned at `far` along whose guide a driver pushes the core pin: it follows.
     Ram { link: LinkId, far: PointId, pin: PointId, guide: GuideId, driver: usize },
 }
@@ -37,6 +39,9 @@ const P: Level = Level::Position;
 impl Compiler<'_> {
     pub(super) fn velocities(&mut self, g: usize) -> Result<(), NoKernel> {
         let m = self.m;
+        if self.trains.has_placed(g) {
+            return self.train_at(g, V);
+        }
         match &m.groups[g].core {
             Core::Pin { pin, .. } => self.pin_at(g, *pin, V),
             Core::Link { link, .. } => self.link_at(g, *link, V),
@@ -46,6 +51,9 @@ impl Compiler<'_> {
 
     pub(super) fn accelerations(&mut self, g: usize) -> Result<(), NoKernel> {
         let m = self.m;
+        if self.trains.has_placed(g) {
+            return self.train_at(g, A);
+        }
         match &m.groups[g].core {
             Core::Pin { pin, .. } => self.pin_at(g, *pin, A),
             Core::Link { link, .. } => self.link_at(g, *link, A),
@@ -141,7 +149,7 @@ impl Compiler<'_> {
         Ok(())
     }
 
-    fn set_turning(&mut self, link: LinkId, slot: usize, turning: Reg) {
+    pub(super) fn set_turning(&mut self, link: LinkId, slot: usize, turning: Reg) {
         if let Some(body) = &mut self.bodies[link.0] {
             body.turning[slot] = Some(turning);
         }
@@ -237,12 +245,25 @@ impl Compiler<'_> {
                 };
                 Ok((n, Some(r), c))
             }
+            Row::Rolled { pair, other, n } => {
+                let place = self.contact(pair)?;
+                let v = self.of_link_at(other, place, level)?;
+                let c = self.emit(level, Dot { u: n, v }, 1);
+                let r = match core {
+                    Some(l) => {
+                        let from = self.spot(Spot::Own(l), P)?;
+                        Some(self.emit_pair(P, Arm { from, to: place }))
+                    }
+                    None => None,
+                };
+                Ok((n, r, c))
+            }
             Row::Carried { .. } | Row::Turning { .. } | Row::Ram { .. } => unreachable!("these are no rows of a place"),
         }
     }
 
     /// The arm from one place to another; emitted once.
-    fn between(&mut self, from: Spot, to: Spot) -> Result<Pair, NoKernel> {
+    pub(super) fn between(&mut self, from: Spot, to: Spot) -> Result<Pair, NoKernel> {
         let (from, to) = (self.spot(from, P)?, self.spot(to, P)?);
         let arm = Arm { from, to };
         if let Some(step) = self.steps[P as usize].iter().find(|s| s.op == Op::Arm(arm)) {

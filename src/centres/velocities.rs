@@ -5,15 +5,17 @@ use crate::accuracy::ladder::Part;
 use crate::answer::Source;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::scene::quantity::{Rate, Turning};
 use crate::scene::{Find, LinkId, PointId, Scene};
 use crate::worked::{Scope, Worked, work};
 
 use super::lines::{Frame, Place};
+use super::omega;
 use super::rounds::Pair;
 
 /// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
 const DOUBTFUL: f64 = 1e-7;
+/// Relative motions below this part of the largest are rounding.
+const RESTING: f64 = 1e-11;
 /// Digits to which a difference is asked whether it is zero.
 const DIGITS: usize = 12;
 
@@ -52,19 +54,24 @@ impl<'a> Velocities<'a> {
         Some((v - w, omega - other))
     }
 
+    /// Whether two links do not move against one another, to rounding.
+    pub fn rests(&self, pair: Pair) -> bool {
+        let still = RESTING * self.largest;
+        self.relative(pair).is_some_and(|(v, omega)| omega.abs() <= still && v.norm() <= still * self.frame.size)
+    }
+
     /// Whether two links surely do not turn against one another in this pose: a difference that is small is computed as an interval.
     pub fn surely_translate(&self, pair: Pair) -> bool {
-        let Some((_, omega)) = self.relative(pair) else { return false };
-        if omega.abs() > DOUBTFUL * self.largest {
+        let Some((_, turning)) = self.relative(pair) else { return false };
+        if turning.abs() > DOUBTFUL * self.largest {
             return false;
         }
         let mut asking = self.scene.clone();
-        let (of, against) = match (pair.i == self.scene.ground, pair.j == self.scene.ground) {
-            (true, _) => (pair.j, None),
-            (_, true) => (pair.i, None),
-            _ => (pair.i, Some(pair.j)),
+        let what = match (pair.i == self.scene.ground, pair.j == self.scene.ground) {
+            (true, _) => omega(pair.j, None),
+            (_, true) => omega(pair.i, None),
+            _ => omega(pair.i, Some(pair.j)),
         };
-        let what = Turning { rate: Rate::Velocity, of, against }.into();
         asking.find = vec![Find { what, text: "omega".into(), span: Default::default() }];
         let Ok(worked) = work(&asking, Scope::Questions) else { return false };
         let certified = certify(&asking, &worked.value, DIGITS);
@@ -74,6 +81,9 @@ impl<'a> Velocities<'a> {
     /// The centre of two links by their velocities; `None` where they do not move against one another or their motion is not known.
     pub fn centre(&self, pair: Pair, infinite: bool) -> Option<Place> {
         let (v, omega) = self.relative(pair)?;
+        if self.rests(pair) {
+            return None;
+        }
         let still = f64::EPSILON * 16.0 * self.largest;
         if infinite || omega.abs() <= DOUBTFUL * self.largest && self.surely_translate(pair) {
             return Place::infinity(v.perp()).filter(|_| v.norm() > still * self.frame.size);

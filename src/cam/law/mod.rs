@@ -1,0 +1,239 @@
+//! The usual motion laws, normalized: a rise of one over a way of one, S(x) with S(0) = 0 and S(1) = 1.
+//!
+//! Every law is written in pieces, each a polynomial and one wave, c₀ + c₁x + … + A sin(kx + p): numbers for [`f64`] and, beside each, the text
+//! of the same number for arithmetic in more digits. Derivatives are taken from the pieces, so none is typed twice.
+//!
+//! # Source
+//! 孙桓《机械原理》, table of the laws of followers; R. L. Norton, *Cam Design and Manufacturing Handbook*, chapters 3 and 4.
+
+mod elementary;
+mod modified;
+mod polynomial;
+
+/// A coefficient and the text of the same number.
+pub type Exact = (f64, &'static str);
+
+/// A piece of a law: a polynomial and a wave, up to its end.
+#[derive(Debug)]
+pub struct Piece {
+    /// Where it ends.
+    pub end: f64,
+    /// Coefficients of 1, x, x², …
+    pub polynomial: &'static [Exact],
+    /// Amplitude, degrees per unit of x, phase in degrees.
+    pub wave: Option<(Exact, f64, f64)>,
+}
+
+impl Piece {
+    /// S and its first three derivatives.
+    fn at(&self, x: f64) -> [f64; 4] {
+        let mut out = [0.0; 4];
+        let mut c: Vec<f64> = self.polynomial.iter().map(|c| c.0).collect();
+        for value in &mut out {
+            *value = c.iter().rev().fold(0.0, |sum, c| sum * x + c);
+            c = c.iter().enumerate().skip(1).map(|(i, c)| i as f64 * c).collect();
+        }
+        if let Some(((amplitude, _), k, phase)) = self.wave {
+            let (s, c) = libm::sincos((k * x + phase).to_radians());
+            let k = k.to_radians();
+            for (n, wave) in [s, c, -s, -c].into_iter().enumerate() {
+                out[n] += amplitude * libm::pow(k, n as f64) * wave;
+            }
+        }
+        out
+    }
+
+    /// The derivative of an order as an expression in a variable.
+    fn text(&self, order: usize, x: &str) -> String {
+        let mut terms: Vec<String> = Vec::new();
+        for (i, (value, text)) in self.polynomial.iter().enumerate().skip(order) {
+            if *value == 0.0 {
+                continue;
+            }
+            let factor: usize = (0..order).map(|j| i - j).product();
+            let head = if factor == 1 { format!("({text})") } else { format!("{factor}*({text})") };
+            terms.push(match i - order {
+                0 => head,
+                1 => format!("{head}*{x}"),
+                n => format!("{head}*{x}^{n}"),
+            });
+        }
+        if let Some(((_, amplitude), k, phase)) = self.wave {
+            let rate = if order == 0 { String::new() } else { format!("*({k}/180*pi)^{order}") };
+            let shift = (phase + 90.0 * order as f64) % 360.0;
+            terms.push(format!("({amplitude}){rate}*sin({k} deg*{x}+{shift} deg)"));
+        }
+        if terms.is_empty() { "0".to_owned() } else { terms.join("+") }
+    }
+}
+
+/// A motion law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Law {
+    /// Constant velocity 等速: rigid shocks at both ends.
+    Uniform,
+    /// Constant acceleration, then as much retardation 等加速等减速: soft shocks.
+    Parabolic,
+    /// Simple harmonic motion 简谐 (余弦加速度): soft shocks at the ends.
+    Harmonic,
+    /// Sine acceleration 摆线 (正弦加速度): no shock.
+    Cycloidal,
+    /// Polynomial of degree five 3-4-5 多项式.
+    Poly345,
+    /// Polynomial of degree seven 4-5-6-7 多项式.
+    Poly4567,
+    /// Modified sine 修正正弦.
+    ModifiedSine,
+    /// Modified trapezoidal acceleration 修正梯形.
+    ModifiedTrapezoidal,
+}
+
+impl Law {
+    /// All of them.
+    pub const ALL: [Law; 8] = [
+        Law::Uniform,
+        Law::Parabolic,
+        Law::Harmonic,
+        Law::Cycloidal,
+        Law::Poly345,
+        Law::Poly4567,
+        Law::ModifiedSine,
+        Law::ModifiedTrapezoidal,
+    ];
+
+    /// The name in a scene.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Law::Uniform => "uniform",
+            Law::Parabolic => "parabolic",
+            Law::Harmonic => "harmonic",
+            Law::Cycloidal => "cycloidal",
+            Law::Poly345 => "3-4-5",
+            Law::Poly4567 => "4-5-6-7",
+            Law::ModifiedSine => "modified-sine",
+            Law::ModifiedTrapezoidal => "modified-trapezoidal",
+        }
+    }
+
+    /// The name in Chinese.
+    pub const fn name_zh(self) -> &'static str {
+        match self {
+            Law::Uniform => "等速",
+            Law::Parabolic => "等加速等减速",
+            Law::Harmonic => "简谐（余弦加速度）",
+            Law::Cycloidal => "摆线（正弦加速度）",
+            Law::Poly345 => "3-4-5 次多项式",
+            Law::Poly4567 => "4-5-6-7 次多项式",
+            Law::ModifiedSine => "修正正弦",
+            Law::ModifiedTrapezoidal => "修正梯形",
+        }
+    }
+
+    /// The law of a name.
+    pub fn named(name: &str) -> Option<Law> {
+        Law::ALL.into_iter().find(|l| l.name() == name)
+    }
+
+    /// Its pieces, in order.
+    pub fn pieces(self) -> &'static [Piece] {
+        match self {
+            Law::Uniform => elementary::UNIFORM,
+            Law::Parabolic => elementary::PARABOLIC,
+            Law::Harmonic => elementary::HARMONIC,
+            Law::Cycloidal => elementary::CYCLOIDAL,
+            Law::Poly345 => polynomial::POLY_345,
+            Law::Poly4567 => polynomial::POLY_4567,
+            Law::ModifiedSine => modified::SINE,
+            Law::ModifiedTrapezoidal => modified::TRAPEZOIDAL,
+        }
+    }
+
+    /// The piece in which x lies; at a joint that after it, or with `before` that before it.
+    fn piece(self, x: f64, before: bool) -> &'static Piece {
+        let pieces = self.pieces();
+        let on = |p: &&Piece| if before { x <= p.end } else { x < p.end };
+        pieces.iter().find(on).unwrap_or(&pieces[pieces.len() - 1])
+    }
+
+    /// S, S′, S″, S‴ at x from 0 to 1.
+    pub fn at(self, x: f64, side: super::Side) -> [f64; 4] {
+        self.piece(x, side == super::Side::Before).at(x)
+    }
+
+    /// S, S′ and S″ of the piece in which x lies, as expressions in a variable.
+    pub fn text(self, x: f64, variable: &str) -> [String; 3] {
+        std::array::from_fn(|order| self.piece(x, false).text(order, variable))
+    }
+
+    /// The greatest magnitudes of S′, S″, S‴ within the piece ends: V, A, J of the tables, in units of h/β, h/β², h/β³.
+    pub fn peaks(self) -> [f64; 3] {
+        const STEPS: usize = 20_000;
+        let mut most = [0.0f64; 3];
+        let mut start = 0.0;
+        for piece in self.pieces() {
+            for k in 0..=STEPS {
+                let at = piece.at(start + (piece.end - start) * k as f64 / STEPS as f64);
+                for (most, value) in most.iter_mut().zip(&at[1..]) {
+                    *most = most.max(value.abs());
+                }
+            }
+            start = piece.end;
+        }
+        most
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Side;
+    use super::*;
+
+    #[test]
+    fn a_law_begins_at_zero_and_ends_at_one_without_a_gap() {
+        for law in Law::ALL {
+            let ends = [law.at(0.0, Side::After)[0], law.at(1.0, Side::Before)[0]];
+            assert!(ends[0].abs() < 1e-15 && (ends[1] - 1.0).abs() < 1e-14, "{}: {ends:?}", law.name());
+            for joint in law.pieces().iter().map(|p| p.end).filter(|e| *e < 1.0) {
+                let [before, after] = [Side::Before, Side::After].map(|s| law.at(joint, s));
+                // No jump of S and S′; of S″ only the parabolic law has one inside.
+                let orders = if law == Law::Parabolic { 2 } else { 3 };
+                for k in 0..orders {
+                    assert!((before[k] - after[k]).abs() < 1e-12, "{} at {joint}, order {k}: {before:?} {after:?}", law.name());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_differences() {
+        let h = 1e-6;
+        for law in Law::ALL {
+            for x in [0.03, 0.111, 0.2, 0.3, 0.47, 0.52, 0.7, 0.8, 0.93] {
+                let [low, here, high] = [x - h, x, x + h].map(|x| law.at(x, Side::After));
+                for k in 0..3 {
+                    let slope = (high[k] - low[k]) / (2.0 * h);
+                    assert!((slope - here[k + 1]).abs() < 1e-6 * (1.0 + slope.abs()), "{} {x} {k}: {slope} {here:?}", law.name());
+                }
+            }
+        }
+    }
+
+    /// The tables of the text books: 孙桓, Norton 8-3.
+    #[test]
+    fn peaks_are_those_of_the_tables() {
+        for (law, v, a, j) in [
+            (Law::Uniform, 1.0, 0.0, 0.0),
+            (Law::Parabolic, 2.0, 4.0, 0.0),
+            (Law::Harmonic, 1.570_796_326_794_90, 4.934_802_200_544_68, 15.503_138_340_149_9),
+            (Law::Cycloidal, 2.0, 6.283_185_307_179_59, 39.478_417_604_357_4),
+            (Law::Poly345, 1.875, 5.773_502_691_896_26, 60.0),
+            (Law::Poly4567, 2.1875, 7.513_188_404_399_29, 52.5),
+            (Law::ModifiedSine, 1.759_603_385_953_77, 5.527_957_070_544_09, 69.466_357_288_724_3),
+            (Law::ModifiedTrapezoidal, 2.0, 4.888_123_762_813_26, 61.425_974_812_367_3),
+        ] {
+            for (got, exact) in law.peaks().into_iter().zip([v, a, j]) {
+                assert!((got - exact).abs() <= 1e-7 * exact.max(1.0), "{}: {got} {exact}", law.name());
+            }
+        }
+    }
+}

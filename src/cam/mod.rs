@@ -1,0 +1,45 @@
+//! Disc cams as plain geometry: motion laws, profiles of arcs and lines, and what both make of a follower over a turn.
+//!
+//! Decided here: s(φ) with its first three derivatives ([`law`], [`program`], [`outline`]); the profile by inversion, pressure angle and
+//! radius of curvature ([`Disc`]); extremes, undercut and jumps of a whole turn ([`Survey`]). Pure functions of numbers: how a scene writes
+//! a cam, which pairs stand for its contact and what is drawn is decided in other rooms.
+//!
+//! Conventions: lengths in metres, angles in radians, the origin in the centre of the cam. φ counts how far the cam has turned from the
+//! start of its law, in the cam's own sense. The frame of the cam is that of the ground at φ = 0.
+
+pub mod disc;
+pub mod jet;
+pub mod law;
+pub mod outline;
+pub mod program;
+pub mod survey;
+#[cfg(test)]
+mod tests;
+
+pub use disc::{Disc, Follower, Motion, Station, Touch, round};
+pub use jet::Jet;
+pub use law::Law;
+pub use outline::Segment;
+pub use program::{Jump, Program, Shock, Stage, Way};
+pub use survey::{Fault, Survey};
+
+/// On which side of a joint of two pieces a value is taken, in the sense in which φ grows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// As it is when the joint is reached.
+    Before,
+    /// As it goes on.
+    After,
+}
+
+/// An angle in the turn from 0 up to, and without, 2π.
+pub fn in_turn(angle: f64) -> f64 {
+    let turns = libm::floor(angle / std::f64::consts::TAU);
+    let rest = angle - turns * std::f64::consts::TAU;
+    if rest >= std::f64::consts::TAU { 0.0 } else { rest.max(0.0) }
+}
+
+/// An angle in the half turns on both sides of zero.
+pub fn in_half_turns(angle: f64) -> f64 {
+    angle - std::f64::consts::TAU * libm::rint(angle / std::f64::consts::TAU)
+}

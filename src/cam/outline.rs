@@ -1,0 +1,240 @@
+//! A profile of arcs and lines, in the frame of the cam: where it is touched, and the place of the follower that each piece makes.
+//!
+//! A follower with a round end keeps its centre at ρ + r from the centre of an arc, or runs along a parallel of a line at r; the centre of an
+//! arc keeps at ρ from a flat face. These are the equivalent linkages 高副低代, exact on the whole piece; so is every derivative.
+
+use super::disc::{Follower, Touch};
+use super::in_half_turns;
+use super::jet::{Jet, Plane};
+use crate::geom::Vec2;
+use std::f64::consts::TAU;
+
+/// A piece of a profile.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment {
+    /// An arc.
+    Arc {
+        /// Its centre.
+        centre: Vec2,
+        /// Radius (m): less than zero on a hollow flank, zero at a corner.
+        radius: f64,
+        /// Directions of the outward normal where it begins and ends, going round counter-clockwise (rad); a whole turn apart on a circle.
+        normals: [f64; 2],
+    },
+    /// A straight flank.
+    Line {
+        /// Direction of the outward normal (rad).
+        normal: f64,
+        /// Distance of the line from the origin (m).
+        distance: f64,
+        /// Where it begins and ends, counted along the normal turned a quarter counter-clockwise (m).
+        ends: [f64; 2],
+    },
+}
+
+/// What is beyond the end of a piece by less than this part of its size lies on it: joints are computed from both sides.
+const ON: f64 = 1e-12;
+
+impl Segment {
+    /// The radius of curvature, convex plus; a line has an infinite one.
+    pub fn radius(&self) -> f64 {
+        match self {
+            Segment::Arc { radius, .. } => *radius,
+            Segment::Line { .. } => f64::INFINITY,
+        }
+    }
+
+    /// The follower's coordinate (see [`super::Disc`]) while it touches this piece, the cam turned by `turn`; not a number where it cannot.
+    pub fn coordinate(&self, follower: &Follower, touch: &Touch, turn: Jet) -> Jet {
+        match (self, *touch) {
+            (Segment::Arc { centre, radius, .. }, Touch::Point { radius: r }) => {
+                let k = Plane::constant(*centre).turned(turn);
+                follower.at_distance(k, radius + r)
+            }
+            (Segment::Arc { centre, radius, .. }, Touch::Flat { lever }) => {
+                if *radius < 0.0 {
+                    return Jet::constant(f64::NAN);
+                }
+                follower.faced(Plane::constant(*centre).turned(turn), *radius, lever)
+            }
+            (Segment::Line { normal, distance, .. }, Touch::Point { radius }) => {
+                follower.along_line(turn + Jet::constant(*normal), distance + radius)
+            }
+            // Two lines touch at their ends only: these are corners.
+            (Segment::Line { .. }, Touch::Flat { .. }) => Jet::constant(f64::NAN),
+        }
+    }
+
+    /// Whether the follower at this coordinate touches within the piece.
+    pub fn holds(&self, follower: &Follower, touch: &Touch, turn: f64, coordinate: f64) -> bool {
+        let back = Jet::constant(-turn);
+        let q = Jet::constant(coordinate);
+        match *touch {
+            Touch::Flat { .. } => self.faces(follower.normal(q).turned(back).angle().value()),
+            Touch::Point { radius } => {
+                let b = follower.point(q).turned(back).order(0);
+                match self {
+                    Segment::Arc { centre, radius: rho, .. } => {
+                        let n = (b - *centre) * (1.0 / (rho + radius));
+                        self.faces(libm::atan2(n.y, n.x))
+                    }
+                    Segment::Line { normal, ends: [from, to], .. } => {
+                        let along = Vec2::from_angle(*normal).perp().dot(b);
+                        let slack = ON * (to - from).abs().max(b.norm());
+                        (from - slack..=to + slack).contains(&along)
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether an arc has an outward normal of this direction.
+    fn faces(&self, direction: f64) -> bool {
+        match self {
+            Segment::Arc { normals: [from, to], .. } => {
+                let (low, high) = (from.min(*to), from.max(*to));
+                high - low >= TAU - ON || in_half_turns(direction - 0.5 * (low + high)).abs() <= 0.5 * (high - low) + ON
+            }
+            Segment::Line { .. } => false,
+        }
+    }
+
+    /// Points along the piece, for drawing; `most` is the largest angle of an arc between two of them.
+    pub fn points(&self, most: f64) -> Vec<Vec2> {
+        match *self {
+            Segment::Arc { centre, radius, normals: [from, to] } => {
+                let count = libm::ceil((to - from).abs() / most).max(1.0) as usize;
+                let at = |k: usize| centre + Vec2::from_angle(from + (to - from) * k as f64 / count as f64) * radius;
+                (0..=count).map(at).collect()
+            }
+            Segment::Line { normal, distance, ends } => {
+                let n = Vec2::from_angle(normal);
+                ends.iter().map(|t| n * distance + n.perp() * *t).collect()
+            }
+        }
+    }
+}
+
+/// What stands in a scene between two circles of a profile, or instead of one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Part {
+    /// An arc about a centre with a radius; zero makes a corner.
+    Circle(Vec2, f64),
+    /// The outer tangent of the circles before and after.
+    Tangent,
+    /// An arc of this radius that touches the circles before and after; less than zero: hollow.
+    Flank(f64),
+}
+
+/// Why parts make no profile.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Broken {
+    /// No circle at all, or a tangent or flank alone.
+    NoCircle,
+    /// This tangent or flank has none of a circle on one of its sides.
+    NoNeighbour(usize),
+    /// This part cannot touch both its neighbours: their centres are too near or too far.
+    Apart(usize),
+}
+
+/// The pieces of a closed profile, counter-clockwise, as many as there are parts; of two circles side by side the second begins where they
+/// touch or cross.
+///
+/// # Errors
+/// The first part that does not fit between its neighbours.
+pub fn segments(parts: &[Part]) -> Result<Vec<Segment>, Broken> {
+    let n = parts.len();
+    if let [Part::Circle(centre, radius)] = parts {
+        return Ok(vec![Segment::Arc { centre: *centre, radius: *radius, normals: [0.0, TAU] }]);
+    }
+    let circle = |i: usize| match parts[i % n] {
+        Part::Circle(c, r) => Some((c, r)),
+        Part::Tangent | Part::Flank(_) => None,
+    };
+    if n == 0 || (0..n).all(|i| circle(i).is_none()) {
+        return Err(Broken::NoCircle);
+    }
+    // Where each circle begins and ends.
+    let mut ends = vec![[0.0; 2]; n];
+    let mut made: Vec<Option<Segment>> = vec![None; n];
+    for i in 0..n {
+        let next = (i + 1) % n;
+        match parts[i] {
+            Part::Circle(a, ra) => {
+                // A circle directly after this one.
+                let Some((b, rb)) = circle(next).filter(|_| next != i) else { continue };
+                let [from, to] = crossing(a, ra, b, rb).ok_or(Broken::Apart(next))?;
+                (ends[i][1], ends[next][0]) = (from, to);
+            }
+            Part::Tangent | Part::Flank(_) => {
+                let before = (i + n - 1) % n;
+                let ((a, ra), (b, rb)) = circle(before).zip(circle(next)).ok_or(Broken::NoNeighbour(i))?;
+                let (segment, from, to) = match parts[i] {
+                    Part::Flank(radius) => flank(a, ra, b, rb, radius),
+                    Part::Tangent | Part::Circle(..) => tangent(a, ra, b, rb),
+                }
+                .ok_or(Broken::Apart(i))?;
+                (ends[before][1], ends[next][0], made[i]) = (from, to, Some(segment));
+            }
+        }
+    }
+    let one = |i: usize| match parts[i] {
+        Part::Circle(centre, radius) => {
+            let [from, to] = ends[i];
+            // Counter-clockwise, less than a turn.
+            Some(Segment::Arc { centre, radius, normals: [from, from + super::in_turn(to - from)] })
+        }
+        Part::Tangent | Part::Flank(_) => made[i],
+    };
+    (0..n).map(one).collect::<Option<Vec<_>>>().ok_or(Broken::NoCircle)
+}
+
+/// The outer tangent on the right of the way from one centre to the other, and the direction of its normal, twice.
+fn tangent(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<(Segment, f64, f64)> {
+    let way = b - a;
+    let cosine = (ra - rb) / way.norm();
+    if !(cosine.abs() <= 1.0) {
+        return None;
+    }
+    let normal = way.angle() - libm::acos(cosine);
+    let n = Vec2::from_angle(normal);
+    let along = n.perp();
+    Some((Segment::Line { normal, distance: a.dot(n) + ra, ends: [a.dot(along), b.dot(along)] }, normal, normal))
+}
+
+/// An arc of a radius that touches two circles on the right of the way from one centre to the other.
+fn flank(a: Vec2, ra: f64, b: Vec2, rb: f64, radius: f64) -> Option<(Segment, f64, f64)> {
+    let way = b - a;
+    let (d, la, lb) = (way.norm(), (radius - ra).abs(), (radius - rb).abs());
+    let foot = (d * d + la * la - lb * lb) / (2.0 * d);
+    let height = (la * la - foot * foot).sqrt();
+    if !height.is_finite() {
+        return None;
+    }
+    let u = way * (1.0 / d);
+    // The centre of a convex flank lies on the other side of the line of centres, that of a hollow one on its own.
+    let centre = a + u * foot + u.perp() * if radius > 0.0 { height } else { -height };
+    let normal = |of: Vec2| if radius > 0.0 { (of - centre).angle() } else { (centre - of).angle() };
+    // A circle larger than the flank would be touched from within.
+    if radius > 0.0 && (radius <= ra || radius <= rb) {
+        return None;
+    }
+    let (from, to) = (normal(a), normal(b));
+    Some((Segment::Arc { centre, radius, normals: [from, from + in_half_turns(to - from)] }, from, to))
+}
+
+/// The directions of the normals of two circles at the point, on the right of the way between their centres, where they meet.
+fn crossing(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<[f64; 2]> {
+    let way = b - a;
+    let d = way.norm();
+    let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
+    let square = ra * ra - foot * foot;
+    // Circles that touch miss by rounding.
+    if !(square >= -1e-9 * ra * ra) {
+        return None;
+    }
+    let u = way * (1.0 / d);
+    let at = a + u * foot - u.perp() * square.max(0.0).sqrt();
+    let direction = |of: Vec2, r: f64| if r > 0.0 { (at - of).angle() } else { way.angle() };
+    Some([direction(a, ra), direction(b, rb)])
+}

@@ -1,0 +1,229 @@
+//! Cams of the case collection, numbers to ten digits; profiles against envelopes.
+
+use super::jet::Jet;
+use super::outline::{Part, segments};
+use super::*;
+use crate::geom::Vec2;
+
+fn deg(a: f64) -> f64 {
+    a.to_radians()
+}
+
+fn near(got: f64, exact: f64, what: &str) {
+    assert!((got - exact).abs() <= 1e-9 * exact.abs().max(1.0), "{what}: {got}, it is {exact}");
+}
+
+fn program(stages: &[(Way, f64)]) -> Program {
+    Program { stages: stages.iter().map(|(way, over)| Stage { way: *way, over: deg(*over) }).collect() }
+}
+
+fn upward(offset: f64) -> Follower {
+    Follower::Translating { direction: Vec2::new(0.0, 1.0), offset }
+}
+
+/// Case cam-law-offset-roller.
+fn offset_roller() -> Disc {
+    let stages =
+        [(Way::Rise(20.0, Law::Cycloidal), 120.0), (Way::Dwell, 60.0), (Way::Return(20.0, Law::Harmonic), 120.0), (Way::Dwell, 60.0)];
+    let motion = Motion::Law { base: 30.0, program: program(&stages) };
+    Disc { follower: upward(10.0), touch: Touch::Point { radius: 10.0 }, motion, sense: 1.0 }
+}
+
+#[test]
+fn offset_roller_by_a_law() {
+    let disc = offset_roller();
+    let s = disc.station(deg(70.0), Side::After).unwrap();
+    near(s.pressure.to_degrees(), 8.553_423_323_410_39, "pressure angle");
+    near(s.rho_pitch, 39.832_677_797_992_6, "rho of the pitch curve");
+    near(s.rho, 29.832_677_797_992_6, "rho of the profile");
+    near(s.pitch.x, 52.272_987_973_521_1, "pitch x");
+    near(s.pitch.y, 8.384_033_953_757_73, "pitch y");
+    near(s.contact.x, 43.489_269_756_237_8, "profile x");
+    near(s.contact.y, 3.604_254_222_497_54, "profile y");
+    let survey = Survey::of(&disc);
+    let start = disc.station(0.0, Side::After).unwrap();
+    near(start.pressure.abs().to_degrees(), 14.477_512_185_929_9, "pressure at the start");
+    let (phi, most) = survey.pressure[0].unwrap();
+    assert_eq!((phi, most), (0.0, start.pressure), "the greatest of the rise, because of the offset");
+    near(survey.least_rho.unwrap().1, 37.257_387_229_340_7, "least convex radius");
+    assert!((survey.least_rho.unwrap().0.to_degrees() - 83.217_655_123_592_9).abs() < 1e-3);
+    near(survey.stroke, 20.0, "stroke");
+    let angles = [(1, false), (0, true), (-1, false), (0, false)].map(|(way, out)| survey.angle(way, out).to_degrees());
+    assert!(angles.iter().zip([120.0, 60.0, 120.0, 60.0]).all(|(a, b)| (a - b).abs() < 1e-9), "{angles:?}");
+    assert!(survey.jumps.iter().all(|j| j.shock == Shock::Soft) && survey.jumps.len() == 2, "{:?}", survey.jumps);
+}
+
+#[test]
+fn oscillating_roller_by_a_law_in_both_senses() {
+    let stages = [(Way::Rise(deg(25.0), Law::ModifiedSine), 110.0), (Way::Dwell, 250.0)];
+    let pivot = Vec2::new(100.0, 0.0);
+    // The arm lies above the line of centres: seen from the pivot toward the cam to the right.
+    let follower = Follower::Oscillating { pivot, arm: 80.0, sense: -1.0 };
+    let motion = Motion::Law { base: 40.0, program: program(&stages) };
+    for (sense, pressure, pitch, profile) in [
+        (1.0, 29.315_303_483_730_4, 56.066_852_543_308_6, 48.066_852_543_308_6),
+        (-1.0, 20.240_193_766_388_1, 59.277_613_252_833_0, 51.277_613_252_833_0),
+    ] {
+        let disc = Disc { follower, touch: Touch::Point { radius: 8.0 }, motion: motion.clone(), sense };
+        let s = disc.station(deg(60.0), Side::After).unwrap();
+        near(disc.rest(40.0).to_degrees(), 28.236_770_917_176_4, "psi0");
+        near((s.q.value() - disc.rest(40.0)).to_degrees(), 14.490_504_756_657_3, "psi");
+        near(6.0 * s.q.0[1], 2.366_938_147_963_52, "omega");
+        near(s.pressure.abs().to_degrees(), pressure, "pressure angle");
+        near(s.rho_pitch, pitch, "rho of the pitch curve");
+        near(s.rho, profile, "rho of the profile");
+    }
+}
+
+#[test]
+fn oscillating_flat_face_by_a_law() {
+    let stages = [(Way::Rise(deg(15.0), Law::Harmonic), 120.0), (Way::Dwell, 240.0)];
+    let follower = Follower::Oscillating { pivot: Vec2::new(90.0, 0.0), arm: 0.0, sense: -1.0 };
+    let motion = Motion::Law { base: 30.0, program: program(&stages) };
+    let disc = Disc { follower, touch: Touch::Flat { lever: -8.0 }, motion, sense: 1.0 };
+    let s = disc.station(deg(50.0), Side::After).unwrap();
+    near(-4.0 * s.q.0[1], -0.758_636_369_945_597, "omega");
+    near(-16.0 * s.q.0[2], -1.219_656_016_054_81, "alpha");
+    near(s.rho, 40.071_739_924_852_3, "rho");
+    // The contact in the frame of the ground.
+    let at = s.contact.rotate_by(Vec2::from_angle(deg(50.0)));
+    near(at.x, 29.810_343_919_18, "contact x");
+    near(at.y, 26.214_324_630_840_2, "contact y");
+    near((s.contact - s.pitch).norm(), 65.161_227_083_124_1, "from the foot");
+}
+
+#[test]
+fn undercut_is_found_with_the_base_circle_that_avoids_it() {
+    let stages = [(Way::Rise(20.0, Law::Harmonic), 50.0), (Way::Dwell, 310.0)];
+    let motion = |base: f64, over: f64| Motion::Law { base, program: program(&[(stages[0].0, over), (Way::Dwell, 360.0 - over)]) };
+    let roller = Disc { follower: upward(0.0), touch: Touch::Point { radius: 25.0 }, motion: motion(15.0, 50.0), sense: 1.0 };
+    let survey = Survey::of(&roller);
+    let Some(Fault::Undercut { phi, rho, least_base: Some(base) }) = survey.faults.iter().find(|f| matches!(f, Fault::Undercut { .. }))
+    else {
+        panic!("{:?}", survey.faults)
+    };
+    near(*rho, 18.987_341_772_151_9, "rho_min");
+    near(phi.to_degrees(), 50.0, "its place");
+    let better = Survey::of(&Disc { motion: motion(base * (1.0 + 1e-9), 50.0), ..roller.clone() });
+    assert!(!better.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })), "{base}: {:?}", better.faults);
+    let worse = Survey::of(&Disc { motion: motion(base * (1.0 - 1e-6), 50.0), ..roller });
+    assert!(worse.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })));
+    let flat = Disc { follower: upward(0.0), touch: Touch::Flat { lever: 0.0 }, motion: motion(20.0, 60.0), sense: 1.0 };
+    let survey = Survey::of(&flat);
+    let Some(Fault::Undercut { rho, least_base: Some(base), .. }) = survey.faults.first() else { panic!("{:?}", survey.faults) };
+    near(*rho, -50.0, "rho of the face");
+    near(*base, 70.0, "least base circle");
+}
+
+/// Case khurmi-20.17-tangent: r1 30, roller 17.5, ascent 75°, lift 17.5.
+fn tangent_cam() -> Disc {
+    let (r1, lift, c) = (30.0, 17.5, libm::cos(deg(75.0)));
+    let r2 = (r1 - (r1 + lift) * c) / (1.0 - c);
+    let q = Vec2::new(r1 + lift - r2, 0.0);
+    let parts = [Part::Circle(Vec2::ZERO, r1), Part::Tangent, Part::Circle(q, r2), Part::Tangent];
+    let motion = Motion::Profile(segments(&parts).unwrap());
+    Disc { follower: upward(0.0), touch: Touch::Point { radius: 17.5 }, motion, sense: 1.0 }
+}
+
+#[test]
+fn tangent_cam_with_both_accelerations_at_its_joints() {
+    let disc = tangent_cam();
+    let w = 600.0 * std::f64::consts::TAU / 60.0;
+    let a = |phi: f64, side: Side| 1e-3 * w * w * disc.coordinate(phi, side).unwrap().0[2];
+    // The nose points up when the cam has turned by 90°; the rise begins 75° before.
+    let (start, top) = (deg(90.0 - 75.0), deg(90.0));
+    near(a(start, Side::Before), 0.0, "on the dwell");
+    near(a(start, Side::After), 187.522_483_620_698, "at the start");
+    let end = start + deg(25.647_322_912_090_4);
+    near(a(end, Side::Before), 303.925_890_252_233, "end of the flank");
+    near(a(end, Side::After), -57.560_898_874_488_1, "start of the nose");
+    near(a(top, Side::After), -146.386_701_193_958, "apex");
+    near(1e-3 * w * disc.coordinate(end, Side::After).unwrap().0[1], 1.589_584_399_949_42, "velocity");
+    let survey = Survey::of(&disc);
+    near(survey.stroke, 17.5, "stroke");
+    assert_eq!(survey.jumps.len(), 4, "{:?}", survey.jumps);
+    assert!((survey.angle(1, false).to_degrees() - 75.0).abs() < 1e-6, "{:?}", survey.phases);
+    assert!((survey.angle(0, false).to_degrees() - 210.0).abs() < 1e-6, "{:?}", survey.phases);
+}
+
+/// Case circular-arc-cam-flat.
+#[test]
+fn circular_arc_cam_with_a_flat_face() {
+    let (oq, flank) = (45.0, 82.422_115_269_221_6);
+    let parts = [Part::Circle(Vec2::ZERO, 30.0), Part::Flank(flank), Part::Circle(Vec2::new(oq, 0.0), 5.0), Part::Flank(flank)];
+    let motion = Motion::Profile(segments(&parts).unwrap());
+    let disc = Disc { follower: upward(0.0), touch: Touch::Flat { lever: 0.0 }, motion, sense: 1.0 };
+    let w = 600.0 * std::f64::consts::TAU / 60.0;
+    let a = |phi: f64, side: Side| 1e-3 * w * w * disc.coordinate(phi, side).unwrap().0[2];
+    let (start, top) = (deg(15.0), deg(90.0));
+    let end = start + deg(34.154_359_666_108_2);
+    near(a(start, Side::After), 206.954_215_830_209, "start");
+    near(a(end, Side::Before), 171.260_419_261_936, "end of the flank");
+    near(a(end, Side::After), -134.389_840_579_167, "start of the nose");
+    near(a(top, Side::After), -177.652_879_219_608, "apex");
+    let s = disc.station(end, Side::After).unwrap();
+    near((s.contact - s.pitch).norm(), 29.431_052_967_262_5, "contact from the axis");
+}
+
+/// Curvature and contact of the profile of arcs are those of the arcs: inversion finds the profile again.
+#[test]
+fn inversion_finds_the_profile_from_which_the_motion_was_made() {
+    let disc = tangent_cam();
+    let Motion::Profile(parts) = &disc.motion else { panic!() };
+    for k in 0..360 {
+        let phi = deg(k as f64 + 0.37);
+        let s = disc.station(phi, Side::After).unwrap();
+        let rho = parts[disc.touched(phi, Side::After).unwrap()].radius();
+        assert!((1.0 / s.rho - 1.0 / rho).abs() < 1e-9, "{k}: {} {rho}", s.rho);
+    }
+}
+
+/// The profile is the envelope of rollers and faces: their nearest neighbours cross it where they touch.
+#[test]
+fn profiles_are_envelopes() {
+    let h = 1e-5;
+    let disc = offset_roller();
+    for k in 0..72 {
+        let phi = deg(5.0 * k as f64 + 1.3);
+        let [low, here, high] = [phi - h, phi, phi + h].map(|p| disc.station(p, Side::After).unwrap());
+        let along = high.contact - low.contact;
+        assert!((here.contact - here.pitch).norm() - 10.0 < 1e-12);
+        // The profile's tangent is square to the normal, and the turn of the normal over the way is the curvature.
+        assert!(along.unit().unwrap().dot(here.normal).abs() < 1e-6, "{k}");
+        let turned = low.normal.cross(high.normal) / along.norm();
+        assert!((turned.abs() - (1.0 / here.rho).abs()).abs() < 1e-6, "{k}: {turned} {}", here.rho);
+    }
+}
+
+#[test]
+fn hollow_flanks_take_a_roller_that_is_small_enough() {
+    let q = Vec2::new(45.0, 0.0);
+    let parts = [Part::Circle(Vec2::ZERO, 30.0), Part::Flank(-60.0), Part::Circle(q, 12.0), Part::Flank(-60.0)];
+    let with = |radius: f64| Disc {
+        follower: upward(0.0),
+        touch: Touch::Point { radius },
+        motion: Motion::Profile(segments(&parts).unwrap()),
+        sense: 1.0,
+    };
+    let survey = Survey::of(&with(10.0));
+    assert!(!survey.faults.iter().any(|f| matches!(f, Fault::RollerTooLarge { .. } | Fault::NoContact { .. })), "{:?}", survey.faults);
+    near(survey.stroke, 27.0, "stroke");
+    assert!(Survey::of(&with(61.0)).faults.iter().any(|f| matches!(f, Fault::RollerTooLarge { .. })));
+}
+
+#[test]
+fn an_eccentric_disc_moves_a_face_harmonically() {
+    let parts = [Part::Circle(Vec2::new(12.0, 0.0), 30.0)];
+    let motion = Motion::Profile(segments(&parts).unwrap());
+    let disc = Disc { follower: upward(0.0), touch: Touch::Flat { lever: 0.0 }, motion, sense: 1.0 };
+    for k in 0..24 {
+        let phi = deg(15.0 * k as f64);
+        let q = disc.coordinate(phi, Side::After).unwrap();
+        let s = Jet::variable(phi).sine_cosine().0 * 12.0;
+        assert!((q.value() - 30.0 - s.value()).abs() < 1e-12 && (q.0[3] - s.0[3]).abs() < 1e-12);
+    }
+    let survey = Survey::of(&disc);
+    near(survey.stroke, 24.0, "stroke");
+    assert!((survey.angle(1, false).to_degrees() - 180.0).abs() < 1e-6, "{:?}", survey.phases);
+    assert!(survey.jumps.is_empty());
+}

@@ -1,0 +1,167 @@
+//! `hodograph cam`: a disc cam over a whole turn, as text and JSON, its figures, its profile for who mills it.
+
+use super::draw::style_of;
+use super::together::Together;
+use super::values::{Format, Text};
+use super::{Failure, Input, Run, args, choices, files};
+use crate::cam::{Motion, Segment, Survey};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::cam::{inversion, motion};
+use crate::geom::Vec2;
+use crate::render::dxf::{Entity, dxf};
+use crate::report::cam::Report;
+use crate::report::table::{Csv, Format as _, Head, Piece};
+use crate::scene::{Cam, Turning};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Cam) -> Run {
+    let style = style_of(&a.look)?;
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let (lang, _) = choices(&input.scene, &a.common);
+    let chosen = chosen(&input, a.cam).map_err(|f| input.failed(f))?;
+    let surveys: Vec<Survey> = chosen.iter().map(|(_, t)| Survey::of(&t.disc)).collect();
+    let report = |k: usize| Report { scene: &input.scene, cam: chosen[k].0, turning: chosen[k].1, survey: &surveys[k] };
+    let reports: Vec<Report> = (0..chosen.len()).map(report).collect();
+    let mut all = Together::default();
+    let mut written = String::new();
+    let mut notes = Vec::new();
+    let mut add = |path: PathBuf, bytes: &[u8], all: &mut Together| -> Result<(), Failure> {
+        all.add(&path, bytes)?;
+        written += &format!("{}\n", path.display());
+        Ok(())
+    };
+    if let Some(folder) = &a.output {
+        if files::ending(folder).is_some_and(|e| Format::of(&e).is_some()) {
+            let d = Diagnostic::error(
+                "output",
+                both!("{folder} would be a folder: a cam has two figures", "{folder} 应为文件夹：凸轮有两幅图"),
+            );
+            let d = d.help(both!("write -o out/", "请写 -o out/"));
+            return Err(Failure::argument("-o", folder, d));
+        }
+        let stem = files::stem(&input.name, "scene");
+        for (k, r) in reports.iter().enumerate() {
+            let number = if reports.len() > 1 { format!("-{}", k + 1) } else { String::new() };
+            for (word, figure) in [("cam-motion", motion::figure(r, &style, lang)), ("cam-profile", inversion::figure(r, &style, lang))] {
+                for format in &a.format {
+                    let Warned { value, notes: more } =
+                        files::bytes(&figure, *format, Text::Outlines, a.dpi).map_err(|f| input.failed(f))?;
+                    notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+                    add(Path::new(folder).join(format!("{stem}-{word}{number}.{}", format.ending())), &value, &mut all)?;
+                }
+            }
+        }
+    }
+    if let Some(path) = &a.profile {
+        let [one] = reports.as_slice() else {
+            let d = Diagnostic::error("which-cam", both!("the scene has {} cams", "机构文件有 {} 个凸轮", reports.len()));
+            return Err(Failure::argument("--profile", path, d.help(both!("say which: --cam 1", "请写明是哪一个：--cam 1"))));
+        };
+        let bytes = match files::ending(path).as_deref() {
+            Some("csv") => csv(one, a.steps as usize)?,
+            Some("dxf") => dxf(&entities(one, a.steps as usize)).into_bytes(),
+            _ => {
+                let d = Diagnostic::error("output", both!("{path} is neither a .csv nor a .dxf file", "{path} 不是 .csv 或 .dxf 文件"));
+                let d = d.help(both!("write --profile cam.csv or --profile cam.dxf", "请写 --profile cam.csv 或 --profile cam.dxf"));
+                return Err(Failure::argument("--profile", path, d));
+            }
+        };
+        add(PathBuf::from(path), &bytes, &mut all)?;
+    }
+    all.appear()?;
+    if a.json {
+        let list: Vec<_> = reports.iter().map(Report::json).collect();
+        files::print(&format!("{:#}\n", serde_json::Value::from(list)))?;
+    } else {
+        let texts: Vec<String> = reports.iter().map(|r| r.text(lang)).collect();
+        files::print(&texts.join("\n"))?;
+        files::print_names(&written)?;
+    }
+    let faults: Vec<Diagnostic> = reports.iter().flat_map(Report::faults).collect();
+    input.notes.extend(faults);
+    input.notes.extend(notes);
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The cams that can be surveyed, or the one that is named by its place in the list.
+fn chosen(input: &Input, which: Option<usize>) -> Result<Vec<(&Cam, &Turning)>, Faults> {
+    let cams = &input.scene.cams;
+    if cams.is_empty() {
+        let d = Diagnostic::error("no-cam", both!("the scene has no cam", "机构文件中没有凸轮"));
+        return Err(d
+            .help(both!(
+                "add \"cams\"; `hodograph new cam-offset-roller` writes an example",
+                "请加上 \"cams\"；`hodograph new cam-offset-roller` 给出一例"
+            ))
+            .into());
+    }
+    if let Some(k) = which.filter(|k| *k == 0 || *k > cams.len()) {
+        let d = Diagnostic::error(
+            "no-cam",
+            both!("there is no cam {k}: the scene has {}", "没有第 {k} 个凸轮：机构文件共有 {} 个", cams.len()),
+        );
+        return Err(d.into());
+    }
+    let named = cams.iter().enumerate().filter(|(i, _)| which.is_none_or(|k| k == i + 1));
+    let all: Vec<(&Cam, &Turning)> = named.clone().filter_map(|(_, c)| Some((c, c.disc.as_ref()?))).collect();
+    if !all.is_empty() {
+        return Ok(all);
+    }
+    let faults = named.map(|(_, c)| {
+        let message = both!(
+            "cam `{}` or its follower is carried by a moving link: its motion over a turn is that of the whole mechanism",
+            "凸轮 `{}` 或其从动件装在活动构件上：一周的运动取决于整个机构",
+            input.scene.link_name(c.cam)
+        );
+        Diagnostic::error("cam-pose", message).at(c.span).help(both!("use `curves` or `sweep`", "请用 `curves` 或 `sweep`"))
+    });
+    Err(Faults { list: faults.collect() })
+}
+
+/// The profile as a table.
+fn csv(report: &Report, steps: usize) -> Result<Vec<u8>, Failure> {
+    let (names, columns) = report.table(steps);
+    let csv = Csv::new(Head::new("", names));
+    let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+    let mut out = csv.begin(columns[0].len() as u64, &[]);
+    // Writing to memory does not fail.
+    let piece = csv.piece_in(&views, Piece::default()).map_err(|e| Failure::Output(both!("{e}", "{e}")))?;
+    out.extend(piece.parts.concat());
+    Ok(out)
+}
+
+/// The profile in millimetres: arcs and lines as they are, a law as a closed chain; base circle and bore are left to the reader.
+fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
+    let disc = &report.turning.disc;
+    let mm = |v: Vec2| v * 1e3;
+    let mut out: Vec<(&'static str, Entity)> = Vec::new();
+    match &disc.motion {
+        Motion::Law { .. } => out.push(("PROFILE", Entity::Closed(disc.outline(steps).into_iter().map(mm).collect()))),
+        Motion::Profile(segments) => out.extend(segments.iter().filter_map(|s| {
+            let entity = match *s {
+                Segment::Line { .. } => {
+                    let ends = s.points(1.0);
+                    Entity::Line([mm(ends[0]), mm(*ends.last()?)])
+                }
+                Segment::Arc { radius, .. } if radius == 0.0 => return None,
+                Segment::Arc { centre, radius, normals: [from, to] } if to - from >= std::f64::consts::TAU => {
+                    Entity::Circle { centre: mm(centre), radius: radius * 1e3 }
+                }
+                Segment::Arc { centre, radius, normals: [from, to] } => {
+                    // A hollow lies on the other side of its centre, and goes round the other way.
+                    let half = if radius < 0.0 { std::f64::consts::PI } else { 0.0 };
+                    let (low, high) = (from.min(to) + half, from.max(to) + half);
+                    let degrees = [low, high].map(|a| crate::cam::in_turn(a).to_degrees());
+                    Entity::Arc { centre: mm(centre), radius: radius.abs() * 1e3, degrees }
+                }
+            };
+            Some(("PROFILE", entity))
+        })),
+    }
+    out.push(("CENTRE", Entity::Line([Vec2::new(-2.0, 0.0), Vec2::new(2.0, 0.0)])));
+    out.push(("CENTRE", Entity::Line([Vec2::new(0.0, -2.0), Vec2::new(0.0, 2.0)])));
+    out
+}

@@ -1,0 +1,33 @@
+//! `hodograph mobility`: what is counted, as text or JSON, and the groups drawn apart.
+
+use super::draw::style_of;
+use super::{Input, Run, args, choices, files};
+use crate::figure::groups;
+use crate::report::mobility as report;
+use crate::scene::{self, Scene};
+use crate::worked::{Scope, work};
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Mobility) -> Run {
+    let style = style_of(&a.look)?;
+    let mut input = Input::read_topology(&a.common)?.drawn_in(&style);
+    let (lang, notation) = choices(&input.scene, &a.common);
+    let (survey, checked) = report::surveyed(&input.scene);
+    if let Some(path) = &a.output {
+        // A drawing needs the pose: what is missing for it is told as everywhere.
+        let whole = scene::read(&input.source).map_err(|f| input.failed(f))?;
+        let asked = Scene { find: Vec::new(), ..whole.value };
+        let worked = work(&asked, Scope::Figure).map_err(|f| input.failed(f))?;
+        let figure = groups::figure(&asked, &worked.value, &style, &style.marks.over(&notation), lang);
+        input.notes.extend(files::figure(&figure, path)?);
+        input.notes.extend(worked.notes);
+    }
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.scene, &survey, &checked)))?;
+    } else {
+        files::print(&report::text(&input.scene, &survey, &checked, lang))?;
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}

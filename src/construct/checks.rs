@@ -1,0 +1,58 @@
+//! What a pair that only repeats what others fix demands of the motion, measured on paper: along the line of its two pins nothing is left
+//! of their velocities, and of their accelerations the normal one alone. No crossing uses it, so it checks the drawing.
+
+use super::{Construction, Polygon};
+use crate::geom::Point;
+use crate::mechanism::{Level, Mechanism};
+use crate::plan::Plan;
+use crate::position::Configuration;
+use crate::scene::{PointId, Scene};
+
+/// A condition of an opened link, and by how much the drawing misses it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Condition {
+    /// Which of [`Mechanism::redundant`].
+    pub index: usize,
+    /// The two pins.
+    pub pins: (PointId, PointId),
+    /// Of velocities or of accelerations.
+    pub level: Level,
+    /// By how much it is missed, mm of paper.
+    pub off_mm: f64,
+}
+
+/// The conditions of all opened links whose pins have their images on the paper.
+pub fn conditions(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Condition> {
+    let mut out = Vec::new();
+    for (index, redundant) in m.redundant.iter().enumerate() {
+        let crate::mechanism::Opened::Link(l) = redundant.opened else { continue };
+        let Some(pins) = m.held(l) else { continue };
+        for level in Level::RATES {
+            let off = off_mm(scene, at, plan, paper, pins, level);
+            out.extend(off.map(|off_mm| Condition { index, pins, level, off_mm }));
+        }
+    }
+    out
+}
+
+fn off_mm(scene: &Scene, at: &Configuration, plan: &Plan, paper: &Construction, (a, b): (PointId, PointId), level: Level) -> Option<f64> {
+    let line = at.points[b.0]? - at.points[a.0]?;
+    let along = line.unit()?;
+    let apart = |polygon: &Polygon| {
+        let image = |p: PointId| {
+            let fixed = scene.links[scene.ground.0].points.contains(&p);
+            if fixed { Some(Point::ORIGIN) } else { polygon.images[plan.find_vertex(scene, p, None)?.0] }
+        };
+        Some(image(b)? - image(a)?)
+    };
+    let velocities = paper.polygon(Level::Velocity)?;
+    let v = apart(velocities)?;
+    if level == Level::Velocity {
+        return Some(v.dot(along).abs());
+    }
+    let accelerations = paper.polygon(level)?;
+    // aⁿ = v²/l, v square to the line as it was drawn.
+    let across = v.dot(along.perp()) * velocities.mu;
+    let normal = across * across / line.norm() / accelerations.mu;
+    Some((apart(accelerations)?.dot(along) + normal).abs())
+}

@@ -1,0 +1,202 @@
+//! The mechanism with its centres: dots, the lines that find them, arrows to those that the paper does not hold.
+
+use crate::centres::{Centre, Centres, How, Place, Primary};
+use crate::figure::drawing::{Drawing, Part};
+use crate::figure::extent::Rect;
+use crate::figure::item::{Colour, Dash, Shape};
+use crate::figure::label::Label;
+use crate::figure::list::Wanted;
+use crate::figure::mechanism;
+use crate::figure::place::LabelRequest;
+use crate::figure::symbols as sym;
+use crate::geom::{Point, Vec2};
+use crate::position::Path;
+
+use super::rays::{Paper, Ray, Spot, clipped, holds};
+use super::symbol;
+
+/// How far around the mechanism centres are still drawn where they are: half of an A4 page's height.
+const REACH_MM: f64 = 85.0;
+/// Paper around the outermost centre: lines that pass through it are seen to go on.
+const EDGE_MM: f64 = 6.0;
+/// Centres nearer to one another than this have one dot and one label.
+const SAME_MM: f64 = 0.6;
+/// Length of the arrow to a centre at infinity that no line leads to.
+const ARROW_MM: f64 = 16.0;
+/// How far lines stand back behind the mechanism.
+const LINES: Colour = Colour::grey(120);
+
+/// The mechanism with all its centres.
+pub fn part(w: &Wanted, found: &Centres) -> Part {
+    let (style, scene) = (&w.options.style, w.scene);
+    let diagram = &w.worked.construction.diagram;
+    let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
+    let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
+    let lines = d.bounds();
+    let window = window(found, lines, &to_paper);
+    let paper = Paper { found, to_paper: &to_paper, window };
+    let mut over = Over { w, found, paper: &paper, d: &mut d, told: vec![false; found.list.len()] };
+    over.lines();
+    over.spots();
+    over.far();
+    d.finish()
+}
+
+/// The paper that is used: the mechanism, and all centres that are not far from it.
+fn window(found: &Centres, lines: Rect, to_paper: &dyn Fn(Point) -> Point) -> Rect {
+    let reach = lines.grown(REACH_MM);
+    let near = found.list.iter().filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
+    near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM)
+}
+
+struct Over<'a, 'b> {
+    w: &'a Wanted<'a>,
+    found: &'a Centres,
+    paper: &'a Paper<'a>,
+    d: &'b mut Drawing,
+    /// For each centre whether it has its label.
+    told: Vec<bool>,
+}
+
+impl Over<'_, '_> {
+    /// The lines, behind the mechanism.
+    fn lines(&mut self) {
+        let rays = self.paper.rays();
+        let thin = self.w.options.style.thin.coloured(LINES);
+        let mut owners = Vec::new();
+        self.d.behind(|d| {
+            for ray in &rays {
+                let stroke = if ray.normal { thin.dashed(Dash::DashDot) } else { thin };
+                let class = if ray.normal { "centre normal" } else { "centre line" };
+                owners.push(d.shape("kennedy", class, Shape::Line { from: ray.from, to: ray.to, stroke }));
+            }
+        });
+        for (ray, owner) in rays.iter().zip(owners) {
+            self.arrows(ray, owner);
+        }
+    }
+
+    /// The arrows at the edge of the paper, each centre named once.
+    fn arrows(&mut self, ray: &Ray, owner: u32) {
+        for a in &ray.arrows {
+            let Some(along) = (a.tip - if a.tip == ray.from { ray.to } else { ray.from }).unit() else { continue };
+            let base = a.tip - along * ARROW_MM.min(ray.from.distance(ray.to));
+            self.arrow(a.to, a.from, base, a.tip, owner);
+        }
+    }
+
+    /// The head of an arrow at the edge, with the name of its centre; the line is there.
+    fn arrow(&mut self, k: usize, measured: Option<usize>, base: Point, to: Point, owner: u32) {
+        let style = &self.w.options.style;
+        let c = &self.found.list[k];
+        let name = c.step.pair.name(self.w.scene);
+        let stroke = style.thin.coloured(LINES);
+        let along = (to - base).unit().unwrap_or(Vec2::ZERO);
+        // A shaft over the line would make it darker.
+        let from = if owner > 0 { to - along * style.thin_head.length_mm * 1.5 } else { base };
+        self.d.shape(&format!("to-{name}"), "centre far", Shape::Arrow { from, to, stroke, head: style.thin_head });
+        let again = std::mem::replace(&mut self.told[k], true);
+        let label = self.far_label(c, measured.filter(|_| !again));
+        let request = LabelRequest::along(label, style.small_mm, base, to, stroke.width_mm / 2.0);
+        self.d.label(&name, "centre far", request.owned(owner).optional(again));
+    }
+
+    /// `P_{13}, 6.83 m`: how far it is from another centre on the line; a centre at infinity has the sign for it.
+    fn far_label(&self, c: &Centre, measured: Option<usize>) -> Label {
+        let symbol = symbol(self.w.scene, c.step.pair);
+        let from = measured.and_then(|k| self.found.list[k].place?.point());
+        match (c.place, from) {
+            (Some(Place::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
+            (Some(Place::At(p)), Some(from)) => {
+                Label::math(format!("{symbol}, ")).then(Label::text(self.w.scene.length_words(p.distance(from))))
+            }
+            (Some(Place::At(_)) | None, _) => Label::math(symbol),
+        }
+    }
+
+    /// Dots and names of the centres on the paper; those at one place share them.
+    fn spots(&mut self) {
+        let style = &self.w.options.style;
+        let mut places: Vec<(Point, Vec<usize>)> = Vec::new();
+        for (k, c) in self.found.list.iter().enumerate() {
+            let Some(Spot::On(at)) = self.paper.spot(c) else { continue };
+            match places.iter_mut().find(|(p, _)| p.distance(at) < SAME_MM) {
+                Some((_, members)) => members.push(k),
+                None => places.push((at, vec![k])),
+            }
+        }
+        for (at, members) in places {
+            let of = |k: &usize| &self.found.list[*k];
+            let joint = members.iter().any(|k| matches!(of(k).step.how, How::Primary(Primary::Pin(_))));
+            let measured = members.iter().any(|k| of(k).step.how == How::Velocities);
+            let names: Vec<String> = members.iter().map(|k| symbol(self.w.scene, of(k).step.pair)).collect();
+            let name = of(&members[0]).step.pair.name(self.w.scene);
+            let clear = if joint { style.pin_radius_mm } else { style.dot_radius_mm };
+            if !joint {
+                self.d.draw(&name, "centre", sym::dot(style, at));
+            }
+            if measured {
+                // A ring tells the one that no lines find.
+                let ring = Shape::Circle { centre: at, radius_mm: 2.0 * style.dot_radius_mm, stroke: Some(style.thin), fill: None };
+                self.d.shape(&format!("{name}-ring"), "centre", ring);
+            }
+            let clear = if measured { 2.0 * style.dot_radius_mm } else { clear };
+            let request = LabelRequest::at_point(Label::math(names.join(", ")), style.small_mm, at, clear);
+            self.d.label(&name, "centre", request);
+            members.iter().for_each(|k| self.told[*k] = true);
+        }
+    }
+
+    /// Arrows to the centres that no line has told yet: primary ones at infinity stand at their slider.
+    fn far(&mut self) {
+        for k in 0..self.found.list.len() {
+            let c = &self.found.list[k];
+            if self.told[k] {
+                continue;
+            }
+            let Some(spot) = self.paper.spot(c) else { continue };
+            let at = self.anchor(c).filter(|p| holds(self.paper.window, *p)).unwrap_or(self.paper.window.centre());
+            let (from, to) = match spot {
+                Spot::Infinite(u) => {
+                    let up = if u.y >= 0.0 { u } else { -u };
+                    (at, at + up * ARROW_MM)
+                }
+                Spot::On(p) | Spot::Off(p) => match self.to_edge(at, p) {
+                    Some(edge) => edge,
+                    None => continue,
+                },
+            };
+            self.arrow(k, None, from, to, 0);
+        }
+    }
+
+    /// The last piece of the way to a place, up to the edge of the paper.
+    fn to_edge(&self, at: Point, p: Point) -> Option<(Point, Point)> {
+        let along: Vec2 = (p - at).unit()?;
+        let [_, high] = clipped(self.paper.window, at, along)?;
+        Some((at + along * (high - ARROW_MM).max(0.0), at + along * high))
+    }
+
+    /// Where the slider of a centre stands.
+    fn anchor(&self, c: &Centre) -> Option<Point> {
+        let configuration = &self.found.worked.configuration;
+        let at = match c.step.how {
+            How::Primary(Primary::Slide(g)) => match (self.w.scene.guides[g.0].pin, configuration.guides[g.0]?) {
+                (Some(pin), _) => configuration.points[pin.0]?,
+                (None, Path::Line { through, .. }) => through,
+                (None, Path::Arc { centre, .. }) => centre,
+            },
+            How::Primary(Primary::Cylinder(d)) => match self.w.scene.drivers[d].kind {
+                crate::scene::DriverKind::Cylinder { a, b, .. } => {
+                    let (a, b) = (configuration.points[a.0]?, configuration.points[b.0]?);
+                    a + (b - a) * 0.5
+                }
+                crate::scene::DriverKind::Turn { .. } | crate::scene::DriverKind::Slide { .. } => return None,
+            },
+            How::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
+            How::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at.0]?,
+            How::Lines(_) | How::Velocities => return None,
+        };
+        Some((self.paper.to_paper)(at))
+    }
+}

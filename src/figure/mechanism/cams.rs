@@ -1,0 +1,211 @@
+//! Disc cams: the real profile with roller, edge or face of the follower, and, thin, the linkage that stands for them 高副替代机构.
+
+use std::f64::consts::TAU;
+
+use crate::cam::Station;
+use crate::figure::item::{Dash, Shape};
+use crate::figure::symbols as sym;
+use crate::geom::{Point, Vec2};
+use crate::position::Path;
+use crate::scene::{Cam, Follows, GuideId, LinkId, PointId};
+
+use super::Draft;
+use super::letters::NumberPlace;
+
+/// Points round a profile: one for each degree.
+const STEPS: usize = 360;
+/// From the end of a follower to the middle of its guide.
+const ROD_MM: f64 = 16.0;
+/// A face goes on so far beyond its contact.
+const BEYOND_MM: f64 = 7.0;
+/// A centre of curvature farther off than this part of the drawing's usual size is not drawn: the profile is nearly straight there.
+const FAR_MM: f64 = 120.0;
+
+impl Draft<'_> {
+    /// Whether a guide only stands for the contact of a cam.
+    pub(super) fn is_contact(&self, g: GuideId) -> bool {
+        self.scene.cams.iter().any(|c| c.contact == Some(g))
+    }
+
+    /// Whether a link is nothing but a cam, or a lever with a flat face: it has no joint but its own pivot.
+    pub(super) fn is_profile(&self, l: LinkId) -> bool {
+        let faced = |c: &Cam| c.follower == l && matches!(c.follows, Follows::Face(_));
+        let named = self.scene.cams.iter().any(|c| c.cam == l || faced(c));
+        let joint = |p: &PointId| self.is_pin(*p) && !self.on_ground(*p) && !self.stands_for(*p);
+        named && !self.scene.links[l.0].points.iter().any(joint)
+    }
+
+    /// Whether a point is a pin only because it runs in the guide that stands for a contact.
+    fn stands_for(&self, p: PointId) -> bool {
+        self.scene.cams.iter().any(|c| c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p))
+    }
+
+    fn on_cam(&self, c: &Cam, p: PointId) -> bool {
+        self.scene.links[c.cam.0].points.contains(&p)
+    }
+
+    /// By how much the block and the guide of a cam's follower stand away from its end.
+    pub(super) fn raised(&self, g: GuideId, tangent: Vec2) -> Vec2 {
+        let guide = &self.scene.guides[g.0];
+        let of = |c: &&Cam| guide.slider == Some(c.follower) && guide.pin == Some(c.follows.point());
+        self.scene.cams.iter().find(of).map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
+    }
+
+    fn mm(&self, length: f64) -> f64 {
+        length / self.worked.construction.diagram.mu_l
+    }
+
+    /// From the frame of a cam to paper, the cam as it stands at the instant.
+    fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
+        let t = c.disc.as_ref()?;
+        let centre = self.point(t.pivot)?;
+        let (turn, mu) = (Vec2::from_angle(t.disc.sense * t.phi), self.worked.construction.diagram.mu_l);
+        Some(move |v: Vec2| centre + v.rotate_by(turn) * (1.0 / mu))
+    }
+
+    /// What is known of the contact at the instant.
+    fn station(&self, c: &Cam) -> Option<Station> {
+        let t = c.disc.as_ref()?;
+        t.disc.station(t.phi, t.side)
+    }
+
+    /// The contact and the centre of curvature of the profile, on paper.
+    fn contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
+        if let (Some(s), Some(at)) = (self.station(c), self.of_cam(c)) {
+            let k = s.centre();
+            let near = k.is_finite() && self.mm((k - s.contact).norm()) < FAR_MM;
+            return Some((at(s.contact), near.then(|| at(k))));
+        }
+        let (k, radius) = c.circle?;
+        let k = self.point(k)?;
+        let toward = match c.follows {
+            Follows::Face(_) => self.face_normal(c, k)?,
+            Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => (self.point(p)? - k).unit()?,
+        };
+        Some((k + toward * self.mm(radius), Some(k)))
+    }
+
+    /// From the centre of a circle toward a flat face, square to it.
+    fn face_normal(&self, c: &Cam, k: Point) -> Option<Vec2> {
+        let Some(Path::Line { direction, .. }) = self.guide(c.contact?) else { return None };
+        let n = direction.perp();
+        // The centre lies by the radius on the cam's side; the point of the face tells which that is.
+        let through = self.point(c.follows.point())?;
+        Some(if (through - k).dot(n) >= 0.0 { n } else { -n })
+    }
+
+    /// Profiles and ends of the followers, behind the links.
+    pub(super) fn cams(&mut self) {
+        for i in 0..self.scene.cams.len() {
+            let c = &self.scene.cams[i];
+            self.profile(c);
+            self.end(c);
+        }
+    }
+
+    fn profile(&mut self, c: &Cam) {
+        let id = format!("cam-{}", self.scene.link_name(c.cam));
+        self.d.of_link(Some(c.cam.0));
+        let stroke = self.style.outline;
+        let (owner, [from, to]) = if let Some((k, radius)) = c.circle {
+            let Some(centre) = self.point(k) else { return self.d.of_link(None) };
+            let radius_mm = self.mm(radius);
+            let owner = self.d.shape(&id, "cam", Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke });
+            (owner, [3.6, 4.4].map(|a| centre + Vec2::from_angle(a) * radius_mm))
+        } else {
+            let (Some(t), Some(at)) = (&c.disc, self.of_cam(c)) else { return self.d.of_link(None) };
+            let points: Vec<Point> = t.disc.outline(STEPS).into_iter().map(at).collect();
+            let ends = [points[0], points[points.len() / 12]];
+            (self.d.shape(&id, "cam", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }), ends)
+        };
+        self.d.of_link(None);
+        if self.forms[c.cam.0].is_none() && self.number_at[c.cam.0].is_none() {
+            self.number_at[c.cam.0] = Some(NumberPlace::Along(from, to, owner));
+        }
+    }
+
+    /// The roller, the round end or the face.
+    fn end(&mut self, c: &Cam) {
+        let id = format!("follower-{}", self.scene.link_name(c.follower));
+        let stroke = self.style.outline;
+        self.d.of_link(Some(c.follower.0));
+        match c.follows {
+            Follows::Edge(_) => {}
+            Follows::Roller(p, radius) => {
+                if let Some(centre) = self.point(p) {
+                    let circle = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: 0.0, to_rad: TAU, stroke };
+                    self.d.shape(&id, "roller", circle);
+                }
+            }
+            Follows::Arc(p, radius) => {
+                if let (Some(centre), Some((contact, _))) = (self.point(p), self.contact(c)) {
+                    let middle = (contact - centre).angle();
+                    let arc = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: middle - 0.6, to_rad: middle + 0.6, stroke };
+                    self.d.shape(&id, "round-end", arc);
+                }
+            }
+            Follows::Face(p) => self.face(c, p, &id),
+        }
+        self.d.of_link(None);
+    }
+
+    /// A flat face from level with its point to beyond the contact, and the arm that holds it.
+    fn face(&mut self, c: &Cam, p: PointId, id: &str) {
+        let (Some(through), Some((contact, k))) = (self.point(p), self.contact(c)) else { return };
+        let normal = match k {
+            Some(k) => (contact - k).unit(),
+            None => self.station(c).zip(c.disc.as_ref()).map(|(s, t)| s.normal.rotate_by(Vec2::from_angle(t.disc.sense * t.phi))),
+        };
+        let Some(n) = normal else { return };
+        let foot = through - n * (through - contact).dot(n);
+        let along = contact - foot;
+        let u = along.unit().unwrap_or(n.perp());
+        let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower) && g.on == self.scene.ground);
+        let reach = along.norm() + BEYOND_MM;
+        let from = if slides { foot - u * reach } else { foot };
+        let owner = self.d.draw(id, "", sym::link(self.style, &[from, foot + u * reach]));
+        if (foot - through).norm() > super::SAME_MM && !slides {
+            self.d.draw(id, "", sym::link(self.style, &[through, foot]));
+            self.d.draw(id, "", sym::weld(self.style, foot, through, contact));
+        }
+        if !slides && self.number_at[c.follower.0].is_none() {
+            self.number_at[c.follower.0] = Some(NumberPlace::Along(foot, contact, owner));
+        }
+    }
+
+    /// The equivalent linkage in thin lines: pivot – centre of curvature – follower; and the contact on it.
+    pub(super) fn equivalents(&mut self) {
+        for i in 0..self.scene.cams.len() {
+            let c = &self.scene.cams[i];
+            let Some((contact, k)) = self.contact(c) else { continue };
+            let id = format!("equivalent-{}", self.scene.link_name(c.cam));
+            let stroke = self.style.thin.dashed(Dash::DashDot);
+            let end = match c.follows {
+                Follows::Face(_) => contact,
+                Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => self.point(p).unwrap_or(contact),
+            };
+            let mut line = |from: Point, to: Point| {
+                if from.distance(to) > super::SAME_MM {
+                    self.d.shape(&id, "equivalent", Shape::Line { from, to, stroke });
+                }
+            };
+            match k {
+                Some(k) => line(k, end),
+                None => line(contact, end),
+            }
+            let pivot = self.scene.links[c.cam.0].points.iter().copied().find(|p| self.on_ground(*p));
+            if let (Some(k), Some(pivot)) = (k, pivot.and_then(|p| self.point(p))) {
+                self.d.shape(&id, "equivalent", Shape::Line { from: pivot, to: k, stroke });
+                if k.distance(pivot) > super::SAME_MM {
+                    self.d.draw(&id, "equivalent", sym::dot(self.style, k));
+                }
+            }
+            let dot = sym::dot(self.style, contact);
+            self.d.draw(&format!("contact-{i}"), "contact", dot);
+            if let Some(name) = &self.scene.cams[i].at {
+                let name = crate::plan::names::point_label(name);
+                self.d.label_at(&format!("contact-{i}-letter"), "letter", &name, contact, self.style.dot_radius_mm, None);
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Pairs that only repeat what the others fix 虚约束: which of them may be opened, so that every equation has a home.
+//!
+//! Decided here, from topology alone: an equation without a home in the matching depends on its circuit; of the links, guides and
+//! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those that leave the lowest
+//! class of groups are taken, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
+//! [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
+//!
+//! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
+
+use super::mobility::Matched;
+use super::{Constraint, Core, Mechanism, Passive, find_constraints, find_pins, touching};
+use crate::diag::Span;
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+
+/// What is opened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Opened {
+    /// A link, of which only two pins are looked at: it follows them ([`Passive::Held`]).
+    Link(LinkId),
+    /// A guide: its runner is held by others.
+    Guide(GuideId),
+    /// A rolling pair or a mesh: no slip follows from others.
+    Rolling(RollingId),
+    /// The second of two pins that join the same two links: both lie on one axis.
+    Pin(PointId, LinkId),
+}
+
+/// A pair that only repeats what the others fix, as far as topology can tell.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Redundant {
+    /// What is opened.
+    pub opened: Opened,
+    /// How many equations it says too much.
+    pub equations: usize,
+}
+
+/// A scene's constraints with some of them opened.
+#[derive(Clone)]
+pub(super) struct Opening {
+    pub passive: Vec<Option<Passive>>,
+    pub redundant: Vec<Redundant>,
+}
+
+impl Opening {
+    /// Whether a pair stays closed.
+    pub fn keeps(&self, what: &Opened) -> bool {
+        self.redundant.iter().all(|r| r.opened != *what)
+    }
+
+    pub fn pins_and_constraints(&self, scene: &Scene) -> (Vec<PointId>, Vec<Constraint>) {
+        let pins = find_pins(scene, self);
+        let constraints = find_constraints(scene, self, &pins);
+        let constraints = touching(scene, self, &pins, constraints);
+        (pins, constraints)
+    }
+
+    pub fn matched(&self, scene: &Scene) -> Matched {
+        let (pins, constraints) = self.pins_and_constraints(scene);
+        Matched::new(scene, &self.passive, &pins, &constraints)
+    }
+
+    /// The same with one more pair opened.
+    fn with(&self, candidate: &Candidate) -> Opening {
+        let mut opening = self.clone();
+        if let (Opened::Link(l), [a, b, ..]) = (&candidate.opened, &candidate.pins[..]) {
+            opening.passive[l.0] = Some(Passive::Held(*a, *b));
+        }
+        opening.redundant.push(Redundant { opened: candidate.opened.clone(), equations: candidate.equations });
+        opening
+    }
+}
+
+/// What may be opened.
+struct Candidate {
+    opened: Opened,
+    /// The pins of a link.
+    pins: Vec<PointId>,
+    equations: usize,
+    span: Span,
+}
+
+/// At most so many sets of pairs are tried: each costs a matching, some microseconds for a textbook's mechanism.
+const MOST_TRIED: usize = 2000;
+
+/// At most so many pairs are opened together: a locomotive has three axles more than it needs.
+const MOST_OPENED: usize = 4;
+
+/// The fewest pairs whose opening leaves as many equations as freedoms; `None` where nothing but a driver can be left out.
+pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
+    let matched = closed.matched(scene);
+    let (pins, constraints) = closed.pins_and_constraints(scene);
+    let drives = |c: &usize| matches!(constraints[*c], Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_));
+    let many = |c: BTreeSet<usize>| c.into_iter().filter(drives).count() > 1;
+    let moves = super::mobility::count(scene, &constraints).freedom > 0;
+    if matched.free() > 0 || moves && matched.circuits().any(many) {
+        return None;
+    }
+    let candidates = candidates(scene, closed, &pins);
+    let mut tried = 0;
+    for count in 1..=MOST_OPENED {
+        let mut found: Vec<Opening> = Vec::new();
+        choose(scene, closed, &candidates, count, matched.homeless(), &mut tried, &mut found);
+        let ranked = found.into_iter().filter_map(|o| Some((rank(&Mechanism::opened(scene, o.clone()).ok()?), o)));
+        // The first of those of equal rank: candidates stand in the reverse order of the file.
+        if let Some((_, best)) = ranked.min_by_key(|r| r.0) {
+            return Some(best);
+        }
+    }
+    None
+}
+
+/// All sets of `count` of the candidates that give every one of `homeless` equations a home and leave no freedom open.
+fn choose(
+    scene: &Scene,
+    so_far: &Opening,
+    candidates: &[Candidate],
+    count: usize,
+    homeless: usize,
+    tried: &mut usize,
+    found: &mut Vec<Opening>,
+) {
+    for (i, c) in candidates.iter().enumerate() {
+        if *tried >= MOST_TRIED {
+            return;
+        }
+        let Some(left) = homeless.checked_sub(c.equations) else { continue };
+        if (left == 0) != (count == 1) {
+            continue;
+        }
+        let opening = so_far.with(c);
+        *tried += 1;
+        let matched = opening.matched(scene);
+        if matched.homeless() != left || matched.free() > 0 {
+            continue;
+        }
+        if count == 1 {
+            found.push(opening);
+        } else {
+            choose(scene, &opening, &candidates[i + 1..], count - 1, left, tried, found);
+        }
+    }
+}
+
+/// How many groups are of a high class: those above the third, then those of the third.
+fn rank(m: &Mechanism) -> (usize, usize) {
+    let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
+    (m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III"))
+}
+
+/// What may be opened, the last in the file first.
+fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidate> {
+    let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
+    let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
+    let driven = |g: usize| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide.0 == g));
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && guide.rolling.is_none()) {
+        let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
+        let equations = match (guide.slider.filter(|_| !block), guide.pin) {
+            (Some(_), _) => 2,
+            (None, _) => 1,
+        };
+        all.push(Candidate { opened: Opened::Guide(GuideId(g)), pins: Vec::new(), equations, span: guide.span });
+    }
+    for (l, link) in scene.links.iter().enumerate().filter(|(l, _)| closed.passive[*l].is_none() && *l != scene.ground.0) {
+        for &p in link.points.iter().rev() {
+            let other = |k: &LinkId| {
+                k.0 != l && closed.passive[k.0].is_none() && link.points.iter().any(|q| *q != p && scene.links[k.0].points.contains(q))
+            };
+            if scene.carriers(p).any(|k| other(&k)) {
+                all.push(Candidate { opened: Opened::Pin(p, LinkId(l)), pins: Vec::new(), equations: 2, span: link.span });
+            }
+        }
+    }
+    for (r, pair) in scene.rolling.iter().enumerate() {
+        all.push(Candidate { opened: Opened::Rolling(RollingId(r)), pins: Vec::new(), equations: 1, span: pair.span });
+    }
+    all.sort_by_key(|c| Reverse(c.span.start));
+    all
+}
+
+/// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.
+fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<Candidate> {
+    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
+    let driven = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == l || against == l));
+    let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
+    // Two equations for each pin, and three freedoms go with the link.
+    let equations = (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;
+    Some(Candidate { opened: Opened::Link(l), pins: own, equations, span: scene.links[l.0].span })
+}

@@ -1,0 +1,263 @@
+//! How many freedoms a mechanism has, counted from its links and pairs with every special case in a list of its own; and its groups for
+//! each possible driver.
+//!
+//! F = 3n − (2 p_l + p_h − p′) − F′: a pin of k links counts k − 1 (compound hinge 复合铰链); F′ are local freedoms 局部自由度, of links that
+//! nothing else hangs on; p′ is what pairs say too much 虚约束, as far as topology can tell. No length is looked at here.
+//!
+//! # Source
+//! Sun Huan et al., *Mechanisms and Machine Theory* (机械原理), ch. 2.
+
+use super::Mechanism;
+use super::redundant::{Opened, Opening, Redundant};
+use crate::scene::{Driver, DriverKind, Given, GuideId, LinkId, PointId, Scene};
+
+/// A link whose only pair is the pin about which it turns: its turning moves nothing else.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Local {
+    /// Its name.
+    pub link: String,
+    /// The name of its pin.
+    pub pin: String,
+    /// Whether it is the body of a bare pin that runs in two slots.
+    pub bare: bool,
+}
+
+/// What is counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Moving links n.
+    pub moving: usize,
+    /// Lower pairs p_l.
+    pub lower: usize,
+    /// Higher pairs p_h.
+    pub higher: usize,
+}
+
+impl Counts {
+    /// F = 3n − (2 p_l + p_h − p′) − F′.
+    ///
+    /// ```
+    /// use hodograph::mechanism::Counts;
+    /// // A locomotive's three coupled axles: one of the cranks repeats the others.
+    /// assert_eq!(Counts { moving: 4, lower: 6, higher: 0 }.freedom(1, 0), 1);
+    /// ```
+    pub fn freedom(&self, repeated: usize, local: usize) -> i64 {
+        3 * self.moving as i64 - (2 * self.lower + self.higher) as i64 + repeated as i64 - local as i64
+    }
+}
+
+/// The groups of a mechanism for one choice of drivers.
+#[derive(Clone, Debug)]
+pub struct ForDrivers {
+    /// The scene with these drivers.
+    pub scene: Scene,
+    /// Whether they are those of the file.
+    pub given: bool,
+    /// Its topology.
+    pub mechanism: Mechanism,
+}
+
+impl ForDrivers {
+    /// The groups from the far end 拆杆组: the last that can be solved first; what is driven and what is only carried is none.
+    pub fn from_the_far_end(&self) -> impl Iterator<Item = &super::Group> {
+        self.mechanism.groups.iter().rev().filter(|g| g.class().is_some())
+    }
+
+    /// The class of the mechanism: that of its highest group; `I` where there is none.
+    pub fn class(&self) -> &'static str {
+        let has = |class| self.mechanism.groups.iter().any(|g| g.class() == Some(class));
+        ["IV or higher", "III", "II"].into_iter().find(|c| has(c)).unwrap_or("I")
+    }
+
+    /// What the drivers move, one after the other: `2`, `slider C`.
+    pub fn names(&self) -> Vec<String> {
+        (0..self.scene.drivers.len()).map(|d| self.scene.driver_name(d).0).collect()
+    }
+}
+
+/// All that is counted.
+#[derive(Clone, Debug)]
+pub struct Survey {
+    /// As the pairs stand.
+    pub counts: Counts,
+    /// Pins that join three links or more, with how many.
+    pub compound: Vec<(PointId, usize)>,
+    /// Links that turn about their pin by themselves.
+    pub local: Vec<Local>,
+    /// For each choice of drivers for which the mechanism moves as they say; the file's own first.
+    pub choices: Vec<ForDrivers>,
+}
+
+/// So many choices of drivers are tried at most.
+const MOST_CHOICES: usize = 100;
+
+impl Survey {
+    /// Counts a scene, and tries as many drivers as the count leaves freedoms, at least one.
+    pub fn of(scene: &Scene) -> Survey {
+        Survey::driven_by(scene, 1)
+    }
+
+    /// The same with so many drivers at least.
+    pub fn driven_by(scene: &Scene, least: usize) -> Survey {
+        let (counts, compound, mut local) = counted(scene);
+        let idle: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(|l| is_idle(scene, *l)).collect();
+        local.extend(idle.iter().map(|l| {
+            let link = &scene.links[l.0];
+            let pin = link.points.iter().find(|p| scene.carriers(**p).count() > 1).or(link.points.first());
+            Local { link: link.name.clone(), pin: pin.map_or_else(String::new, |p| scene.point_name(*p).into()), bare: false }
+        }));
+        let rest = without(scene, &idle);
+        let own = usize::try_from(counts.freedom(0, local.len())).unwrap_or(0).max(least);
+        let wanted = if rest.drivers.is_empty() { own } else { rest.drivers.len().max(own) };
+        let mut choices: Vec<ForDrivers> = Vec::new();
+        if !rest.drivers.is_empty() {
+            choices.extend(Mechanism::new(&rest).ok().map(|m| ForDrivers { scene: rest.clone(), given: true, mechanism: m.value }));
+        }
+        for drivers in sets(&possible(&rest), wanted) {
+            let one = Scene { drivers, ..rest.clone() };
+            if !choices.iter().any(|c| same_drivers(&c.scene, &one)) {
+                choices.extend(Mechanism::new(&one).ok().map(|m| ForDrivers { scene: one, given: false, mechanism: m.value }));
+            }
+        }
+        Survey { counts, compound, local, choices }
+    }
+
+    /// The counts without local freedoms and without those pairs of [`Survey::redundant`] that `repeat` others, every higher pair
+    /// replaced by a link with two lower pairs 高副低代.
+    pub fn substituted(&self, repeat: impl Fn(usize) -> bool) -> Counts {
+        let repeated: Vec<&Redundant> = self.redundant().iter().enumerate().filter(|(i, _)| repeat(*i)).map(|(_, r)| r).collect();
+        substituted(self.choices.first().map(|c| &c.scene), self.counts, &self.local, &repeated)
+    }
+
+    /// What only repeats others, as far as topology can tell.
+    pub fn redundant(&self) -> &[Redundant] {
+        self.choices.first().map_or(&[], |c| &c.mechanism.redundant)
+    }
+}
+
+/// Links and pairs as they stand. A bare pin in two slots is a body of its own, whose turning is a local freedom.
+fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
+    let closed = Opening { passive: super::find_passive(scene), redundant: Vec::new() };
+    let mobility = super::mobility::count(scene, &closed.pins_and_constraints(scene).1);
+    let bare = |p: PointId| scene.carriers(p).next().is_none();
+    let mut local: Vec<Local> = Vec::new();
+    for p in scene.guides.iter().filter(|g| g.slider.is_none() && g.rolling.is_none()).filter_map(|g| g.pin).filter(|p| bare(*p)) {
+        let pin = scene.point_name(p).to_owned();
+        if !local.iter().any(|l| l.pin == pin) {
+            local.push(Local { link: pin.clone(), pin, bare: true });
+        }
+    }
+    // `count` takes the turning of such a pin for a pair more.
+    let counts = Counts { moving: mobility.moving, lower: mobility.lower, higher: mobility.higher - local.len() };
+    let joined = |p: PointId| {
+        let ends = scene.drivers.iter().filter(|d| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if a == p || b == p)).count();
+        let parts = |l: &LinkId| scene.drivers.iter().any(|d| matches!(&d.kind, DriverKind::Cylinder { links, .. } if links.contains(l)));
+        scene.carriers(p).filter(|l| !parts(l)).count() + ends
+    };
+    let compound = (0..scene.points.len()).map(PointId).map(|p| (p, joined(p))).filter(|(_, k)| *k > 2).collect();
+    (counts, compound, local)
+}
+
+/// Whether a link hangs on one pin of others and nothing else touches it: a roller about its own pin. It has no further point, as the
+/// last arm of an open chain has, and does not stand on the ground, where it may be driven.
+fn is_idle(scene: &Scene, l: LinkId) -> bool {
+    let [pin] = scene.links[l.0].points[..] else { return false };
+    let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
+    let driven = scene.drivers.iter().any(|d| match &d.kind {
+        DriverKind::Turn { link, against, .. } => *link == l || *against == l,
+        DriverKind::Slide { .. } => false,
+        DriverKind::Cylinder { a, b, links, .. } => links.contains(&l) || [*a, *b].contains(&pin),
+    });
+    let grounded = scene.links[scene.ground.0].points.contains(&pin);
+    l != scene.ground && !grounded && scene.carriers(pin).count() > 1 && !slides && !driven
+}
+
+/// The same scene without some links, on which nothing hangs.
+fn without(scene: &Scene, links: &[LinkId]) -> Scene {
+    let mut rest = scene.clone();
+    let place = |l: LinkId| LinkId(l.0 - links.iter().filter(|k| k.0 < l.0).count());
+    let kept = |i: usize| !links.contains(&LinkId(i));
+    rest.links = scene.links.iter().enumerate().filter(|(i, _)| kept(*i)).map(|(_, l)| l.clone()).collect();
+    rest.ground = place(scene.ground);
+    for g in &mut rest.guides {
+        (g.on, g.slider) = (place(g.on), g.slider.map(place));
+    }
+    for r in &mut rest.rolling {
+        r.links = r.links.map(place);
+    }
+    for d in &mut rest.drivers {
+        match &mut d.kind {
+            DriverKind::Turn { link, against, .. } => (*link, *against) = (place(*link), place(*against)),
+            DriverKind::Slide { .. } => {}
+            DriverKind::Cylinder { links, .. } => links.iter_mut().for_each(|l| *l = place(*l)),
+        }
+    }
+    rest.find.clear();
+    rest
+}
+
+/// What could be driven: every link that turns about a pivot on ground, every slider that runs on ground.
+fn possible(scene: &Scene) -> Vec<Driver> {
+    let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
+    let span = scene.links[scene.ground.0].span;
+    let drive = |kind| Driver { kind, rate: Given { value: 0.0, radius: 0.0, text: "0".into(), span }, acceleration: None, span };
+    let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && scene.links[l.0].points.iter().any(on_ground));
+    let turns = cranks.map(|link| DriverKind::Turn { link, against: scene.ground, line: None, against_line: None, angle: None });
+    let guides =
+        (0..scene.guides.len()).map(GuideId).filter(|g| scene.guides[g.0].on == scene.ground && scene.guides[g.0].rolling.is_none());
+    let slides = guides.map(|guide| DriverKind::Slide { guide, position: None });
+    turns.chain(slides).map(drive).collect()
+}
+
+fn same_drivers(a: &Scene, b: &Scene) -> bool {
+    let of = |s: &Scene| {
+        let mut keys: Vec<String> = (0..s.drivers.len()).map(|d| s.driver_name(d).0).collect();
+        keys.sort_unstable();
+        keys
+    };
+    of(a) == of(b)
+}
+
+/// All sets of `count` of them, in order.
+fn sets(all: &[Driver], count: usize) -> Vec<Vec<Driver>> {
+    let mut found: Vec<Vec<usize>> = vec![Vec::new()];
+    for _ in 0..count {
+        let longer = found.iter().flat_map(|set| {
+            let from = set.last().map_or(0, |i| i + 1);
+            (from..all.len()).map(|i| set.iter().copied().chain([i]).collect::<Vec<usize>>())
+        });
+        found = longer.take(MOST_CHOICES).collect();
+    }
+    found.into_iter().map(|set| set.into_iter().map(|i| all[i].clone()).collect()).collect()
+}
+
+/// The scene is the one without idle links, in which the pairs are told.
+fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated: &[&Redundant]) -> Counts {
+    let Counts { mut moving, mut lower, mut higher } = counts;
+    for _ in local.iter().filter(|l| !l.bare) {
+        (moving, lower) = (moving - 1, lower - 1);
+    }
+    for r in repeated {
+        let Some(scene) = scene else { continue };
+        match r.opened {
+            Opened::Link(l) => {
+                moving -= 1;
+                lower -= scene.links[l.0].points.iter().filter(|p| scene.carriers(**p).count() > 1).count();
+            }
+            // With its block: the guide and the pin.
+            Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => (moving, lower) = (moving - 1, lower - 2),
+            Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
+            Opened::Guide(_) => higher -= 1,
+            Opened::Rolling(r) if scene.rolling[r.0].toothed => higher -= 1,
+            Opened::Rolling(_) => lower -= 1,
+            Opened::Pin(..) => lower -= 1,
+        }
+    }
+    // The body of a bare pin becomes one of the two blocks.
+    let bare = local.iter().filter(|l| l.bare).count().min(higher);
+    Counts { moving: moving + higher - bare, lower: lower + 2 * higher - bare, higher: 0 }
+}
+
+fn is_block(scene: &Scene, l: LinkId) -> bool {
+    scene.links[l.0].points.len() == 1 && !scene.guides.iter().any(|g| g.on == l)
+}

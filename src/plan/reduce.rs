@@ -1,0 +1,274 @@
+//! Groups higher than class III drawn by their special points.
+//!
+//! A link that two lines hold moves, as far as velocities go, as if pinned where they cross; with its other pins it is then a bar of a
+//! smaller group. Reduced so link after link, a group that has no core is drawn by crossings of two loci. Accelerations go the same way,
+//! their normal parts being known from the velocities. What no link's two lines open stays to the loop equations.
+//!
+//! # Source
+//! Assur points (特殊点): N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953), §§ on auxiliary points.
+
+use super::build::Builder;
+use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
+use crate::mechanism::{Constraint, Hold, Level, Strut};
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
+
+/// A link of the group that is no mere bar from a known pin.
+struct Member {
+    link: LinkId,
+    /// Its pins that other members carry too.
+    shared: Vec<PointId>,
+    /// What known bodies hold of it.
+    holds: Vec<Hold>,
+    /// Known pins on which it turns.
+    pivots: Vec<PointId>,
+}
+
+/// How far a member is known.
+#[derive(Clone, Default)]
+struct State {
+    /// Points whose vectors are known.
+    known: Vec<VertexId>,
+    /// The lines that its special point lies on: they say nothing more.
+    used: Vec<Line>,
+    done: bool,
+}
+
+/// A line that holds a member: of one of its own legs, or through a shared pin from the special point of a neighbour.
+#[derive(Clone, Copy, PartialEq)]
+enum Line {
+    Leg(Hold),
+    Neighbour { pin: PointId, special: VertexId, link: LinkId },
+}
+
+impl Line {
+    /// The shared pin through which it runs.
+    fn pin(&self) -> Option<PointId> {
+        match *self {
+            Line::Leg(_) => None,
+            Line::Neighbour { pin, .. } => Some(pin),
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// The steps of a group without a core; `None` where its links are not reduced by special points.
+    pub(super) fn reduced(&mut self, level: Level, g: usize) -> Option<Vec<Vec<Step>>> {
+        let members = members(self.scene, self.m, g)?;
+        let mut states = vec![State::default(); members.len()];
+        for (member, state) in members.iter().zip(&mut states) {
+            for &pin in &member.pivots {
+                state.known.push(self.pin(pin));
+            }
+        }
+        let before = self.pending.len();
+        while !states.iter().all(|s| s.done) {
+            let next = (0..members.len()).find(|&i| !states[i].done && self.advance(level, g, &members, &mut states, i));
+            if next.is_none() {
+                self.pending.truncate(before);
+                return None;
+            }
+        }
+        for member in &members {
+            for hold in &member.holds {
+                self.sources_of(level, hold);
+            }
+        }
+        Some(vec![std::mem::take(&mut self.pending)])
+    }
+
+    /// Finds a further point of a member, or all of it; whether there was one to find.
+    fn advance(&mut self, level: Level, g: usize, members: &[Member], states: &mut [State], i: usize) -> bool {
+        let member = &members[i];
+        if let [a, b, ..] = states[i].known[..] {
+            self.finish(level, members, states, i, [a, b]);
+            return true;
+        }
+        let lines = self.lines(members, states, i);
+        match (&states[i].known[..], &lines[..]) {
+            ([start], [line, ..]) => {
+                // Known at one point and held along a line: a second one follows.
+                let (start, near) = (*start, self.near_of(member.link, line));
+                let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
+                let second = self.chain_of(level, member.link, line);
+                self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
+                self.known_at(states, members, near, i);
+                true
+            }
+            ([], [a, b, ..]) => {
+                let special = Special { group: g, link: member.link, lines: [special_line(a), special_line(b)], legs: None };
+                let s = self.special(special);
+                let mut chains = Vec::new();
+                for line in [a, b] {
+                    let near = self.near_of(member.link, line);
+                    let mut chain = self.chain_of(level, member.link, line);
+                    self.extend_to_special(level, &mut chain, member.link, s, near);
+                    chains.push(chain);
+                }
+                self.equation(level, s, chains, Method::Special);
+                states[i].known.push(s);
+                states[i].used = vec![*a, *b];
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// A member of which two points are known: all its pins are, by images.
+    fn finish(&mut self, level: Level, members: &[Member], states: &mut [State], i: usize, [a, b]: [VertexId; 2]) {
+        let member = &members[i];
+        self.source(level, Body::Link(member.link), Rate::Measured { of: b, to: a });
+        let pins = self.scene.links[member.link.0].points.iter().copied();
+        for pin in pins.filter(|p| member.shared.contains(p) || member.holds.iter().any(|h| h.near() == Some(*p))).collect::<Vec<_>>() {
+            let v = self.pin(pin);
+            if !self.is_known(level, v) {
+                self.pending.push(Step::Image { link: member.link, target: v, from: (a, b) });
+                self.learn(level, v);
+            }
+            self.known_at(states, members, v, i);
+        }
+        for hold in &member.holds {
+            if let Some(near) = self.near(member.link, hold)
+                && !self.is_known(level, near)
+            {
+                self.pending.push(Step::Image { link: member.link, target: near, from: (a, b) });
+                self.learn(level, near);
+            }
+        }
+        states[i].done = true;
+    }
+
+    /// A pin that is known is known on all members that carry it.
+    fn known_at(&mut self, states: &mut [State], members: &[Member], v: VertexId, found_on: usize) {
+        for (k, (member, state)) in members.iter().zip(states.iter_mut()).enumerate() {
+            let shares = member.shared.iter().any(|p| self.pin(*p) == v);
+            if (shares || k == found_on) && !state.done && !state.known.contains(&v) {
+                state.known.push(v);
+            }
+        }
+    }
+
+    /// The lines along which a member is held by what is known.
+    fn lines(&mut self, members: &[Member], states: &[State], i: usize) -> Vec<Line> {
+        let own = members[i].holds.iter().map(|h| Line::Leg(*h));
+        let through = members[i].shared.iter().flat_map(|&pin| {
+            let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
+            // The line back to where a neighbour's point came from holds nothing new.
+            others.filter_map(move |(_, (m, s))| match s.known[..] {
+                [special] if !s.used.iter().any(|l| l.pin() == Some(pin)) => Some(Line::Neighbour { pin, special, link: m.link }),
+                _ => None,
+            })
+        });
+        let lines: Vec<Line> = own.chain(through).collect();
+        let used = |l: &Line| states[i].used.iter().any(|u| u == l || l.pin().is_some() && u.pin() == l.pin());
+        lines.into_iter().filter(|l| !used(l)).collect()
+    }
+
+    /// The point of a member that a line holds.
+    fn near_of(&mut self, link: LinkId, line: &Line) -> VertexId {
+        match line {
+            Line::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
+            Line::Neighbour { pin, .. } => self.pin(*pin),
+        }
+    }
+
+    fn chain_of(&mut self, level: Level, link: LinkId, line: &Line) -> Chain {
+        match *line {
+            Line::Leg(hold) => self.chain(level, Some(link), &hold, None),
+            Line::Neighbour { pin, special, link } => {
+                let near = self.pin(pin);
+                let (known, unknown) = self.turning(level, Body::Link(link), near, special, false);
+                Chain { start: special, known, unknown }
+            }
+        }
+    }
+}
+
+fn special_line(line: &Line) -> SpecialLine {
+    match line {
+        Line::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
+        Line::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
+    }
+}
+
+/// The members of a group and what holds them; `None` where a pair of the group is no bar, guide, slot, cylinder or contact between a
+/// member and a known body, and no pin between members.
+fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
+    let group = &m.groups[g];
+    let constraints: Vec<Constraint> = group.constraints.iter().map(|&c| m.constraints[c]).collect();
+    let on = |l: LinkId| -> Vec<PointId> {
+        constraints.iter().filter_map(|c| if let Constraint::Pinned(p, k) = c { (*k == l).then_some(*p) } else { None }).collect()
+    };
+    let inner = |p: &PointId| group.pins.contains(p);
+    // A bar from a known pin that nothing else holds is a leg of the link at its other end.
+    let alone = |l: LinkId| {
+        !constraints.iter().any(|c| match *c {
+            Constraint::Slot(_, guide) => scene.guides[guide.0].on == l,
+            Constraint::Roll(r) => scene.rolling[r.0].links.contains(&l),
+            Constraint::Pinned(..) | Constraint::Cylinder(_) => false,
+            Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Turn(_) | Constraint::Slide(..) => true,
+        })
+    };
+    let bar = |l: LinkId| match on(l)[..] {
+        [a, b] if alone(l) && inner(&a) && !inner(&b) => Some((l, a, b)),
+        [a, b] if alone(l) && inner(&b) && !inner(&a) => Some((l, b, a)),
+        _ => None,
+    };
+    let bars: Vec<(LinkId, PointId, PointId)> = group.links.iter().filter_map(|l| bar(*l)).collect();
+    let cores: Vec<LinkId> = group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
+    let holder = |p: PointId| -> Vec<LinkId> { cores.iter().copied().filter(|l| on(*l).contains(&p)).collect() };
+    let mut members: Vec<Member> =
+        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new() }).collect();
+    let mut add = |l: LinkId, hold: Hold| -> Option<()> {
+        members.iter_mut().find(|m| m.link == l)?.holds.push(hold);
+        Some(())
+    };
+    // What holds a pin holds the first member that carries it: the others are pinned to that one.
+    for &(link, near, far) in &bars {
+        add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Bar(link) })?;
+    }
+    for c in &constraints {
+        match *c {
+            Constraint::Pinned(..) => {}
+            Constraint::Slot(pin, guide) => {
+                let on = scene.guides[guide.0].on;
+                if inner(&pin) && !group.links.contains(&on) {
+                    add(*holder(pin).first()?, Hold::Guide { pin, guide, driver: None })?;
+                } else if !inner(&pin) && cores.contains(&on) {
+                    add(on, Hold::Slot { pin, guide })?;
+                } else {
+                    return None;
+                }
+            }
+            Constraint::Cylinder(d) => {
+                let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind else { return None };
+                let (near, far) = match (inner(&a), inner(&b)) {
+                    (true, false) => (a, b),
+                    (false, true) => (b, a),
+                    _ => return None,
+                };
+                add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(d) })?;
+            }
+            Constraint::Roll(r) => {
+                let pair = &scene.rolling[r.0];
+                let [a, b] = pair.links;
+                let (core, other) = match (group.links.contains(&a), group.links.contains(&b)) {
+                    (true, false) => (a, b),
+                    (false, true) => (b, a),
+                    _ => return None,
+                };
+                add(core, Hold::Rolls { pair: r, other, at: pair.at })?;
+            }
+            Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Turn(_) | Constraint::Slide(..) => return None,
+        }
+    }
+    for member in &mut members {
+        for p in on(member.link) {
+            if !inner(&p) {
+                member.pivots.push(p);
+            } else if holder(p).len() > 1 {
+                member.shared.push(p);
+            }
+        }
+    }
+    Some(members)
+}

@@ -1,0 +1,348 @@
+//! Does what is opened because it only repeats what others fix ([`crate::mechanism::Redundant`]) hold by itself?
+//!
+//! One pose never decides: a third crank half as long holds in the pose in which it is drawn, and to first order about it. So the driver
+//! is moved to four finite positions, by Newton's method on what is left closed, and there it is looked how far the opened pair is off.
+//! Each position is proved in double-double balls, so that a zero is one: off by no more than the bound of the error it is a virtual
+//! constraint, off by more it is none. What is off by no more than lengths rounded to print would make it is an *almost* virtual one,
+//! answered with a warning; what is off by more locks the mechanism.
+
+use super::assemble::Assembly;
+use super::coupled::Aside;
+use super::finish::complete;
+use super::newton::{self, DriverValues, System};
+use super::repeats::reason;
+pub use super::repeats::{Reason, opened_words};
+use super::{Configuration, Path, configure, recompute};
+use crate::diag::{Both, Diagnostic, Faults};
+use crate::mechanism::{Constraint, Core, Demand, Group, Level, Mechanism, Need, Opened};
+use crate::number::{Ball, Dd, Real};
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
+
+/// What comes of an opened pair when the driver moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It holds by itself.
+    Virtual,
+    /// It would with lengths a little different.
+    Almost,
+    /// It holds to first order only: the mechanism shakes and does not move.
+    Shaky,
+    /// It locks the mechanism.
+    Locked,
+}
+
+/// An opened pair, looked at in several positions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Checked {
+    /// Which of [`Mechanism::redundant`].
+    pub index: usize,
+    /// What comes of it.
+    pub verdict: Verdict,
+    /// By how much it is off at most (m), the pose included.
+    pub off_m: f64,
+    /// The driver that moved it, if any does.
+    pub driver: Option<usize>,
+    /// By how much the driver was moved for that (rad or m); 0 in the pose.
+    pub moved: f64,
+    /// The bound of the error of these numbers (m), where they are proved.
+    pub bound_m: Option<f64>,
+    /// In how many positions it was looked at.
+    pub positions: usize,
+    /// Why it holds.
+    pub reason: Reason,
+}
+
+impl Checked {
+    /// What it is, in words.
+    pub fn what(&self, scene: &Scene, m: &Mechanism) -> Both {
+        super::repeats::opened_words(scene, &m.redundant[self.index].opened).0
+    }
+
+    /// What is said of it.
+    pub fn diagnostic(&self, scene: &Scene, m: &Mechanism) -> Diagnostic {
+        super::repeats::diagnostic(scene, m, self)
+    }
+}
+
+/// Lengths rounded to four digits, as books print them, are off by no more than this part; what is off by more is meant so.
+const ALMOST: f64 = 5e-4;
+
+/// Rounding of `f64` positions, relative to the size of the mechanism, with some fifty operations each.
+const ROUNDING: f64 = 1e-13;
+
+/// How far a turning driver goes to either side (rad): far enough that a length off by a hundredth shows ten times more than [`ALMOST`],
+/// and each another way, so that what holds in all of them holds by no accident.
+const TURNS: [f64; 4] = [0.8, -0.8, 0.35, -0.35];
+
+/// A sliding driver goes this part of the mechanism's size for each radian.
+const SLIDE: f64 = 0.2;
+
+/// The way is cut in half until it is free, so often at most.
+const HALVINGS: i32 = 6;
+
+/// One step of the way (rad): Newton's method from the last position converges.
+const STEP: f64 = 0.04;
+
+/// More unknowns are not proved, only computed: an interval matrix of them costs seconds.
+const MOST_PROVED: usize = 150;
+
+/// Looks at all opened pairs of a mechanism.
+///
+/// # Errors
+/// Those of [`configure`] for the links that take part; `locked` and `shaky` for a pair that is no repetition.
+pub fn check(scene: &Scene, m: &Mechanism) -> Result<Vec<Checked>, Faults> {
+    let mut faults = Faults::default();
+    let mut all = Vec::new();
+    for (index, redundant) in m.redundant.iter().enumerate() {
+        let checked = look(scene, m, index, &redundant.opened)?;
+        match checked.verdict {
+            Verdict::Virtual | Verdict::Almost => all.push(checked),
+            Verdict::Shaky | Verdict::Locked => faults.push(checked.diagnostic(scene, m)),
+        }
+    }
+    if faults.has_errors() { Err(faults) } else { Ok(all) }
+}
+
+/// The same as notes and warnings.
+///
+/// # Errors
+/// As [`check`].
+pub fn told(scene: &Scene, m: &Mechanism) -> Result<Vec<Diagnostic>, Faults> {
+    Ok(check(scene, m)?.iter().map(|c| c.diagnostic(scene, m)).collect())
+}
+
+/// Looks at one opened pair, whatever comes of it.
+///
+/// # Errors
+/// Those of [`configure`].
+pub fn look(scene: &Scene, m: &Mechanism, index: usize, opened: &Opened) -> Result<Checked, Faults> {
+    let demand = demand(scene, m, opened);
+    let at = configure(scene, m, &demand)?.value;
+    let way = Way::new(scene, m, &at);
+    let unit = way.unit();
+    let mut stations: Vec<(f64, Configuration)> = vec![(0.0, at.clone())];
+    for turn in TURNS {
+        let halved = (0..=HALVINGS).map(|k| turn * unit * libm::exp2(-f64::from(k)));
+        stations.extend(halved.into_iter().find_map(|by| Some((by, way.to(by)?))));
+    }
+    let size = size(scene, &at, opened).unwrap_or_else(|| at.extent());
+    let proofs = proved(scene, m, &demand, &at, way.driver, &stations, opened);
+    let rounding = ROUNDING * at.extent();
+    let (mut off_m, mut moved, mut bound_m, mut holds) = (0.0, 0.0, proofs.as_ref().map(|_| 0.0), true);
+    for (i, (by, there)) in stations.iter().enumerate() {
+        let plain = off(scene, m, opened, there, &at).into_iter().map(|x| (x, rounding));
+        let balls = proofs.as_ref().map(|p| p[i].clone());
+        for (x, radius) in balls.unwrap_or_else(|| plain.collect()) {
+            holds &= x.abs() <= radius;
+            if x.abs() > off_m {
+                (off_m, moved) = (x.abs(), *by);
+            }
+            bound_m = bound_m.map(|b: f64| b.max(radius));
+        }
+    }
+    let verdict = match holds {
+        true => Verdict::Virtual,
+        false if off_m <= ALMOST * size => Verdict::Almost,
+        false if way.holds_to_first_order(opened, size) => Verdict::Shaky,
+        false => Verdict::Locked,
+    };
+    let reason = reason(scene, m, opened, &at, ALMOST);
+    Ok(Checked { index, verdict, off_m, driver: way.driver, moved, bound_m, positions: stations.len(), reason })
+}
+
+/// All positions that tell of a pair.
+fn demand(scene: &Scene, m: &Mechanism, opened: &Opened) -> Demand {
+    let mut demand = Demand::of_questions(scene, m, []);
+    let needs = match opened {
+        Opened::Link(l) => own_pins(scene, m, *l).into_iter().map(|p| Need::Point(p, None)).collect(),
+        Opened::Guide(g) => {
+            let guide = &scene.guides[g.0];
+            let links = [Some(guide.on), guide.slider].into_iter().flatten().filter(|l| *l != scene.ground);
+            guide.pin.map(|p| Need::Point(p, None)).into_iter().chain(links.map(Need::Turning)).collect::<Vec<_>>()
+        }
+        Opened::Pin(p, l) => vec![Need::Point(*p, None), Need::Turning(*l)],
+        Opened::Rolling(r) => {
+            let pair = &scene.rolling[r.0];
+            let links = pair.links.into_iter().filter(|l| *l != scene.ground).map(Need::Turning);
+            links.chain(pair.centres().into_iter().flatten().map(|p| Need::Point(p, None))).collect()
+        }
+    };
+    for need in needs {
+        demand.add(scene, m, need, Level::Position);
+    }
+    demand
+}
+
+fn own_pins(scene: &Scene, m: &Mechanism, l: LinkId) -> Vec<PointId> {
+    scene.links[l.0].points.iter().copied().filter(|p| m.pins.contains(p)).collect()
+}
+
+/// What being off is measured by (m): the length of an opened link.
+fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
+    let Opened::Link(l) = opened else { return None };
+    let points = &scene.links[l.0].points;
+    let local = |p: &PointId| at.shapes.local(*l, *p);
+    let pairs = points.iter().enumerate().flat_map(|(i, a)| points[..i].iter().map(move |b| (a, b)));
+    let lengths = pairs.filter_map(|(a, b)| Some(local(a)?.distance(local(b)?)));
+    lengths.reduce(f64::max).filter(|l| *l > 0.0)
+}
+
+/// By how much an opened pair is off (m) where everything is at `at`; `then` is the pose of the instant, from which directions count.
+fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration<N>, then: &Configuration<N>) -> Vec<N> {
+    let mut out = Vec::new();
+    match opened {
+        Opened::Link(l) => {
+            let pins = own_pins(scene, m, *l);
+            for (i, &a) in pins.iter().enumerate() {
+                for &b in &pins[..i] {
+                    if let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0])
+                        && let (Some(la), Some(lb)) = (at.shapes.local(*l, a), at.shapes.local(*l, b))
+                    {
+                        out.push(pa.distance(pb) - la.distance(lb));
+                    }
+                }
+            }
+        }
+        Opened::Guide(g) => {
+            let guide = &scene.guides[g.0];
+            let pose = |c: &Configuration<N>, l: LinkId| c.poses[l.0];
+            let place = |c: &Configuration<N>| guide.pin.map_or_else(|| Some(pose(c, guide.slider?)?.origin), |p| c.points[p.0]);
+            let beside = |c: &Configuration<N>| {
+                Some(match c.guides[g.0]? {
+                    Path::Line { through, direction } => direction.cross(place(c)? - through),
+                    Path::Arc { centre, radius } => place(c)?.distance(centre) - radius,
+                })
+            };
+            // A yoke without a pin of its own keeps whatever distance it has.
+            let rest = if guide.pin.is_none() { beside(then) } else { Some(N::from_f64(0.0)) };
+            out.extend(beside(at).zip(rest).map(|(now, rest)| now - rest));
+            if let Some(s) = guide.slider.filter(|s| m.passive[s.0].is_none()) {
+                let turned = |c| Some(pose(c, s)?.axis.divide_by(pose(c, guide.on)?.axis));
+                let size = N::from_f64(at.approx().extent());
+                out.extend(turned(at).zip(turned(then)).map(|(now, then)| then.cross(now) * size));
+            }
+        }
+        Opened::Pin(p, l) => {
+            if let (Some(at_p), Some(pose), Some(local)) = (at.points[p.0], at.poses[l.0], at.shapes.local(*l, *p)) {
+                let d = at_p - pose.to_world(local);
+                out.extend([d.x, d.y]);
+            }
+        }
+        Opened::Rolling(r) => out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64)),
+    }
+    out
+}
+
+/// The way that a driver takes the mechanism, opened.
+struct Way<'a> {
+    scene: &'a Scene,
+    m: &'a Mechanism,
+    at: &'a Configuration,
+    /// The driver that moves what is looked at; `None` where nothing does.
+    driver: Option<usize>,
+    held: DriverValues,
+}
+
+impl<'a> Way<'a> {
+    fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration) -> Way<'a> {
+        let placed = newton::placed(m, at);
+        let constraints = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c]);
+        let driver = |c: Constraint| match c {
+            Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
+            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
+        };
+        let driver = constraints.into_iter().filter_map(driver).min();
+        Way { scene, m, at, driver, held: newton::driver_values(scene, at) }
+    }
+
+    /// What the driver goes for each radian of a turning one.
+    fn unit(&self) -> f64 {
+        match self.driver.map(|d| &self.scene.drivers[d].kind) {
+            Some(DriverKind::Slide { .. } | DriverKind::Cylinder { .. }) => SLIDE * self.at.extent(),
+            Some(DriverKind::Turn { .. }) | None => 1.0,
+        }
+    }
+
+    /// Where everything is when the driver has moved on; `None` beyond a limit or a change point, where another assembly may be met.
+    fn to(&self, by: f64) -> Option<Configuration> {
+        let driver = self.driver?;
+        let steps = libm::ceil(by.abs() / (STEP * self.unit())).max(1.0);
+        let mut at = self.at.clone();
+        let sense = self.sense(&at)?;
+        for k in 1..=steps as usize {
+            let mut drivers = self.held.clone();
+            drivers.0[driver] += by * k as f64 / steps;
+            at = newton::moved(self.scene, self.m, &at, &drivers)?;
+            if self.sense(&at)? != sense {
+                return None;
+            }
+        }
+        Some(at)
+    }
+
+    /// The sign of the determinant of the equations: it changes where the mechanism comes to a limit or to a change point.
+    fn sense(&self, at: &Configuration) -> Option<bool> {
+        let system = System::new(self.scene, self.m, &self.at.shapes, at, &newton::placed(self.m, at));
+        let x = system.pack(at)?;
+        let held = newton::driver_values(self.scene, at);
+        let d = newton::slopes(&x, &|x| system.residuals(&system.unpack(x), &held)).lu().determinant();
+        (d.is_finite() && d != 0.0).then_some(d > 0.0)
+    }
+
+    /// Whether the pair holds in the pose and is off by less than the first power of a small motion.
+    fn holds_to_first_order(&self, opened: &Opened, size: f64) -> bool {
+        const SMALL: f64 = 1e-3;
+        let off = |c: &Configuration| off(self.scene, self.m, opened, c, self.at);
+        let small = |x: f64| x.abs() <= 1e-6 * size;
+        let sides = [SMALL, -SMALL].map(|s| self.to(s * self.unit()));
+        let [Some(on), Some(back)] = sides else { return false };
+        let slopes = off(&on).into_iter().zip(off(&back)).map(|(a, b)| (a - b) / (2.0 * SMALL));
+        off(self.at).into_iter().all(small) && slopes.into_iter().all(small)
+    }
+}
+
+/// By how much the pair is off in each position, and the bound of that, proved; `None` where one of them is not.
+fn proved(
+    scene: &Scene,
+    m: &Mechanism,
+    demand: &Demand,
+    at: &Configuration,
+    driver: Option<usize>,
+    stations: &[(f64, Configuration)],
+    opened: &Opened,
+) -> Option<Vec<Vec<(f64, f64)>>> {
+    // How far a pair has rolled is counted in `f64`.
+    if matches!(opened, Opened::Rolling(_)) {
+        return None;
+    }
+    type N = Ball<Dd>;
+    let now = recompute::<N>(scene, m, demand, at).ok()?;
+    let mut assembly = Assembly::<N>::new(scene, m, demand, Some(at));
+    assembly.instant = Some(&now);
+    assembly.guides.clone_from(&now.shapes.guides);
+    let groups = newton::placed(m, at);
+    let of = |g: &usize| &m.groups[*g];
+    let whole = Group {
+        links: groups.iter().flat_map(|g| of(g).links.clone()).collect(),
+        pins: groups.iter().flat_map(|g| of(g).pins.clone()).collect(),
+        core: Core::Higher,
+        upstream: Vec::new(),
+        constraints: groups.iter().flat_map(|g| of(g).constraints.clone()).collect(),
+    };
+    if 3 * whole.links.len() + 2 * whole.pins.len() > MOST_PROVED {
+        return None;
+    }
+    let one = |(by, there): &(f64, Configuration)| {
+        let bounded = |list: Vec<N>| -> Option<Vec<(f64, f64)>> {
+            list.iter().all(|x| x.is_decided()).then(|| list.into_iter().map(|x| (x.approx(), x.radius())).collect())
+        };
+        let Some(driver) = driver.filter(|_| *by != 0.0) else { return bounded(off(scene, m, opened, &now, &now)) };
+        let trial = assembly.coupled_aside(&whole, there, Some(Aside { driver, by: *by })).ok()?;
+        let (mut poses, mut points) = (vec![None; scene.links.len()], vec![None; scene.points.len()]);
+        trial.poses.into_iter().for_each(|(l, pose)| poses[l.0] = Some(pose));
+        trial.points.into_iter().for_each(|(p, at)| points[p.0] = Some(at));
+        let there = complete(scene, m, now.shapes.clone(), (poses, points), now.closures.clone(), &[]);
+        bounded(off(scene, m, opened, &there, &now))
+    };
+    stations.iter().map(one).collect()
+}

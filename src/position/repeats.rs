@@ -1,0 +1,346 @@
+//! Why an opened pair holds by itself, in words; and what is said where it does not.
+
+use super::redundant::{Checked, Verdict};
+use super::{Configuration, Path};
+use crate::diag::{Both, Diagnostic, Span, both};
+use crate::digits::significant;
+use crate::mechanism::{Mechanism, Opened};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+
+/// Why a pair repeats what the others fix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Cranks of the same length and direction join the same two bodies: two pins of each.
+    ParallelCranks(Vec<(PointId, PointId)>),
+    /// Another guide with the same direction joins the same two links.
+    ParallelGuides(GuideId),
+    /// Two pins that join the same two links lie in one place.
+    CoaxialPins(PointId, PointId),
+    /// The middle of a bar whose ends run along two lines through the crank's centre, all three at one distance: the ends, the middle, the
+    /// centre.
+    SameCircle([PointId; 2], PointId, PointId),
+    /// The same of the guide of one of the ends.
+    SameLine([PointId; 2], PointId, PointId),
+    /// Another link meshes with the same links from the same carrier: its name.
+    RepeatedPlanets(String),
+    /// None of these: it was found to hold in several positions.
+    Found,
+}
+
+/// The bodies at a pin of a link, without that link.
+fn bodies(scene: &Scene, m: &Mechanism, p: PointId, without: LinkId) -> Vec<LinkId> {
+    scene.carriers(p).filter(|l| *l != without && !m.is_passive(*l)).collect()
+}
+
+/// Why a pair holds by itself: what agrees to `near` of its length is equal.
+pub(super) fn reason(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration, near: f64) -> Reason {
+    let found = match opened {
+        Opened::Link(l) => {
+            let circle = || same_circle(scene, *l, at, near).map(|(ends, b, d)| Reason::SameCircle(ends, b, d));
+            parallel_cranks(scene, m, *l, at, near).or_else(circle)
+        }
+        Opened::Guide(g) => {
+            let pin = scene.guides[g.0].pin;
+            let cranks = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground);
+            let mut circles =
+                cranks.filter_map(|l| same_circle(scene, l, at, near)).filter(|(ends, _, _)| ends.iter().any(|p| Some(*p) == pin));
+            let line = || circles.next().map(|(ends, b, d)| Reason::SameLine(ends, b, d));
+            parallel_guides(scene, *g, at, near).map(Reason::ParallelGuides).or_else(line)
+        }
+        Opened::Rolling(r) => repeated_planets(scene, *r),
+        Opened::Pin(p, l) => {
+            let other =
+                |q: &&PointId| **q != *p && at.points[q.0].zip(at.points[p.0]).is_some_and(|(a, b)| a.distance(b) <= near * at.extent());
+            scene.links[l.0].points.iter().find(other).map(|q| Reason::CoaxialPins(*p, *q))
+        }
+    };
+    found.unwrap_or(Reason::Found)
+}
+
+fn parallel_cranks(scene: &Scene, m: &Mechanism, l: LinkId, at: &Configuration, near: f64) -> Option<Reason> {
+    let (a, b) = m.held(l)?;
+    let between = |p: PointId, q: PointId| Some(at.points[q.0]? - at.points[p.0]?);
+    let own = between(a, b)?;
+    let (at_a, at_b) = (bodies(scene, m, a, l), bodies(scene, m, b, l));
+    let mut cranks = vec![(a, b)];
+    for k in (0..scene.links.len()).map(LinkId).filter(|k| *k != l && *k != scene.ground) {
+        let points = &scene.links[k.0].points;
+        let joins = |p: PointId, to: &[LinkId]| bodies(scene, m, p, k).iter().any(|x| to.contains(x));
+        let equal = |p: PointId, q: PointId| {
+            p != q && joins(p, &at_a) && joins(q, &at_b) && between(p, q).is_some_and(|d| (d - own).norm() <= near * own.norm())
+        };
+        // Named as its link names it.
+        let pairs = points.iter().enumerate().flat_map(|(i, q)| points[..i].iter().map(move |p| (*p, *q)));
+        cranks.extend(pairs.into_iter().find(|(p, q)| equal(*p, *q) || equal(*q, *p)));
+    }
+    (cranks.len() > 1).then_some(Reason::ParallelCranks(cranks))
+}
+
+fn parallel_guides(scene: &Scene, g: GuideId, at: &Configuration, near: f64) -> Option<GuideId> {
+    let guide = &scene.guides[g.0];
+    // The link that runs: the slider, or one that carries the pin.
+    let runs = |i: GuideId| -> Vec<LinkId> {
+        let guide = &scene.guides[i.0];
+        guide.slider.into_iter().chain(guide.pin.into_iter().flat_map(|p| scene.carriers(p))).collect()
+    };
+    let direction = |i: GuideId| match at.guides[i.0]? {
+        Path::Line { direction, .. } => Some(direction),
+        Path::Arc { .. } => None,
+    };
+    let own = direction(g)?;
+    let same = |i: &GuideId| {
+        *i != g
+            && scene.guides[i.0].on == guide.on
+            && runs(*i).iter().any(|l| runs(g).contains(l))
+            && direction(*i).is_some_and(|d| own.cross(d).abs() <= near)
+    };
+    (0..scene.guides.len()).map(GuideId).find(same)
+}
+
+/// AB = BC = BD: the crank D–B, a bar with B and two points that run along lines through D.
+fn same_circle(scene: &Scene, l: LinkId, at: &Configuration, near: f64) -> Option<([PointId; 2], PointId, PointId)> {
+    let [a, b] = scene.links[l.0].points[..] else { return None };
+    [(a, b), (b, a)].into_iter().find_map(|(d, b)| {
+        let (centre, middle) = (at.points[d.0]?, at.points[b.0]?);
+        let radius = centre.distance(middle);
+        let passes = |g: &GuideId| match at.guides[g.0] {
+            Some(Path::Line { through, direction }) => direction.cross(centre - through).abs() <= near * radius,
+            Some(Path::Arc { .. }) | None => false,
+        };
+        let guides = (0..scene.guides.len()).map(GuideId).filter(passes);
+        let ends: Vec<PointId> = guides
+            .filter_map(|g| scene.guides[g.0].pin)
+            .filter(|p| at.points[p.0].is_some_and(|p| (p.distance(middle) - radius).abs() <= near * radius))
+            .filter(|p| scene.carriers(*p).any(|k| k != l && scene.links[k.0].points.contains(&b)))
+            .collect();
+        let [p, q] = ends[..] else { return None };
+        Some(([p, q], b, d))
+    })
+}
+
+/// A planet like that of a rolling pair: on the same carrier, rolling on the same links.
+fn repeated_planets(scene: &Scene, r: RollingId) -> Option<Reason> {
+    let partners = |l: LinkId| {
+        let mut all: Vec<LinkId> = scene.rolling.iter().filter_map(|p| p.other(l)).collect();
+        all.sort_unstable();
+        all
+    };
+    let carriers = |l: LinkId| {
+        let on = |p: &PointId| scene.carriers(*p).filter(|k| *k != l).collect::<Vec<_>>();
+        let mut all: Vec<LinkId> = scene.links[l.0].points.iter().flat_map(on).collect();
+        all.sort_unstable();
+        all
+    };
+    let like = |l: LinkId| {
+        let same = |k: &LinkId| *k != l && partners(*k) == partners(l) && carriers(*k) == carriers(l) && partners(l).len() > 1;
+        (0..scene.links.len()).map(LinkId).find(same)
+    };
+    let planet = scene.rolling[r.0].links.into_iter().filter(|l| *l != scene.ground).find_map(like)?;
+    Some(Reason::RepeatedPlanets(scene.link_name(planet).to_owned()))
+}
+
+/// Its name, as the figures have it.
+fn line(scene: &Scene, (a, b): (PointId, PointId)) -> String {
+    format!("{}{}", scene.point_name(a), scene.point_name(b))
+}
+
+impl Reason {
+    /// In words.
+    pub fn words(&self, scene: &Scene, positions: usize) -> Both {
+        let name = |p: &PointId| scene.point_name(*p);
+        match self {
+            Reason::ParallelCranks(cranks) => {
+                // Its own stands first in the list, and is named last.
+                let others = cranks.iter().skip(1).chain(cranks.first());
+                let names: Vec<Both> = others.map(|c| Both::same(line(scene, *c))).collect();
+                both!("equal parallel cranks {}", "等长平行曲柄 {}", Both::listed(&names))
+            }
+            Reason::ParallelGuides(g) => {
+                let on = scene.link_name(scene.guides[g.0].on);
+                both!("parallel guides on link {on}", "构件 {on} 上的平行导路")
+            }
+            Reason::CoaxialPins(p, q) => both!("coaxial pins {} and {}", "轴线重合的转动副 {} 和 {}", name(p), name(q)),
+            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
+                let of = |p: &PointId| line(scene, (*p, *b));
+                let (first, second, radius) = (of(p), of(q), line(scene, (*b, *d)));
+                match self {
+                    Reason::SameLine(..) => {
+                        both!(
+                            "its pin runs on that line anyway ({first} = {second} = {radius})",
+                            "该销的轨迹本来就是该直线（{first} = {second} = {radius}）"
+                        )
+                    }
+                    _ => both!(
+                        "{} runs on that circle anyway ({first} = {second} = {radius})",
+                        "{} 的轨迹本来就是该圆（{first} = {second} = {radius}）",
+                        name(b)
+                    ),
+                }
+            }
+            Reason::RepeatedPlanets(like) => both!("it repeats planet {like}", "与行星轮 {like} 重复"),
+            Reason::Found => both!("it holds at {positions} positions", "在 {positions} 个位置均成立"),
+        }
+    }
+}
+
+/// What is opened, and where it stands in the file.
+pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
+    match opened {
+        Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
+        Opened::Guide(g) => {
+            let guide = &scene.guides[g.0];
+            let (on, runner) =
+                (scene.link_name(guide.on), guide.pin.map(|p| scene.point_name(p)).or(guide.slider.map(|s| scene.link_name(s))));
+            let runner = runner.unwrap_or_default();
+            (both!("the guide of {runner} on link {on}", "构件 {on} 上 {runner} 的导路"), guide.span)
+        }
+        Opened::Rolling(r) => {
+            let pair = &scene.rolling[r.0];
+            let [a, b] = pair.links.map(|l| scene.link_name(l));
+            let words = match pair.toothed {
+                true => both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副"),
+                false => both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动"),
+            };
+            (words, pair.span)
+        }
+        Opened::Pin(p, l) => {
+            (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(*p), scene.link_name(*l)), scene.links[l.0].span)
+        }
+    }
+}
+
+/// How far the driver was moved.
+fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
+    let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
+    let turns = matches!(scene.drivers[driver].kind, DriverKind::Turn { .. });
+    let (name, _) = scene.driver_name(driver);
+    let by = if turns { format!("{}°", significant(moved.to_degrees(), 3)) } else { scene.length_words(moved) };
+    Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))
+}
+
+/// Given lengths that are equal to that of an opened link but for a little.
+fn suspects(scene: &Scene, m: &Mechanism, checked: &Checked) -> Vec<String> {
+    let Reason::ParallelCranks(cranks) = &checked.reason else {
+        return match &checked.reason {
+            Reason::SameCircle([p, q], b, d) | Reason::SameLine([p, q], b, d) => {
+                [(*p, *b), (*q, *b), (*b, *d)].iter().map(|l| line(scene, *l)).collect()
+            }
+            _ => match m.redundant[checked.index].opened {
+                Opened::Link(l) => m.held(l).map(|pins| line(scene, pins)).into_iter().collect(),
+                Opened::Guide(_) | Opened::Pin(..) | Opened::Rolling(_) => Vec::new(),
+            },
+        };
+    };
+    cranks.iter().map(|c| line(scene, *c)).collect()
+}
+
+/// What is off by less than this (m) is told as this: a bound of nothing but underflow says no more.
+const SHOWN: f64 = 1e-30;
+
+/// What is said of an opened pair.
+pub(super) fn diagnostic(scene: &Scene, m: &Mechanism, checked: &Checked) -> Diagnostic {
+    let opened = &m.redundant[checked.index].opened;
+    let (what, span) = opened_words(scene, opened);
+    let why = checked.reason.words(scene, checked.positions);
+    let off = scene.length_words(checked.off_m);
+    let when = way_words(scene, checked).unwrap_or_else(|| both!("in the pose itself", "在给定位置"));
+    let (positions, freedom) = (checked.positions, m.mobility.freedom);
+    match checked.verdict {
+        Verdict::Virtual => {
+            let bound = match checked.bound_m {
+                _ if positions == 1 => {
+                    both!("the driver could not be moved, so that only the pose shows it", "原动件无法移动，仅由该位置得知")
+                }
+                Some(bound) => both!(
+                    "left open, it holds at {positions} positions to within {} m",
+                    "去掉后在 {positions} 个位置仍成立，偏差不大于 {} m",
+                    significant(bound.max(SHOWN), 1)
+                ),
+                None => both!(
+                    "left open, it holds at {positions} positions as far as double precision can tell",
+                    "去掉后在 {positions} 个位置仍成立（双精度范围内）"
+                ),
+            };
+            Diagnostic::note("virtual", both!("{} only repeats what the others fix: {}; {}", "{} 为虚约束：{}；{}", what, why, bound))
+                .at(span)
+        }
+        Verdict::Almost => Diagnostic::warning(
+            "almost-virtual",
+            both!(
+                "{} nearly repeats what the others fix: left open, it is off by {off} {}; it is taken for a virtual constraint",
+                "{} 近似为虚约束：去掉后{1}偏差 {off}；按虚约束处理",
+                what,
+                when
+            ),
+        )
+        .at(span)
+        .help(match &suspects(scene, m, checked)[..] {
+            [] => both!("give the numbers to more digits", "请给出更多位数"),
+            list => {
+                let names: Vec<Both> = list.iter().map(Both::same).collect();
+                both!(
+                    "look at {}: as they are given the mechanism moves only by its play",
+                    "请检查 {}：按所给数值，机构仅能靠间隙运动",
+                    Both::listed(&names)
+                )
+            }
+        }),
+        Verdict::Shaky => Diagnostic::error(
+            "shaky",
+            both!(
+                "{} locks the mechanism, mobility F = {freedom}: it holds in this pose and to first order about it only, and is off by {off} {}",
+                "{} 使机构卡死，自由度 F = {freedom}：仅在该位置及其一阶邻域成立，{1}偏差 {off}",
+                what,
+                when
+            ),
+        )
+        .at(span)
+        .help(help(scene, opened)),
+        Verdict::Locked => Diagnostic::error(
+            "locked",
+            both!(
+                "{} locks the mechanism, mobility F = {freedom}: {} would have to give {off} {}",
+                "{} 使机构卡死，自由度 F = {freedom}：{2}，{1}须让出 {off}",
+                what,
+                joint(scene, m, opened),
+                when
+            ),
+        )
+        .at(span)
+        .help(help(scene, opened)),
+    }
+}
+
+/// The joint at which an opened pair gives.
+fn joint(scene: &Scene, m: &Mechanism, opened: &Opened) -> Both {
+    let pin = |p: PointId| both!("joint {}", "铰链 {}", scene.point_name(p));
+    match opened {
+        Opened::Link(l) => m.held(*l).map_or_else(Both::default, |(a, b)| {
+            // The pivot on ground stays where it is.
+            pin(if scene.links[scene.ground.0].points.contains(&a) { b } else { a })
+        }),
+        Opened::Guide(g) => scene.guides[g.0].pin.map_or_else(|| opened_words(scene, opened).0, pin),
+        Opened::Pin(p, _) => pin(*p),
+        Opened::Rolling(r) => pin(scene.rolling[r.0].at),
+    }
+}
+
+fn help(scene: &Scene, opened: &Opened) -> Both {
+    match opened {
+        Opened::Link(l) => both!(
+            "leave link {0} out, let one end of it run in a slot, or make it equal and parallel to another link between the same two",
+            "请去掉构件 {0}，或将其一端改为槽，或使其与连接同样两构件的另一构件等长且平行",
+            scene.link_name(*l)
+        ),
+        Opened::Guide(_) => both!(
+            "leave the guide out; of two guides of one slider the second is parallel to the first",
+            "请去掉该导路；同一滑块的两条导路应相互平行"
+        ),
+        Opened::Rolling(_) => {
+            both!("leave the pair out, or give it the ratio that the others ask for", "请去掉该副，或按其余运动副取其传动比")
+        }
+        Opened::Pin(p, _) => {
+            both!("put {0} where the other pin is, or leave it out", "请把 {0} 放到另一销处，或去掉它", scene.point_name(*p))
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! A profile by a law: the stages read, the driver written that stands for the contact.
+
+use super::super::model::*;
+use super::super::raw::{RawQuantity, RawScene};
+use super::super::units::Wanted;
+use super::Turning;
+use super::expand::{One, Pending, follower_sense};
+use super::law::{self, LawText, StageText};
+use super::place::{self, Carried, OnPivot, Told};
+use super::raw::*;
+use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Touch, Way};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::significant;
+use crate::json::Word;
+
+impl One<'_> {
+    /// The law as numbers and texts.
+    pub(super) fn law(
+        &self,
+        base: &RawQuantity,
+        start: &Option<RawQuantity>,
+        clockwise: bool,
+        stages: &[RawStage],
+        turning: bool,
+        faults: &mut Faults,
+    ) -> Option<(f64, f64, LawText, Program)> {
+        let before = faults.list.len();
+        let base = self.positive(base, faults);
+        let start = match start {
+            Some(q) => self.told(q, Wanted::Angle, faults),
+            None => Some(Told { value: 0.0, text: "0 deg".into() }),
+        };
+        let (mut texts, mut program) = (Vec::new(), Program::default());
+        let mut lift = 0.0f64;
+        for stage in stages {
+            let over = self.told(&stage.over, Wanted::Angle, faults);
+            if let Some(over) = over.as_ref().filter(|o| !(o.value > 0.0)) {
+                let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
+                faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
+            }
+            let mut gain = |q: &RawQuantity| {
+                if turning {
+                    let g = self.values.angle(q, faults)?;
+                    Some(Given { value: g.value.radians(), radius: g.radius, text: g.text, span: g.span })
+                } else {
+                    self.values.si(q, Wanted::Length, faults)
+                }
+            };
+            let kind = |w: &Word| Law::named(&w.text);
+            let (way, text) = match &stage.way {
+                RawWay::Dwell => (Some(Way::Dwell), None),
+                RawWay::Rise(q, law) => {
+                    let g = gain(q);
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Rise(g.value, law)), g)
+                }
+                RawWay::Return(q, law) => {
+                    let g = gain(q);
+                    (g.as_ref().zip(kind(law)).map(|(g, law)| Way::Return(g.value, law)), g)
+                }
+            };
+            let (Some(way), Some(over)) = (way, over) else { continue };
+            let stage = Stage { way, over: over.value };
+            lift += stage.gain();
+            program.stages.push(stage);
+            texts.push(StageText { gain: text, over: over.text });
+        }
+        if faults.list.len() > before {
+            return None;
+        }
+        let sum: f64 = program.stages.iter().map(|s| s.over).sum();
+        let open = |message: Both, help: Both, faults: &mut Faults| {
+            faults.push(Diagnostic::error("law-open", message).at(self.raw.span).help(help));
+        };
+        // A law is written in degrees; nine digits tell a slip of the pen from rounding.
+        if (sum - std::f64::consts::TAU).abs() > 1e-9 {
+            let degrees = significant(sum.to_degrees(), 6);
+            open(
+                both!("the stages of the law go over {degrees}°, not 360°", "运动规律各段共转 {degrees}°，不是 360°"),
+                both!("make up the rest with {{\"dwell\": ...}}", "其余可用 {{\"dwell\": ...}} 补足"),
+                faults,
+            );
+        }
+        if lift.abs() > 1e-9 * program.stroke().abs() {
+            open(
+                both!(
+                    "what the law rises it does not return: the follower ends elsewhere than it began",
+                    "升程与回程不等：从动件转完一周没有回到起点"
+                ),
+                both!("make the returns as large as the rises", "请使各回程之和等于各升程之和"),
+                faults,
+            );
+        }
+        let (base, start) = (base?, start?);
+        let text = LawText { base: base.text, start: start.text, clockwise, stages: texts };
+        (faults.list.len() == before).then_some((base.value, start.value, text, program))
+    }
+
+    pub(super) fn by_law(
+        &self,
+        raw: &mut RawScene,
+        (base, start, text, program): (f64, f64, LawText, Program),
+        point: PointId,
+        end: Option<Told>,
+        placed: Option<(OnPivot, Carried)>,
+        pending: &mut Pending,
+        faults: &mut Faults,
+    ) -> Option<()> {
+        let (face, offset, sense) = match &self.raw.follows {
+            RawFollows::Face(face) => {
+                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
+                (Some(face), offset, sense)
+            }
+            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),
+        };
+        let Some(placed) = placed else { return self.no_pose(faults) };
+        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else { return self.no_pose(faults) };
+        let (on, carried) = placed;
+        let touch = match touch {
+            Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+            Touch::Flat { lever } => Touch::Flat { lever },
+        };
+        let turn = if text.clockwise { -1.0 } else { 1.0 };
+        let disc = Disc { follower, touch, motion: Motion::Law { base, program: program.clone() }, sense: turn };
+        if !disc.rest(base).is_finite() {
+            return self.no_contact(faults);
+        }
+        let phi = turn * (on.angle.value - start);
+        let along = if on.rate * turn < 0.0 { Side::Before } else { Side::After };
+        // The mark that tells the direction of a lever with a face is the last point of its link.
+        let point = match (&carried, &face) {
+            (Carried::Pivot { .. }, Some(_)) => {
+                let id = self.names.link(&self.raw.follower).ok()?;
+                *self.bare.links[id.0].points.iter().find(|p| **p != point)?
+            }
+            _ => point,
+        };
+        let radius = match touch {
+            Touch::Point { .. } => Some(end.map_or_else(|| "0 mm".to_owned(), |r| r.text)),
+            Touch::Flat { .. } => None,
+        };
+        let lever = offset.map(|o| if sense < 0.0 { format!("-({})", o.text) } else { o.text });
+        let at = law::At {
+            scene: self.bare,
+            cam: &on,
+            carried: &carried,
+            point,
+            radius,
+            arm: arm.map(|a| a.text),
+            lever,
+            follower: &self.raw.follower.text,
+            span: self.raw.span,
+        };
+        let written = law::driver(&at, &disc, &program, &text, (phi, along), &self.name)?;
+        self.joint(&disc, phi, &on, faults);
+        let quantity = |text: String| RawQuantity { text, span: self.raw.span, bare: false };
+        for (name, text) in written.parameters {
+            raw.parameters.push((Word { text: name, span: self.raw.span }, quantity(text)));
+        }
+        let by_law = Some(raw.drivers.len());
+        raw.drivers.push(written.driver);
+        let (origin, outward) = place::origin(&carried, on.spot.at(), follower_sense(&disc));
+        let turning =
+            Turning { pivot: PointId(0), disc, phi, driver: on.driver, by_law, start, origin, outward, touched: None, side: along };
+        pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
+        Some(())
+    }
+}

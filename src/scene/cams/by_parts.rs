@@ -1,0 +1,167 @@
+//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written.
+
+use super::super::model::*;
+use super::super::raw::RawScene;
+use super::super::units::Wanted;
+use super::Turning;
+use super::expand::{One, Pending, follower_sense, note};
+use super::pairs::{Contact, Worded, numbers};
+use super::place::{self, Carried, OnPivot, Told};
+use super::raw::*;
+use crate::cam::outline::{Broken, segments};
+use crate::cam::{Disc, Motion, Side, Touch};
+use crate::diag::{Diagnostic, Faults, both};
+use crate::json::Word;
+
+impl One<'_> {
+    pub(super) fn by_parts(
+        &self,
+        raw: &mut RawScene,
+        parts: &[RawPart],
+        (cam, point): (LinkId, PointId),
+        end: Option<Told>,
+        placed: Option<(OnPivot, Carried)>,
+        pending: &mut Pending,
+        faults: &mut Faults,
+    ) -> Option<()> {
+        let worded = self.worded(cam, parts, faults)?;
+        let (follows, offset, sense) = match &self.raw.follows {
+            RawFollows::Face(face) => {
+                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
+                (RawFollows::Face(face), offset, sense)
+            }
+            round => (round.clone(), None, 1.0),
+        };
+        if let [Worded::Circle { centre, radius }] = worded.as_slice() {
+            pending.circle = Some((centre.clone(), radius.value));
+        }
+        let geometry = placed.as_ref().and_then(|p| self.follower(p, point, offset.as_ref(), sense));
+        let contact = Contact {
+            cam: &self.raw.cam.text,
+            follower: &self.raw.follower.text,
+            follows: &follows,
+            end: end.clone(),
+            offset,
+            span: self.raw.span,
+        };
+        let mut touched = 0;
+        if let (Some((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
+            let local = |name: &str| {
+                let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
+                on.local.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
+            };
+            let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else {
+                return self.no_pose(faults);
+            };
+            let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
+            let touch = match touch {
+                Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
+                Touch::Flat { lever } => Touch::Flat { lever },
+            };
+            let backward = on.rate < 0.0 || on.rate == 0.0 && on.acceleration < 0.0;
+            let turn = if backward { -1.0 } else { 1.0 };
+            let disc = Disc { follower, touch, motion: Motion::Profile(segments), sense: turn };
+            let phi = turn * on.angle.value;
+            let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
+            touched = found;
+            self.joint(&disc, phi, on, faults);
+            self.sketch(raw, &disc, phi, on);
+            let (origin, outward) = place::origin(carried, on.spot.at(), follower_sense(&disc));
+            let turning = Turning {
+                pivot: PointId(0),
+                disc,
+                phi,
+                driver: on.driver,
+                by_law: None,
+                start: 0.0,
+                origin,
+                outward,
+                touched: Some(found),
+                side: Side::After,
+            };
+            pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
+        } else if worded.len() > 1 {
+            return self.no_pose(faults);
+        }
+        pending.contact = Some(raw.guides.len());
+        contact.write(raw, &worded, touched)
+    }
+
+    /// The parts with texts and checked numbers.
+    pub(super) fn worded(&self, cam: LinkId, parts: &[RawPart], faults: &mut Faults) -> Option<Vec<Worded>> {
+        let n = parts.len();
+        let centre = |i: usize| match &parts[i % n] {
+            RawPart::Circle { centre, .. } | RawPart::Corner(centre) => Some(centre),
+            RawPart::Tangent(_) | RawPart::Flank(_) => None,
+        };
+        let mut out = Vec::new();
+        let before = faults.list.len();
+        for (i, part) in parts.iter().enumerate() {
+            if let Some(word) = centre(i)
+                && let Some(p) = note(self.names.point(word), faults)
+                && !self.bare.links[cam.0].points.contains(&p)
+            {
+                let message =
+                    both!("centre `{}` is not a point of the cam `{}`", "圆心 `{}` 不是凸轮 `{}` 上的点", word.text, self.raw.cam.text);
+                faults.push(
+                    Diagnostic::error("not-on-link", message)
+                        .at(word.span)
+                        .help(both!("name it in \"links\" among the points of the cam", "请在 \"links\" 中把它写入凸轮的点")),
+                );
+            }
+            match part {
+                RawPart::Circle { centre, radius } => {
+                    let radius = self.positive(radius, faults);
+                    out.extend(radius.map(|radius| Worded::Circle { centre: centre.text.clone(), radius }));
+                }
+                RawPart::Corner(p) => {
+                    out.push(Worded::Circle { centre: p.text.clone(), radius: Told { value: 0.0, text: "0 mm".into() } });
+                }
+                RawPart::Flank(radius) => out.extend(self.told(radius, Wanted::Length, faults).map(|radius| Worded::Flank { radius })),
+                RawPart::Tangent(span) => {
+                    let ends = centre(i + n - 1).zip(centre(i + 1));
+                    let ids = ends.and_then(|(a, b)| self.names.point(a).ok().zip(self.names.point(b).ok()));
+                    let Some((a, b)) = ids else { continue };
+                    match place::apart(self.bare, a, b) {
+                        Some(apart) => out.push(Worded::Tangent { apart }),
+                        None => {
+                            let [a, b] = [a, b].map(|p| self.bare.point_name(p));
+                            let message = both!(
+                                "the tangent of the circles about {a} and {b} needs their distance",
+                                "求绕 {a} 和 {b} 两圆的公切线须知两圆心的距离"
+                            );
+                            faults.push(
+                                Diagnostic::error("cam-centres", message)
+                                    .at(*span)
+                                    .help(both!("add \"{a},{b}\" to \"lengths\"", "请在 \"lengths\" 中加上 \"{a},{b}\"")),
+                            );
+                        }
+                    }
+                }
+            }
+        }
+        if out.len() < n && faults.list.len() == before {
+            let at = parts.iter().position(|p| matches!(p, RawPart::Tangent(_))).unwrap_or(0);
+            self.broken(Broken::NoNeighbour(at), faults);
+        }
+        (faults.list.len() == before && out.len() == n && n > 0).then_some(out)
+    }
+
+    pub(super) fn broken(&self, broken: Broken, faults: &mut Faults) {
+        let message = match broken {
+            Broken::NoCircle => both!("the profile has no circle", "廓线中没有圆"),
+            Broken::NoNeighbour(i) => {
+                both!("part {} of the profile has no circle on both sides", "廓线第 {} 段的两侧不都是圆", i + 1)
+            }
+            Broken::Apart(i) => both!(
+                "part {} of the profile cannot touch its neighbours: their centres are too near or too far apart",
+                "廓线第 {} 段不能与相邻两段相切：圆心过近或过远",
+                i + 1
+            ),
+        };
+        faults.push(Diagnostic::error("cam-profile", message).at(self.raw.span).help(both!(
+            "list arcs and lines counter-clockwise round the cam: a circle, \"tangent\" or {{\"radius\"}}, the next circle, ...",
+            "请沿凸轮逆时针列出各段：圆、\"tangent\" 或 {{\"radius\"}}、下一圆……"
+        )));
+    }
+}

@@ -1,0 +1,346 @@
+//! Every cam of the raw scene into the pairs, points and drivers that stand for it.
+
+use std::collections::HashSet;
+
+use super::super::model::*;
+use super::super::names::Names;
+use super::super::raw::{RawQuantity, RawScene};
+use super::super::units::Wanted;
+use super::super::values::Values;
+use super::pairs::fresh;
+use super::place::{self, Carried, OnPivot, Told};
+use super::raw::*;
+use super::{Cam, Follows, Turning};
+use crate::cam::{Disc, Follower, Motion, Side, Touch};
+use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::digits::significant;
+use crate::geom::Vec2;
+use crate::json::Word;
+
+/// A scene whose cams are written as other pairs, and the cams themselves by the names of their points.
+pub(in crate::scene) struct Expanded {
+    pub raw: RawScene,
+    cams: Vec<Pending>,
+    /// Parameters that only a piece uses which is not touched.
+    pub used: HashSet<String>,
+}
+
+pub(super) struct Pending {
+    cam: String,
+    follower: String,
+    point: String,
+    follows: fn(PointId, f64) -> Follows,
+    radius: f64,
+    at: Option<String>,
+    pub circle: Option<(String, f64)>,
+    pub disc: Option<(String, Turning)>,
+    pub contact: Option<usize>,
+    span: Span,
+}
+
+/// A cam whose link has one point gets a second one on its base circle, from which its angle is told; so does a lever with a flat face whose
+/// motion a law gives.
+pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
+    let mut out = raw.clone();
+    for cam in &raw.cams {
+        let radius = match &cam.profile {
+            RawProfile::Law { base, .. } => Some(base),
+            RawProfile::Parts(parts) => parts.iter().find_map(|p| match p {
+                RawPart::Circle { radius, .. } => Some(radius),
+                RawPart::Corner(_) | RawPart::Tangent(_) | RawPart::Flank(_) => None,
+            }),
+        };
+        let law = matches!(cam.profile, RawProfile::Law { .. });
+        let lever = law && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
+        for (link, proposed) in [(Some(&cam.cam), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
+            let (Some(link), Some(radius)) = (link, radius) else { continue };
+            let name = fresh(&out, &[proposed]);
+            let Some(found) = out.links.iter_mut().find(|l| l.name.text == link.text && l.points.len() == 1) else { continue };
+            let pair = format!("{},{name}", found.points[0].text);
+            found.points.push(Word { text: name, span: cam.span });
+            out.lengths.push((Word { text: pair, span: cam.span }, radius.clone()));
+        }
+    }
+    out
+}
+
+fn named(word: &Option<Word>, text: &str) -> bool {
+    word.as_ref().is_some_and(|w| w.text == text)
+}
+
+/// Writes the pairs of all cams. `bare` is the scene without them.
+pub(in crate::scene) fn expand(raw: RawScene, source: &str, bare: &Scene, faults: &mut Faults) -> Expanded {
+    let parameters = raw.parameters.clone();
+    let (values, _) = Values::new(source, &raw.units, &parameters, &mut Faults::default());
+    let mut out = Expanded { raw: raw.clone(), cams: Vec::new(), used: HashSet::new() };
+    for (i, cam) in raw.cams.iter().enumerate() {
+        let one = One { bare, values: &values, names: Names::new(&bare.points, &bare.links), raw: cam, name: format!("cam{}", i + 1) };
+        out.cams.extend(one.write(&mut out.raw, faults));
+    }
+    out.used = values.used_names();
+    out
+}
+
+/// One cam at work.
+pub(super) struct One<'a> {
+    pub bare: &'a Scene,
+    pub values: &'a Values<'a>,
+    pub names: Names<'a>,
+    pub raw: &'a RawCam,
+    pub name: String,
+}
+
+pub(super) fn note<T>(result: Result<T, Diagnostic>, faults: &mut Faults) -> Option<T> {
+    result.map_err(|d| faults.push(d)).ok()
+}
+
+impl One<'_> {
+    pub(super) fn told(&self, q: &RawQuantity, wanted: Wanted, faults: &mut Faults) -> Option<Told> {
+        if wanted == Wanted::Angle {
+            let given = self.values.angle(q, faults)?;
+            return Some(Told { value: given.value.radians(), text: given.text });
+        }
+        let given = self.values.si(q, wanted, faults)?;
+        Some(Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text } })
+    }
+
+    pub(super) fn positive(&self, q: &RawQuantity, faults: &mut Faults) -> Option<Told> {
+        let given = self.values.positive_length(q, both!("the radius", "半径"), faults)?;
+        Some(Told { value: given.value, text: given.text })
+    }
+
+    fn write(&self, raw: &mut RawScene, faults: &mut Faults) -> Option<Pending> {
+        let cam = note(self.names.link(&self.raw.cam), faults);
+        let follower = note(self.names.link(&self.raw.follower), faults);
+        let point = match self.raw.follows.pin() {
+            Some(word) => note(self.names.point(word), faults),
+            None => None,
+        };
+        let end = match self.raw.follows.radius() {
+            Some(q) => Some(self.positive(q, faults)?),
+            None => None,
+        };
+        let (cam, follower) = (cam?, follower?);
+        let Some(point) = point else {
+            if self.raw.follows.pin().is_none() {
+                let message =
+                    both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标");
+                faults.push(Diagnostic::error("cam-follower", message).at(self.raw.span));
+            }
+            return None;
+        };
+        if cam == follower {
+            let message = both!("link `{}` cannot be cam and follower at once", "构件 `{}` 不能既是凸轮又是从动件", self.raw.cam.text);
+            faults.push(Diagnostic::error("cam-follower", message).at(self.raw.follower.span));
+            return None;
+        }
+        if !self.bare.links[follower.0].points.contains(&point) {
+            let message = both!(
+                "`{}` is not a point of the follower `{}`",
+                "`{}` 不是从动件 `{}` 上的点",
+                self.bare.point_name(point),
+                self.raw.follower.text
+            );
+            faults.push(Diagnostic::error("not-on-link", message).at(self.raw.follows.pin()?.span));
+            return None;
+        }
+        let mut pending = Pending {
+            cam: self.raw.cam.text.clone(),
+            follower: self.raw.follower.text.clone(),
+            point: self.bare.point_name(point).to_owned(),
+            follows: match self.raw.follows {
+                RawFollows::Edge(_) => |p, _| Follows::Edge(p),
+                RawFollows::Roller { .. } => Follows::Roller,
+                RawFollows::Arc { .. } => Follows::Arc,
+                RawFollows::Face(_) => |p, _| Follows::Face(p),
+            },
+            radius: end.as_ref().map_or(0.0, |r| r.value),
+            at: self.raw.at.as_ref().map(|w| w.text.clone()),
+            circle: None,
+            disc: None,
+            contact: None,
+            span: self.raw.span,
+        };
+        let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
+        match &self.raw.profile {
+            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, point), end, placed, &mut pending, faults)?,
+            RawProfile::Law { base, start, clockwise, stages } => {
+                let law = self.law(
+                    base,
+                    start,
+                    *clockwise,
+                    stages,
+                    placed.as_ref().is_some_and(|p| matches!(p.1, Carried::Pivot { .. })),
+                    faults,
+                )?;
+                self.by_law(raw, law, point, end, placed, &mut pending, faults)?;
+            }
+        }
+        Some(pending)
+    }
+
+    /// The face of the follower: as it is written with what the cam's place adds, how far out it lies, and in which sense it goes out.
+    pub(super) fn face(&self, carried: Option<&Carried>, face: &RawFace, faults: &mut Faults) -> Option<(RawFace, Option<Told>, f64)> {
+        let offset = match &face.offset {
+            Some(q) => Some(self.told(q, Wanted::Length, faults)?),
+            None => None,
+        };
+        let mut face = face.clone();
+        if let Some(Carried::Guide { angle: guide, .. }) = carried {
+            match &face.angle {
+                None if face.line.is_none() => {
+                    face.angle = Some(RawQuantity { text: format!("({})+90 deg", guide.text), span: self.raw.span, bare: false });
+                    face.left = Some(true);
+                }
+                Some(q) if face.left.is_none() => {
+                    let u = Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value);
+                    face.left = Some(u.perp().dot(Vec2::from_angle(guide.value)) < 0.0);
+                }
+                _ => {}
+            }
+        }
+        let sense = if face.left.unwrap_or(true) { -1.0 } else { 1.0 };
+        Some((face, offset, sense))
+    }
+
+    /// Whether the follower has no face, or one that stands square to its guide and passes through its pin.
+    fn stands_squarely(&self, guide: f64) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let angle = face.angle.as_ref().and_then(|q| self.told(q, Wanted::Angle, &mut Faults::default()));
+        // Nine digits of an angle are what a person types.
+        face.line.is_none() && face.offset.is_none() && angle.is_none_or(|a| libm::cos(a.value - guide).abs() < 1e-9)
+    }
+
+    /// Whether a face is known by its pivot alone, or by a line that begins there.
+    fn goes_out_from(&self, pivot: PointId) -> bool {
+        let RawFollows::Face(face) = &self.raw.follows else { return true };
+        let begins = |w: &Word| self.names.pair(w).is_ok_and(|(a, _)| a == pivot);
+        face.angle.is_none() && face.line.as_ref().is_none_or(begins)
+    }
+
+    /// The geometry of the follower; `None` where it is not that of a cam on the ground.
+    pub(super) fn follower(
+        &self,
+        placed: &(OnPivot, Carried),
+        point: PointId,
+        offset: Option<&Told>,
+        sense: f64,
+    ) -> Option<(Follower, Touch, Option<Told>)> {
+        let (cam, carried) = placed;
+        let face = matches!(self.raw.follows, RawFollows::Face(_));
+        let (arm, sense) = match carried {
+            Carried::Guide { pin, angle, .. } if *pin == point && self.stands_squarely(angle.value) => (None, 1.0),
+            Carried::Guide { .. } => return None,
+            Carried::Pivot { pivot, .. } if face => {
+                return (*pivot == point && self.goes_out_from(*pivot)).then(|| {
+                    let lever = offset.map_or(0.0, |o| o.value) * sense;
+                    (place::geometry(carried, cam.spot.at(), 0.0, sense), Touch::Flat { lever }, None)
+                });
+            }
+            Carried::Pivot { pivot, spot } => {
+                let arm = place::apart(self.bare, *pivot, point)?;
+                (Some(arm), place::sense(self.bare, *pivot, cam.pivot, point, [spot.at(), cam.spot.at()]))
+            }
+        };
+        let geometry = place::geometry(carried, cam.spot.at(), arm.as_ref().map_or(0.0, |a| a.value), sense);
+        let touch = if face { Touch::Flat { lever: 0.0 } } else { Touch::Point { radius: 0.0 } };
+        Some((geometry, touch, arm))
+    }
+
+    pub(super) fn no_pose<T>(&self, faults: &mut Faults) -> Option<T> {
+        let d = Diagnostic::error(
+            "cam-pose",
+            both!(
+                "which part of the profile of cam `{}` is touched is told only where cam and follower are on the ground",
+                "只有凸轮和从动件都装在机架上时，才能判断凸轮 `{}` 的哪一段廓线接触",
+                self.raw.cam.text
+            ),
+        );
+        faults.push(d.at(self.raw.span).help(both!(
+            "a pivot of the cam among the points of the ground, a driver with \"angle\" for it, and a guide or pivot of the follower on the ground through the point that touches; or a profile of one circle",
+            "请给出：机架上的凸轮轴心、带 \"angle\" 的凸轮原动件、从动件在机架上的导路（通过接触点）或转轴；或只用一个圆作廓线"
+        )));
+        None
+    }
+
+    pub(super) fn no_contact<T>(&self, faults: &mut Faults) -> Option<T> {
+        let d = Diagnostic::error(
+            "no-contact",
+            both!(
+                "the follower `{}` does not reach the profile of cam `{}` in this pose",
+                "在此位置从动件 `{}` 够不到凸轮 `{}` 的廓线",
+                self.raw.follower.text,
+                self.raw.cam.text
+            ),
+        );
+        faults.push(
+            d.at(self.raw.span)
+                .help(both!("check the radii, the offset of the guide and the length of the arm", "请检查各半径、导路的偏距和摆杆长度")),
+        );
+        None
+    }
+
+    /// At a joint of two pieces the acceleration jumps: both are told.
+    pub(super) fn joint(&self, disc: &Disc, phi: f64, on: &OnPivot, faults: &mut Faults) {
+        let sides = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side));
+        let [Some(before), Some(after)] = sides else { return };
+        if disc.touched(phi, Side::Before) == disc.touched(phi, Side::After) && matches!(disc.motion, Motion::Profile(_)) {
+            return;
+        }
+        let a = [before, after].map(|q| q.0[2] * on.rate * on.rate + q.0[1] * on.acceleration * disc.sense);
+        if (a[0] - a[1]).abs() <= 1e-9 * a[0].abs().max(a[1].abs()) {
+            return;
+        }
+        let unit = match disc.follower {
+            Follower::Translating { .. } => "m/s²",
+            Follower::Oscillating { .. } => "rad/s²",
+        };
+        let [b, a] = a.map(|a| significant(a, 4));
+        let message = both!(
+            "two pieces of the profile meet here: the acceleration of `{}` jumps from {b} to {a} {unit}; drawn is what follows",
+            "此处为廓线两段的接点：`{}` 的加速度由 {b} 跃变为 {a} {unit}；图中取其后一段",
+            self.raw.follower.text
+        );
+        faults.push(Diagnostic::note("joint", message).at(self.raw.span));
+    }
+
+    /// Says which of the assemblies is meant: the point of the follower where it touches.
+    pub(super) fn sketch(&self, raw: &mut RawScene, disc: &Disc, phi: f64, on: &OnPivot) {
+        let (Some(pin), Touch::Point { .. }) = (self.raw.follows.pin(), disc.touch) else { return };
+        let said = raw.sketch.iter().any(|(w, _)| w.text == pin.text) || raw.points.iter().any(|(w, _)| w.text == pin.text);
+        let Some(q) = disc.coordinate(phi, Side::After).filter(|_| !said) else { return };
+        let at = on.spot.at() + disc.follower.point(q).order(0);
+        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
+        raw.sketch.push((Word { text: pin.text.clone(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
+    }
+}
+
+/// The sense in which an oscillating follower goes out.
+pub(super) fn follower_sense(disc: &Disc) -> f64 {
+    match disc.follower {
+        Follower::Translating { .. } => 1.0,
+        Follower::Oscillating { sense, .. } => sense,
+    }
+}
+
+impl Expanded {
+    /// The cams of the scene that has been made of it.
+    pub fn cams(self, scene: &Scene) -> Vec<Cam> {
+        let point = |name: &str| scene.points.iter().position(|p| p.name == name).map(PointId);
+        let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
+        let one = |p: Pending| {
+            let disc = p.disc.and_then(|(pivot, turning)| Some(Turning { pivot: point(&pivot)?, ..turning }));
+            Some(Cam {
+                cam: link(&p.cam)?,
+                follower: link(&p.follower)?,
+                follows: (p.follows)(point(&p.point)?, p.radius),
+                at: p.at,
+                circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
+                disc,
+                contact: p.contact.map(GuideId),
+                span: p.span,
+            })
+        };
+        self.cams.into_iter().filter_map(one).collect()
+    }
+}

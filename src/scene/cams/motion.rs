@@ -1,0 +1,137 @@
+//! A cam beyond its instant: what stands for the contact there.
+//!
+//! Over a turn the contact goes from piece to piece, and with a law the equivalent linkage changes all the time: one set of lower pairs is right
+//! at one instant only. For the whole motion the follower is therefore a driver of its own, whose place and rates follow from the angle of the
+//! cam. One circle is replaced exactly everywhere and stays as it is.
+
+use super::super::model::*;
+use crate::cam::{Follower, Jet, Side};
+use crate::diag::Span;
+
+impl Scene {
+    /// Whether followers of cams move with a driver as their own drivers: then these are set wherever that driver is put.
+    pub fn has_laws(&self, driver: usize) -> bool {
+        self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.driver == driver && t.by_law.is_some())
+    }
+
+    /// Whether a driver is a follower that a cam moves.
+    pub fn is_led(&self, driver: usize) -> bool {
+        self.cams.iter().filter_map(|c| c.disc.as_ref()).any(|t| t.by_law == Some(driver))
+    }
+
+    /// How many drivers the mechanism has of its own: followers that a cam moves by a law are none.
+    pub fn own_drivers(&self) -> usize {
+        self.drivers.len() - self.cams.iter().filter(|c| c.disc.as_ref().is_some_and(|t| t.by_law.is_some())).count()
+    }
+
+    /// Whether the pairs that stand for a cam are right only next to the instant.
+    pub fn has_momentary_cams(&self) -> bool {
+        let momentary = |c: &Cam| c.circle.is_none() && c.disc.is_some();
+        self.cams.iter().any(momentary)
+    }
+
+    /// The scene for its whole motion: followers of profiles of several pieces become drivers too.
+    pub fn over_a_turn(&self) -> Scene {
+        let mut scene = self.clone();
+        for i in 0..scene.cams.len() {
+            let c = &scene.cams[i];
+            if let (Some(guide), Some(turning), None) = (c.contact, &c.disc, c.circle)
+                && turning.by_law.is_none()
+                && let Some(kind) = scene.follower_driver(c, turning)
+            {
+                let (led, span) = (turning.driver, c.span);
+                let zero = || Given { value: 0.0, radius: 0.0, text: "0".into(), span };
+                let index = scene.drivers.len();
+                scene.drivers.push(Driver { kind, rate: zero(), acceleration: Some(zero()), span });
+                scene.cams[i].contact = None;
+                if let Some(t) = &mut scene.cams[i].disc {
+                    t.by_law = Some(index);
+                }
+                scene.without_guide(guide);
+                scene.set_followers(led, None);
+            }
+        }
+        scene
+    }
+
+    /// The driver of a follower on the ground; `None` for a face without a line whose angle could be given.
+    fn follower_driver(&self, c: &Cam, t: &Turning) -> Option<DriverKind> {
+        let given = |value: f64| Given { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
+        match t.disc.follower {
+            Follower::Translating { .. } => {
+                let guide = self.guides.iter().position(|g| g.slider == Some(c.follower) && g.on == self.ground).map(GuideId)?;
+                Some(DriverKind::Slide { guide, position: Some(given(0.0)) })
+            }
+            Follower::Oscillating { .. } => {
+                let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[self.ground.0].points.contains(p))?;
+                let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b)?;
+                Some(DriverKind::Turn {
+                    link: c.follower,
+                    against: self.ground,
+                    line: Some(line),
+                    against_line: None,
+                    angle: Some(angle(0.0, c.span)),
+                })
+            }
+        }
+    }
+
+    /// Takes a guide out; what names a later one names it still.
+    fn without_guide(&mut self, out: GuideId) {
+        self.guides.remove(out.0);
+        let shift = |g: &mut GuideId| {
+            if g.0 > out.0 {
+                g.0 -= 1;
+            }
+        };
+        for d in &mut self.drivers {
+            if let DriverKind::Slide { guide, .. } = &mut d.kind {
+                shift(guide);
+            }
+        }
+        self.cams.iter_mut().filter_map(|c| c.contact.as_mut()).for_each(shift);
+        self.rolling.iter_mut().filter_map(|r| r.guide.as_mut()).for_each(shift);
+    }
+
+    /// Puts the followers that are drivers where the cams hold them that a driver turns; the driver stands at `value` (rad), or where it is said
+    /// to. A follower that touches nothing stays.
+    pub fn set_followers(&mut self, driver: usize, value: Option<f64>) {
+        let Some(lead) = self.drivers.get(driver) else { return };
+        let stated = match &lead.kind {
+            DriverKind::Turn { angle, .. } => angle.as_ref().map(|a| a.value.radians()),
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+        };
+        let (rate, acceleration) = (lead.rate.value, lead.acceleration.as_ref().map_or(0.0, |a| a.value));
+        for i in 0..self.cams.len() {
+            let c = &mut self.cams[i];
+            let (Some(t), span) = (&mut c.disc, c.span) else { continue };
+            let (true, Some(k), Some(at)) = (t.driver == driver, t.by_law, value.or(stated)) else { continue };
+            let sense = t.disc.sense;
+            t.phi = sense * (at - t.start);
+            t.side = if rate * sense < 0.0 { Side::Before } else { Side::After };
+            let Some(q) = t.disc.coordinate(t.phi, t.side) else { continue };
+            let Jet([q, dq, ddq, _]) = q;
+            let (place, out) = (t.origin + t.outward * q, t.outward);
+            let (v, a) = (out * dq * sense * rate, out * (ddq * rate * rate + dq * sense * acceleration));
+            let d = &mut self.drivers[k];
+            let turns = matches!(d.kind, DriverKind::Turn { .. });
+            match &mut d.kind {
+                DriverKind::Turn { angle: place_of, .. } => *place_of = Some(angle(place, span)),
+                DriverKind::Slide { position, .. } => *position = Some(number(place, "m", span)),
+                DriverKind::Cylinder { .. } => {}
+            }
+            let units = if turns { ["rad/s", "rad/s^2"] } else { ["m/s", "m/s^2"] };
+            d.rate = number(v, units[0], span);
+            d.acceleration = Some(number(a, units[1], span));
+        }
+    }
+}
+
+/// A number of a double: the shortest decimal that reads back as it.
+fn number(value: f64, unit: &str, span: Span) -> Given {
+    Given { value, radius: value.abs() * f64::EPSILON, text: format!("({value:?}) ({unit})"), span }
+}
+
+fn angle(value: f64, span: Span) -> Given<Angle> {
+    Given { value: Angle::Rad(value), radius: value.abs() * f64::EPSILON, text: format!("({value:?}) rad"), span }
+}

@@ -1,0 +1,157 @@
+//! `s_3`, `psi_3`, `h_3`, `Psi_3`, `Phi_3`, `pressure_3`, `rho_2/3`, `rho_min_2`: of a disc cam and its follower.
+//!
+//! They follow from the geometry of the cam alone ([`crate::cam`]), in double precision: no more digits than those are vouched for.
+
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::cam::{Follower, Survey};
+use crate::diag::{Diagnostic, both};
+use crate::number::Real;
+use crate::scene::book::Kind;
+use crate::scene::cams::{Cam, Turning};
+use crate::scene::model::{Find, LinkId, Scene};
+use crate::scene::resolve::Question;
+
+/// Of a cam and its follower.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CamQuantity {
+    what: What,
+    /// The follower; of ρ the cam.
+    link: LinkId,
+    /// The follower of ρ.
+    follower: Option<LinkId>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum What {
+    Lift,
+    Swing,
+    Stroke,
+    Angle,
+    Rise,
+    Pressure,
+    Rho,
+    RhoMin,
+}
+
+/// Rows of the table.
+const ROWS: [What; 7] = [What::Lift, What::Swing, What::Stroke, What::Angle, What::Rise, What::Pressure, What::Rho];
+
+/// What double precision keeps of a value that is computed from given lengths, relative to it.
+const LOST: f64 = 1e-11;
+
+impl Quantity for CamQuantity {
+    const WRITTEN: &'static [Entry] = &[
+        Entry::new("s", "s_3", Kind::Length, Form::Scalar, ["lift of the follower", "从动件位移"]),
+        Entry::new("psi", "psi_3", Kind::Angle, Form::Scalar, ["lift of the swinging follower", "摆动从动件角位移"])
+            .printed("\\psi", Over::Nothing),
+        Entry::new("h", "h_3", Kind::Length, Form::Scalar, ["stroke of the follower", "行程"]),
+        Entry::new("Psi", "Psi_3", Kind::Angle, Form::Scalar, ["swing of the follower", "最大摆角"]).printed("\\Psi", Over::Nothing),
+        Entry::new("Phi", "Phi_3", Kind::Angle, Form::Scalar, ["angle of the rise", "推程运动角"]).printed("\\Phi", Over::Nothing),
+        Entry::new("pressure", "pressure_3", Kind::Angle, Form::Scalar, ["pressure angle", "压力角"]).printed("\\alpha", Over::Sign("p")),
+        Entry::new("rho", "rho_2/3", Kind::Length, Form::Scalar, ["radius of curvature of the profile", "廓线曲率半径"])
+            .printed("\\rho", Over::Nothing),
+    ];
+
+    fn read(question: &Question<'_>) -> Result<Option<CamQuantity>, Diagnostic> {
+        let what = ROWS[question.row(Self::WRITTEN)];
+        let names = question.names();
+        if what == What::Rho {
+            if let Some(cam) = names.strip_prefix("min_") {
+                return Ok(Some(CamQuantity { what: What::RhoMin, link: question.link(cam.trim())?, follower: None }));
+            }
+            let Some((cam, follower)) = names.split_once('/') else {
+                let d = question.fault(both!(
+                    "`{}` does not say of which cam and follower",
+                    "`{}` 没有说明是哪个凸轮和从动件",
+                    question.text()
+                ));
+                return Err(d.help(both!(
+                    "write rho_2/3: of cam 2 at follower 3; or rho_min_2",
+                    "请写 rho_2/3（凸轮 2 与从动件 3 接触处），或 rho_min_2"
+                )));
+            };
+            let (link, follower) = (question.link(cam.trim())?, question.link(follower.trim())?);
+            return Ok(Some(CamQuantity { what, link, follower: Some(follower) }));
+        }
+        Ok(Some(CamQuantity { what, link: question.link(names)?, follower: None }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        let what = if self.what == What::RhoMin { What::Rho } else { self.what };
+        &Self::WRITTEN[ROWS.iter().position(|w| *w == what).unwrap_or(0)]
+    }
+
+    fn of(&self) -> Of {
+        self.follower.map_or(Of::Link(self.link), |f| Of::Links(self.link, f))
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        Vec::new()
+    }
+
+    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
+        let Some((cam, t)) = self.cam(scene) else {
+            let d = Diagnostic::error(
+                "no-cam",
+                both!("`{}` needs a cam on the ground with its follower", "`{}` 需要装在机架上的凸轮及其从动件", find.text),
+            );
+            return Some(d.at(find.span));
+        };
+        let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
+        let wrong = match self.what {
+            What::Lift | What::Stroke => swings,
+            What::Swing | What::Angle => !swings,
+            What::Rise | What::Pressure | What::Rho | What::RhoMin => false,
+        };
+        wrong.then(|| {
+            let name = scene.link_name(cam.follower);
+            let (kind, help) = if swings {
+                (both!("swings", "摆动"), both!("ask for psi_{name} and Psi_{name}", "请求 psi_{name} 和 Psi_{name}"))
+            } else {
+                (both!("slides", "移动"), both!("ask for s_{name} and h_{name}", "请求 s_{name} 和 h_{name}"))
+            };
+            Diagnostic::error("cam-follower", both!("follower `{name}` {}", "从动件 `{name}` 作{}", kind)).at(find.span).help(help)
+        })
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let (_, t) = self.cam(known.scene())?;
+        let value = match self.what {
+            What::Lift | What::Swing => t.disc.coordinate(t.phi, t.side)?.value() - Survey::of(&t.disc).rest,
+            What::Stroke | What::Angle => Survey::of(&t.disc).stroke,
+            What::Rise => Survey::of(&t.disc).angle(1, false),
+            What::Pressure => t.disc.station(t.phi, t.side)?.pressure,
+            What::Rho => t.disc.station(t.phi, t.side)?.rho,
+            What::RhoMin => least_radius(t)?,
+        };
+        let radius = LOST * value.abs().max(LOST);
+        N::from_bounded(value, radius).filter(|_| value.is_finite()).map(Value::Scalar)
+    }
+}
+
+/// The least convex radius of the profile.
+fn least_radius(t: &Turning) -> Option<f64> {
+    let (_, rho) = Survey::of(&t.disc).least_rho?;
+    let end = match t.disc.touch {
+        crate::cam::Touch::Point { radius } => radius,
+        crate::cam::Touch::Flat { .. } => 0.0,
+    };
+    Some(rho - end)
+}
+
+impl CamQuantity {
+    /// The cam that is meant.
+    fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
+        let meant = |c: &&Cam| match (self.what, self.follower) {
+            (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
+            (What::RhoMin, _) => c.cam == self.link,
+            (What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure, _) => c.follower == self.link,
+        };
+        let cam = scene.cams.iter().find(meant)?;
+        Some((cam, cam.disc.as_ref()?))
+    }
+}

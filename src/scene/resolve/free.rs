@@ -1,0 +1,136 @@
+//! Centres of gears that nothing places. A train told by its numbers of teeth has angular velocities without having a size or a direction:
+//! where only these are asked, the centres are laid along the x axis, as a book draws them.
+
+use super::super::quantity::Asked;
+use super::super::rolling::{Contours, Sizes};
+use super::*;
+
+/// Lays free centres along the x axis, each as far from the one before as lengths or radii say, else as teeth of 1 mm module make it.
+pub(super) fn centres(
+    c: &Context,
+    (rolling, drivers, find): (&mut rolling::Resolved, &[Driver], &[Find]),
+    places: &mut [Place],
+    lengths: &[Length],
+    faults: &mut Faults,
+) {
+    let turning_only = |f: &Find| matches!(f.what, Asked::Turning(_));
+    if find.is_empty() || !find.iter().all(turning_only) {
+        return;
+    }
+    let mut laid: Vec<PointId> = Vec::new();
+    // A chain of gears is laid from its first axis on: once more for every centre that a round has found.
+    loop {
+        let before = (laid.len(), rolling.lengths.len());
+        for i in 0..rolling.rolling.len() {
+            let Contours::Circles { centres: [a, b], .. } = rolling.rolling[i].contours else { continue };
+            for (from, to) in [(a, b), (b, a)] {
+                lay(c, (&mut *rolling, i, drivers), (from, to), places, lengths, &mut laid);
+            }
+        }
+        if (laid.len(), rolling.lengths.len()) == before {
+            break;
+        }
+    }
+    if !laid.is_empty() {
+        let names: Vec<&str> = laid.iter().map(|p| c.point_name(*p)).collect();
+        let names = names.join(", ");
+        let message = both!(
+            "no place is given for {names}, and no answer depends on it: drawn along the x axis",
+            "没有给出 {names} 的位置，所求各量也与其无关：画在 x 轴上"
+        );
+        let help = both!(
+            "coordinates in \"points\", or a length and the driver's \"angle\", say otherwise",
+            "可在 \"points\" 中给出坐标，或给出长度和原动件的 \"angle\""
+        );
+        faults.push(Diagnostic::note("free-centre", message).at(c.names.points[laid[0].0].span).help(help));
+    }
+}
+
+/// Lays the centre `to` of a pair beside `from`, if it is free and that one is placed; of an arm with an angle its length alone.
+fn lay(
+    c: &Context,
+    (rolling, pair, drivers): (&mut rolling::Resolved, usize, &[Driver]),
+    (from, to): (PointId, PointId),
+    places: &mut [Place],
+    lengths: &[Length],
+    laid: &mut Vec<PointId>,
+) {
+    let Some(arm) = c.common(from, to) else { return };
+    let anchored = c.carries(c.ground, from) && anchor(c, from, places);
+    if !anchored || !is_free(c, arm, (from, to), places, lengths) {
+        return;
+    }
+    let between = |l: &Length| (l.a, l.b) == (from, to) || (l.b, l.a) == (from, to);
+    let given = lengths.iter().chain(&rolling.lengths).find(|l| between(l)).map(|l| l.value.clone());
+    let has_length = given.is_some();
+    let Some(distance) = given.or_else(|| by_teeth(c, rolling, pair)) else { return };
+    let turned = |d: &Driver| matches!(&d.kind, DriverKind::Turn { link, angle: Some(_), .. } if *link == arm);
+    if drivers.iter().any(turned) {
+        if !has_length {
+            rolling.lengths.push(Length { a: from, b: to, value: distance });
+        }
+        return;
+    }
+    let Place::At([x, y]) = &places[from.0] else { return };
+    let (x, y) = (x.clone(), y.clone());
+    // A bare 0 has no dimension to which a length could be added.
+    let bare = x.text.trim().parse::<f64>().is_ok();
+    let text = if bare { distance.text.clone() } else { format!("({})+({})", x.text, distance.text) };
+    let Some(x) = c.values.si(&RawQuantity { text, span: distance.span, bare: false }, Wanted::Length, &mut Faults::default()) else {
+        return;
+    };
+    places[to.0] = Place::At([x, y]);
+    // The coordinates say it now.
+    rolling.lengths.retain(|l| !between(l));
+    laid.push(to);
+}
+
+/// Whether a fixed axis is placed. The first of several fixed axes of which none is, is the origin.
+fn anchor(c: &Context, p: PointId, places: &mut [Place]) -> bool {
+    match places[p.0] {
+        Place::At(_) => true,
+        Place::InLink { .. } | Place::Polar { .. } => false,
+        Place::Unknown => {
+            let first = places.iter().all(|p| matches!(p, Place::Unknown));
+            if first {
+                let span = c.names.points[p.0].span;
+                places[p.0] = Place::At([zero(span), zero(span)]);
+            }
+            first
+        }
+    }
+}
+
+/// Whether nothing but the pairs of its gears says where a centre is: it is carried by the arm, or the ground, and by gears that are nothing
+/// but wheels about it.
+fn is_free(c: &Context, arm: LinkId, (from, to): (PointId, PointId), places: &[Place], lengths: &[Length]) -> bool {
+    let unplaced = matches!(places[to.0], Place::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
+    let only_arm = arm == c.ground || c.names.links[arm.0].points.len() == 2;
+    let wheels = (0..c.names.links.len())
+        .map(LinkId)
+        .filter(|l| *l != arm && c.carries(*l, to))
+        .all(|l| l != c.ground && c.names.links[l.0].points.len() == 1 && !guided(c, l));
+    let measured = lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from);
+    let named = |w: &Word| w.text == c.point_name(to);
+    let told = c.raw.sketch.iter().any(|(w, _)| named(w)) || c.raw.sides.iter().any(|(w, _)| named(w));
+    let runs = c.raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(named)) || (arm != c.ground && guided(c, arm));
+    let rammed = c.raw.drivers.iter().any(|d| match &d.kind {
+        RawDriverKind::Cylinder { ends, .. } => c.names.pair(ends).is_ok_and(|(a, b)| a == to || b == to),
+        RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
+    });
+    unplaced && only_arm && wheels && !measured && !told && !runs && !rammed
+}
+
+/// Whether a link carries a guide or slides in one.
+fn guided(c: &Context, link: LinkId) -> bool {
+    c.raw.guides.iter().any(|g| [&g.on, &g.slider].into_iter().flatten().any(|w| w.text == c.link_name(link)))
+}
+
+/// The distance of the centres of two gears of 1 mm module.
+fn by_teeth(c: &Context, rolling: &rolling::Resolved, pair: usize) -> Option<Given> {
+    let Contours::Circles { sizes: Sizes::Teeth([a, b]), hollow, .. } = rolling.rolling[pair].contours else { return None };
+    let halves = if hollow.is_some() { a.abs_diff(b) } else { a + b };
+    let text = format!("{}.{} mm", halves / 2, if halves % 2 == 0 { 0 } else { 5 });
+    let span = rolling.rolling[pair].span;
+    c.values.si(&RawQuantity { text, span, bare: false }, Wanted::Length, &mut Faults::default())
+}

@@ -1,0 +1,300 @@
+//! Gear trains: Willis' method for all gears whose centres one link, the arm, carries.
+//!
+//! Seen from the arm h every mesh is that of two gears with fixed axes: (ω_j − ω_h)/(ω_i − ω_h) = −z_i/z_j, with a plus where one of the
+//! two is a ring. The tabular method follows: hold the arm and turn one gear by x, then turn all of it by y, and add. Two rates that are
+//! known (of the ground, of drivers) give x and y. Whether polygons and loop equations agree is for the report to say; here numbers of
+//! teeth or radii decide alone.
+//!
+//! # Source
+//! R. Willis, *Principles of Mechanism*, 1841.
+
+use crate::scene::exact::Inputs;
+use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId, Scene};
+
+/// The gears of one arm that mesh with one another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Train {
+    /// The link that carries all centres; the ground for gears with fixed axes.
+    pub arm: LinkId,
+    /// The centre about which most of the gears turn.
+    pub axis: PointId,
+    /// Its gears; the first is the one that the table turns.
+    pub gears: Vec<Gear>,
+    /// Its meshes.
+    pub meshes: Vec<RollingId>,
+}
+
+/// A gear of a train.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Gear {
+    /// The link.
+    pub link: LinkId,
+    /// Its centre.
+    pub centre: PointId,
+    /// (ω − ω_h)/(ω₁ − ω_h), with the first gear of the train.
+    pub ratio: Ratio,
+}
+
+/// A ratio of rates, as a product of sizes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ratio {
+    /// Its value.
+    pub value: f64,
+    /// The sizes above the line, in the label language: `z_{2}`, `r'_{3}`.
+    pub above: Vec<String>,
+    /// Those below it.
+    pub below: Vec<String>,
+}
+
+/// The rates that the two parts of the table take.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turns {
+    /// Of the arm (rad/s): y.
+    pub arm: f64,
+    /// Of the first gear against the arm (rad/s): x.
+    pub first: f64,
+}
+
+impl Ratio {
+    const ONE: Ratio = Ratio { value: 1.0, above: Vec::new(), below: Vec::new() };
+
+    /// The same after one more mesh, from the gear of size `i` to that of size `j`; a hollow one is negative.
+    fn then(&self, [i, j]: [f64; 2], [above, below]: [String; 2]) -> Ratio {
+        let mut next = Ratio { value: -self.value * i / j, ..self.clone() };
+        // An idler takes out its own size.
+        let put = |size: String, into: &mut Vec<String>, other: &mut Vec<String>| match other.iter().position(|s| *s == size) {
+            Some(k) => drop(other.remove(k)),
+            None => into.push(size),
+        };
+        put(above, &mut next.above, &mut next.below);
+        put(below, &mut next.below, &mut next.above);
+        next
+    }
+
+    /// The inverse.
+    pub fn inverse(&self) -> Ratio {
+        Ratio { value: 1.0 / self.value, above: self.below.clone(), below: self.above.clone() }
+    }
+
+    /// As a formula without its sign: `z_{2}/z_{3}`.
+    pub fn magnitude(&self) -> String {
+        let product = |list: &[String]| match list {
+            [] => "1".to_owned(),
+            [one] => one.clone(),
+            more => format!("({})", more.join(" ")),
+        };
+        match &self.below[..] {
+            [] => product(&self.above),
+            below => format!("{}/{}", product(&self.above), product(below)),
+        }
+    }
+
+    /// As a formula.
+    pub fn formula(&self) -> String {
+        format!("{}{}", if self.value < 0.0 { "−" } else { "" }, self.magnitude())
+    }
+}
+
+impl Train {
+    /// The rate of a gear (rad/s).
+    pub fn rate(&self, gear: usize, t: Turns) -> f64 {
+        t.arm + self.gears[gear].ratio.value * t.first
+    }
+
+    /// The turns of the table from the rates of two members that `known` tells; `None` where it tells fewer, or two that say the same.
+    pub fn turns(&self, known: impl Fn(LinkId) -> Option<f64>) -> Option<Turns> {
+        let members = self.gears.iter().map(|g| (g.link, g.ratio.value));
+        let told: Vec<(f64, f64)> =
+            std::iter::once((self.arm, 0.0)).chain(members).filter_map(|(link, e)| Some((e, known(link)?))).collect();
+        let (e, w) = *told.first()?;
+        // ω = y + e x for both: gears of one ratio always turn alike.
+        let (f, v) = *told.iter().find(|(f, _)| *f != e)?;
+        let first = (v - w) / (f - e);
+        Some(Turns { arm: w - e * first, first })
+    }
+
+    /// The gear that is part of a link.
+    pub fn gear(&self, link: LinkId) -> Option<usize> {
+        self.gears.iter().position(|g| g.link == link)
+    }
+}
+
+/// The rate of a link that the scene gives at once: of the ground, and of what a driver turns against it.
+pub fn given(scene: &Scene, link: LinkId) -> Option<f64> {
+    let driven = scene.drivers.iter().find_map(|d| match d.kind {
+        DriverKind::Turn { link: l, against, .. } if l == link && against == scene.ground => Some(d.rate.value),
+        DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
+    });
+    if link == scene.ground { Some(0.0) } else { driven }
+}
+
+/// A mesh between two circles of one arm.
+struct Mesh {
+    id: RollingId,
+    arm: LinkId,
+    links: [LinkId; 2],
+    centres: [PointId; 2],
+    sizes: [f64; 2],
+    symbols: [String; 2],
+}
+
+/// The trains of a scene, in the order of their first meshes.
+pub fn trains(scene: &Scene) -> Vec<Train> {
+    let mut left = meshes(scene);
+    let mut out = Vec::new();
+    while !left.is_empty() {
+        let mut together = vec![left.remove(0)];
+        // All that share a gear with those found.
+        while let Some(k) =
+            left.iter().position(|m| m.arm == together[0].arm && together.iter().any(|t| t.links.iter().any(|l| m.links.contains(l))))
+        {
+            together.push(left.remove(k));
+        }
+        together.sort_by_key(|m| m.id);
+        out.extend(train(scene, &together));
+    }
+    out
+}
+
+fn meshes(scene: &Scene) -> Vec<Mesh> {
+    let inputs = Inputs::<f64>::of(scene);
+    // The sizes of each link in the order in which they come: the second one is dashed.
+    let mut seen: Vec<(LinkId, f64)> = Vec::new();
+    let mut out = Vec::new();
+    for (k, pair) in scene.rolling.iter().enumerate() {
+        let Contours::Circles { centres, .. } = &pair.contours else { continue };
+        let carries = |l: usize| centres.iter().all(|c| scene.links[l].points.contains(c));
+        let Some(arm) = (0..scene.links.len()).find(|l| carries(*l)).map(LinkId) else { continue };
+        if pair.links.contains(&arm) && arm != scene.ground {
+            continue;
+        }
+        let letter = if pair.flanks.is_some() { 'z' } else { 'r' };
+        let values = pair.sizes(&inputs);
+        let mut symbol = |i: usize| {
+            let (link, size) = (pair.links[i], pair.flanks.as_ref().map_or(values[i].abs(), |f| f64::from(f.teeth[i])));
+            if !seen.contains(&(link, size)) {
+                seen.push((link, size));
+            }
+            let before = seen.iter().filter(|s| s.0 == link).position(|s| s.1 == size).unwrap_or(0);
+            format!("{letter}{}_{{{}}}", "'".repeat(before), scene.link_name(link))
+        };
+        let symbols = [symbol(0), symbol(1)];
+        out.push(Mesh { id: RollingId(k), arm, links: pair.links, centres: *centres, sizes: values, symbols });
+    }
+    out
+}
+
+fn train(scene: &Scene, meshes: &[Mesh]) -> Option<Train> {
+    let arm = meshes[0].arm;
+    let count = |p: PointId| meshes.iter().filter(|m| m.centres.contains(&p)).count();
+    let centres = || meshes.iter().flat_map(|m| m.centres);
+    // Of equals the one that stands still, then the first.
+    let still = |p: PointId| scene.links[scene.ground.0].points.contains(&p);
+    let axis = centres().rev().max_by_key(|p| (count(*p), still(*p)))?;
+    let about = meshes.iter().flat_map(|m| [0, 1].map(|i| (m.links[i], m.centres[i]))).filter(|(_, c)| *c == axis);
+    let (first, centre) = about.min_by_key(|(l, _)| (*l == scene.ground, given(scene, *l).is_none()))?;
+    let mut gears = vec![Gear { link: first, centre, ratio: Ratio::ONE }];
+    loop {
+        let step = meshes.iter().find_map(|m| {
+            [[0, 1], [1, 0]].into_iter().find_map(|[i, j]| {
+                let from = gears.iter().find(|g| g.link == m.links[i])?;
+                let new = gears.iter().all(|g| g.link != m.links[j]);
+                let symbols = [m.symbols[i].clone(), m.symbols[j].clone()];
+                new.then(|| Gear { link: m.links[j], centre: m.centres[j], ratio: from.ratio.then([m.sizes[i], m.sizes[j]], symbols) })
+            })
+        });
+        match step {
+            Some(gear) => gears.push(gear),
+            None => break,
+        }
+    }
+    Some(Train { arm, axis, gears, meshes: meshes.iter().map(|m| m.id).collect() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Source;
+    use crate::mechanism::Level;
+    use crate::scene::read;
+    use crate::worked::{Scope, work};
+
+    /// A train: links, gears, drivers; then rates as ratios of the driver's that books print.
+    const TRAINS: &[(&str, &str, &str, &[(&str, f64)])] = &[
+        // Shigley, example 13-6: sun 20, planet 30, ring 80 held, sun at −100 rpm.
+        (
+            r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]"#,
+            r#"{"links": ["4", "3"], "centres": ["O", "Q"], "teeth": [20, 30]},
+               {"links": ["3", "1"], "centres": ["Q", "O"], "teeth": [30, 80], "ring": "1"}"#,
+            r#"{"link": "4", "omega": "-100 rpm"}"#,
+            &[("2", -20.0), ("3", 100.0 / 3.0), ("4", -100.0)],
+        ),
+        // Khurmi, example 13.5: reverted train, B held, arm at −100 rpm.
+        (
+            r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]"#,
+            r#"{"links": ["1", "3"], "centres": ["O", "Q"], "teeth": [75, 45]},
+               {"links": ["3", "4"], "centres": ["Q", "O"], "teeth": [90, 30]}"#,
+            r#"{"link": "2", "omega": "-100 rpm"}"#,
+            &[("3", -800.0 / 3.0), ("4", 400.0)],
+        ),
+        // Ferguson's paradox (Norton, example 9-6).
+        (
+            r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"], "5": ["O"]"#,
+            r#"{"links": ["1", "3"], "centres": ["O", "Q"], "teeth": [100, 20]},
+               {"links": ["4", "3"], "centres": ["O", "Q"], "teeth": [99, 20]},
+               {"links": ["5", "3"], "centres": ["O", "Q"], "teeth": [101, 20]}"#,
+            r#"{"link": "2", "omega": "100 rpm"}"#,
+            &[("3", 600.0), ("4", -100.0 / 99.0), ("5", 100.0 / 101.0)],
+        ),
+        // Two drivers (Taiwan, civil service): A at −60, arm at 30.
+        (
+            r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]"#,
+            r#"{"links": ["4", "3"], "centres": ["O", "Q"], "teeth": [80, 40]}"#,
+            r#"[{"link": "4", "omega": "-60 rpm"}, {"link": "2", "omega": "30 rpm"}]"#,
+            &[("3", 210.0)],
+        ),
+    ];
+
+    fn scene(links: &str, gears: &str, driver: &str) -> Scene {
+        let text = format!(
+            r#"{{"units": {{"length": "mm", "angle": "deg"}}, "links": {{{links}}}, "ground": "1",
+                "points": {{"O": [0, 0], "Q": [36, 48]}}, "gears": [{gears}], "driver": {driver}}}"#
+        );
+        read(text).unwrap().value
+    }
+
+    #[test]
+    fn willis_gives_the_rates_of_the_books_and_of_the_loop_equations() {
+        let rpm = std::f64::consts::PI / 30.0;
+        for (links, gears, driver, rates) in TRAINS {
+            let scene = scene(links, gears, driver);
+            let all = trains(&scene);
+            let [train] = &all[..] else { panic!("{gears}: {} trains", all.len()) };
+            let turns = train.turns(|l| given(&scene, l)).expect("two rates are known");
+            let worked = work(&scene, Scope::Figure).unwrap().value;
+            for (name, wanted) in *rates {
+                let link = LinkId(scene.links.iter().position(|l| l.name == *name).unwrap());
+                let by_willis = train.gear(link).map_or(turns.arm, |g| train.rate(g, turns));
+                assert!((by_willis / rpm - wanted).abs() < 1e-12 * wanted.abs().max(100.0), "{name}: {}", by_willis / rpm);
+                let solved = worked.solution.turning(Level::Velocity, link).unwrap();
+                assert!((solved - by_willis).abs() < 1e-10 * by_willis.abs(), "{name}: {solved} and {by_willis}");
+            }
+        }
+    }
+
+    #[test]
+    fn formulas_name_the_sizes_and_idlers_drop_out() {
+        let formula = |case: usize, name: &str| {
+            let (links, gears, driver, _) = TRAINS[case];
+            let scene = scene(links, gears, driver);
+            let train = trains(&scene).remove(0);
+            train.gears.iter().find(|g| scene.link_name(g.link) == name).map(|g| g.ratio.formula()).unwrap()
+        };
+        assert_eq!(formula(0, "4"), "1");
+        assert_eq!(formula(0, "3"), "−z_{4}/z_{3}");
+        // The planet is an idler, the ring's mesh turns the sense no more.
+        assert_eq!(formula(0, "1"), "−z_{4}/z_{1}");
+        // A compound planet has two sizes.
+        assert_eq!(formula(1, "1"), "(z_{4} z_{3})/(z'_{3} z_{1})");
+    }
+}

@@ -1,0 +1,123 @@
+//! Gears, racks and wheels among what is given.
+
+use super::super::Maker;
+use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, Sizes};
+
+impl Maker<'_> {
+    /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
+    pub(super) fn rolling(&self, pair: &Rolling) -> String {
+        let mut parts = vec![self.pair(pair)];
+        parts.extend(self.sizes(pair));
+        if let Some(phase) = &pair.phase {
+            let angle = self.angle(phase);
+            parts.push(match self.lang() {
+                Lang::En => format!("its line ${angle}$ from the line of centres when that of the other lies on it"),
+                Lang::Zh => format!("另一轮的直线与连心线重合时，其直线与连心线成 ${angle}$"),
+            });
+        }
+        let at = self.point(pair.at);
+        parts.push(match (pair.toothed, self.lang()) {
+            (true, Lang::En) => format!("pitch point {at}"),
+            (true, Lang::Zh) => format!("节点 {at}"),
+            (false, Lang::En) => format!("touching in {at}, without slip"),
+            (false, Lang::Zh) => format!("接触点 {at}，纯滚动"),
+        });
+        parts.join(self.words().comma)
+    }
+
+    /// Which two links, and how they lie to one another.
+    fn pair(&self, pair: &Rolling) -> String {
+        let [a, b] = pair.links.map(|l| self.link(l));
+        let (en, fixed) = (self.lang() == Lang::En, pair.links[0] == self.scene.ground);
+        let on = match (fixed, en) {
+            (true, true) => "the ground".to_owned(),
+            (true, false) => "机架".to_owned(),
+            (false, true) => format!("link {a}"),
+            (false, false) => format!("构件 {a} "),
+        };
+        match (&pair.contours, pair.toothed) {
+            (Contours::Circles { hollow: None, .. }, true) if en => format!("gears {a} and {b}: "),
+            (Contours::Circles { hollow: None, .. }, true) => format!("齿轮 {a} 与 {b}："),
+            (Contours::Circles { hollow: Some(i), .. }, true) => {
+                let (ring, inner) = if *i == 0 { (a, b) } else { (b, a) };
+                if en { format!("gear {inner} in the ring gear {ring}: ") } else { format!("齿轮 {inner} 与内齿轮 {ring}：") }
+            }
+            (Contours::Track { .. }, true) if en => format!("gear {b} on the rack of {on}{}: ", self.along(pair)),
+            (Contours::Track { .. }, true) => format!("齿轮 {b} 与{on}上的齿条啮合{}：", self.along(pair)),
+            (Contours::Track { .. }, false) if en => format!("wheel {b} rolls on a straight track of {on}{}: ", self.along(pair)),
+            (Contours::Track { .. }, false) => format!("轮 {b} 沿{on}上的直线轨道滚动{}：", self.along(pair)),
+            (Contours::Circles { centres, hollow, .. }, false) => {
+                let centre = self.point(centres[0]);
+                match (hollow.is_some(), en) {
+                    (true, true) => format!("wheel {b} rolls inside a circle of {on} about {centre}: "),
+                    (false, true) => format!("wheel {b} rolls on a circle of {on} about {centre}: "),
+                    (true, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆内侧滚动："),
+                    (false, false) => format!("轮 {b} 沿{on}上以 {centre} 为圆心的圆外侧滚动："),
+                }
+            }
+        }
+    }
+
+    /// The direction of a straight track.
+    fn along(&self, pair: &Rolling) -> String {
+        let path = pair.guide.map(|g| &self.scene.guides[g.0].path);
+        match path {
+            Some(GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => {
+                path.map(|p| self.path(p)).unwrap_or_default()
+            }
+            Some(GuidePath::Line { direction: Direction::Own, .. } | GuidePath::Arc { .. }) | None => String::new(),
+        }
+    }
+
+    /// Numbers of teeth, module, radii.
+    fn sizes(&self, pair: &Rolling) -> Vec<String> {
+        let [a, b] = pair.links.map(|l| crate::plan::names::name_label(self.link(l)));
+        let radius = |of: &str, r| format!("$r_{{{of}}} = {}$", self.length(r));
+        match (&pair.flanks, &pair.contours) {
+            (Some(Flanks { teeth: [y, z], module, .. }), _) => {
+                let mut parts = vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")];
+                parts.extend(module.map(|m| format!("$m = {} mm$", super::inked(m * 1e3))));
+                parts
+            }
+            (None, Contours::Circles { sizes: Sizes::Radii([p, q]), .. }) => vec![radius(&a, p), radius(&b, q)],
+            (None, Contours::Circles { sizes: Sizes::Teeth([y, z]), .. }) => {
+                vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")]
+            }
+            (None, Contours::Track { radius: r, .. }) => vec![radius(&b, r)],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Lang, read};
+    use crate::worked::{Scope, work};
+    use crate::worksheet::{Block, Options, worksheet};
+
+    const GEARS: &str = r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C"], "5": ["P"], "6": ["A"]},
+        "ground": "1", "points": {"A": [0, 0], "B": [60, 80], "C": [210, 0], "P": [260, 40]},
+        "guides": [{"slider": "5", "pin": "P", "on": "1", "angle": "0 deg"}],
+        "rolling": [{"wheel": "4", "centre": "C", "radius": 40, "on": "1", "angle": "0 deg", "at": "N"}],
+        "gears": [{"links": ["4", "5"], "centres": ["C"], "radii": [40], "rack": "5", "angle": "180 deg", "at": "Q"}],
+        "driver": {"link": "2", "omega": "10 rad/s"}, "find": ["v_C", "v_P"]}"#;
+
+    #[test]
+    fn pairs_are_givens_and_their_guides_are_not() {
+        let text = GEARS.replace(r#", "6": ["A"]"#, "");
+        let scene = read(text).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for (lang, wanted) in [
+            (Lang::En, ["wheel 4 rolls on a straight track of the ground", "gear 4 on the rack of link 5", "pitch point", "without slip"]),
+            (Lang::Zh, ["轮 4 沿机架上的直线轨道滚动", "齿轮 4 与构件 5 上的齿条啮合", "节点", "纯滚动"]),
+        ] {
+            let blocks = worksheet(&scene, &worked, &Options::of_language(lang)).blocks;
+            let given = blocks.iter().find_map(|b| if let Block::List { members, .. } = b { Some(members) } else { None }).unwrap();
+            let all: String = given.iter().map(|p| p.plain() + "\n").collect();
+            for part in wanted {
+                assert!(all.contains(part), "{part} is not in\n{all}");
+            }
+            let slides = if lang == Lang::En { "slides in a guide" } else { "上的导路滑动" };
+            assert_eq!(all.matches(slides).count(), 1, "{all}");
+        }
+    }
+}

@@ -1,0 +1,160 @@
+//! Cams through their whole turn: what drawing and loop equations make of the equivalent linkage in each pose is what the geometry of the cam says, on
+//! every piece and on both sides of every joint; sweeps say the same.
+
+use hodograph::answer::Value;
+use hodograph::cam::{Jet, Law, Side};
+use hodograph::mechanism::Mechanism;
+use hodograph::scene::{self, Angle, Scene};
+use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::worked::{Scope, work};
+
+const OMEGA: f64 = 3.0;
+const ALPHA: f64 = -2.0;
+
+/// A scene with a cam 2 about O and a follower 3, the cam at an angle in degrees.
+fn scene(kind: &str, angle: &str) -> Scene {
+    let translating = r#""guides": [{"pin": "B", "slider": "3", "on": "1", "through": ["6 mm", "3 mm"], "angle": "80 deg"}],"#;
+    let tangent = r#""profile": [{"centre": "O", "radius": "30 mm"}, "tangent", {"centre": "Q", "radius": "14 mm"}, "tangent"]"#;
+    let hollow =
+        r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "-90 mm"}, {"centre": "Q", "radius": "14 mm"}, {"radius": "80 mm"}]"#;
+    let convex =
+        r#""profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "70 mm"}, {"centre": "Q", "radius": "4 mm"}, {"radius": "75 mm"}]"#;
+    let roller = r#""roller": {"pin": "B", "radius": "9 mm"}"#;
+    let law = |law: Law, gain: &str| {
+        let name = law.name();
+        format!(
+            r#""profile": {{"base": "40 mm", "start": "15 deg", "law": [{{"dwell": "40 deg"}}, {{"rise": "{gain}", "over": "130 deg", "law": "{name}"}},
+            {{"dwell": "70 deg"}}, {{"return": "{gain}", "over": "120 deg", "law": "{name}"}}]}}"#
+        )
+    };
+    let (follower, cam) = match kind {
+        "tangent" => (translating, format!("{roller}, {tangent}")),
+        "hollow" => (translating, format!("{roller}, {hollow}")),
+        "edge" => (translating, format!(r#""edge": "B", {convex}"#)),
+        "flat" => (translating, format!(r#""face": {{"through": "B"}}, {convex}"#)),
+        "rocker" => ("", format!("{roller}, {tangent}")),
+        "mushroom" => ("", format!(r#""arc": {{"pin": "B", "radius": "25 mm"}}, {convex}"#)),
+        other => {
+            let (of, name) = other.split_once(' ').unwrap();
+            let named = Law::named(name).unwrap();
+            if of == "law" {
+                (translating, format!("{roller}, {}", law(named, "18 mm")))
+            } else {
+                ("", format!("{roller}, {}", law(named, "17 deg")))
+            }
+        }
+    };
+    let swings = follower.is_empty();
+    let (links, lengths, side, find) = if swings {
+        (r#""3": ["P", "B"]"#, r#", "PB": "75 mm""#, r#""side": {"B": "right of PO"},"#, r#"["omega_3", "alpha_3"]"#)
+    } else {
+        (r#""3": ["B"]"#, "", "", r#"["v_B", "a_B"]"#)
+    };
+    let ground = if swings { r#"["O", "P"]"# } else { r#"["O"]"# };
+    let pivot = if swings { r#", "P": ["95 mm", "10 mm"]"# } else { "" };
+    let text = format!(
+        r#"{{"links": {{"1": {ground}, "2": ["O", "Q"], {links}}}, "ground": "1", "points": {{"O": [0, 0]{pivot}}}, "lengths": {{"OQ": "35 mm"{lengths}}},
+        {follower} {side} "cams": [{{"cam": "2", "follower": "3", {cam}}}],
+        "driver": {{"link": "2", "angle": "{angle}", "omega": "{OMEGA} rad/s", "alpha": "{ALPHA} rad/s^2"}}, "find": {find}}}"#
+    );
+    scene::read(&text).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}\n{text}")).value
+}
+
+/// Rate and acceleration of the follower by the geometry of the cam, outward.
+fn expected(scene: &Scene) -> [f64; 2] {
+    let t = scene.cams[0].disc.as_ref().unwrap();
+    let Jet([_, d, dd, _]) = t.disc.coordinate(t.phi, t.side).unwrap();
+    let (w, a) = (OMEGA * t.disc.sense, ALPHA * t.disc.sense);
+    [d * w, dd * w * w + d * a].map(|v| v * t.outward)
+}
+
+fn component(v: Value) -> f64 {
+    match v {
+        Value::Scalar(s) => s,
+        Value::Vector(v) => v.dot(hodograph::geom::Vec2::from_angle(80.0_f64.to_radians())),
+        Value::Point(_) => f64::NAN,
+    }
+}
+
+fn agree(kind: &str, angle: f64) {
+    let scene = scene(kind, &format!("{angle:?} deg"));
+    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
+    let expected = expected(&scene);
+    let size = expected.map(f64::abs);
+    for (k, r) in worked.results.iter().enumerate() {
+        let most = size[k].max(1e-3 * size[0].max(size[1]) * OMEGA).max(1e-3);
+        for (way, value) in r.drawn.iter().map(|d| ("drawn", d.value)).chain([("computed", r.computed)]) {
+            let off = (component(value) - expected[k]).abs() / most;
+            assert!(off < 1e-9, "{kind} at {angle}, {} {way}: {value:?}, the cam says {}: {off:e}", scene.find[k].text, expected[k]);
+        }
+        assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} at {angle}");
+    }
+    assert_eq!(worked.results.len(), 2, "{kind} at {angle}");
+}
+
+const PROFILES: [&str; 6] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom"];
+
+#[test]
+fn every_piece_of_a_profile_is_right_in_every_pose() {
+    for kind in PROFILES {
+        let mut touched = std::collections::BTreeSet::new();
+        for k in 0..36 {
+            let angle = 10.0 * k as f64 + 3.7;
+            agree(kind, angle);
+            touched.extend(scene(kind, &format!("{angle} deg")).cams[0].disc.as_ref().unwrap().touched);
+        }
+        assert_eq!(touched.len(), 4, "{kind} touches {touched:?} only");
+    }
+}
+
+#[test]
+fn laws_are_right_in_every_pose() {
+    for law in Law::ALL {
+        for of in ["law", "swing"] {
+            for k in 0..18 {
+                agree(&format!("{of} {}", law.name()), 20.0 * k as f64 + 1.3);
+            }
+        }
+    }
+}
+
+#[test]
+fn at_a_joint_one_velocity_and_two_accelerations() {
+    for kind in ["tangent", "edge", "flat"] {
+        let disc = scene(kind, "10 deg").cams[0].disc.clone().unwrap().disc;
+        let joints = disc.corners();
+        assert!(joints.len() >= 4, "{kind}: {joints:?}");
+        for phi in joints {
+            let [before, after] = [Side::Before, Side::After].map(|side| disc.coordinate(phi, side).unwrap().0);
+            assert!((before[0] - after[0]).abs() < 1e-9 && (before[1] - after[1]).abs() < 1e-7, "{kind}: {before:?} {after:?}");
+            assert!((before[2] - after[2]).abs() > 1e-4, "{kind}: {before:?} {after:?}");
+            let here = scene(kind, &format!("{:?} rad", phi));
+            let t = here.cams[0].disc.as_ref().unwrap();
+            assert_eq!(t.touched, disc.touched(phi, Side::After), "{kind}");
+        }
+    }
+}
+
+#[test]
+fn a_sweep_says_what_each_pose_says() {
+    let laws = ["law cycloidal", "swing modified-sine"];
+    for kind in PROFILES.into_iter().chain(laws) {
+        let swept = scene(kind, "10 deg").over_a_turn();
+        let mechanism = Mechanism::new(&swept).unwrap().value;
+        let placed = Placed::new(&swept, &mechanism).unwrap();
+        let stations = Stations::turned(Angle::Deg(2.0), Angle::Deg(722.0), 40);
+        let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
+        assert_eq!(table.rows(), 41, "{kind}: {:?}", table.notes);
+        for k in 0..41 {
+            let there = scene(kind, &format!("{:?} deg", 2.0 + 18.0 * k as f64));
+            let expected = expected(&there);
+            let row: Vec<f64> = table.columns.iter().map(|c| c.values[k]).collect();
+            // v_B.x, v_B.y, v_B, a_B.x, ...; or ω, α.
+            let up = hodograph::geom::Vec2::from_angle(80.0_f64.to_radians());
+            let got = if row.len() == 3 { [row[1], row[2]] } else { [row[1] * up.x + row[2] * up.y, row[4] * up.x + row[5] * up.y] };
+            for (got, exact) in got.into_iter().zip(expected) {
+                assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-3), "{kind} row {k}: {got} {exact}");
+            }
+        }
+    }
+}
