@@ -24,7 +24,7 @@ use super::sheet::{Maker, of_level};
 pub const ENTRY: Entry = Entry {
     name: "composite",
     about: [
-        "Composite motion of a point: the parallelogram of velocities at the point, the parts of the acceleration",
+        "Composite motion of a point: its parallelogram and its parts",
         "点的合成运动：动点处的速度平行四边形和加速度各分量",
     ],
     draw,
