@@ -126,17 +126,7 @@ pub struct Outcome {
 impl Outcome {
     /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
     pub fn value(&self) -> Value {
-        above(self.noise, self.drawn.as_ref().map_or(self.computed, |a| a.value))
-    }
-}
-
-/// The value, or zero where it is no more than `noise`.
-fn above(noise: f64, value: Value) -> Value {
-    match value {
-        // Each coordinate of a place by itself.
-        Value::Point(_) => value.map(|x| if x.abs() > noise { x } else { 0.0 }),
-        Value::Vector(_) | Value::Scalar(_) if value.magnitude() > noise => value,
-        Value::Vector(_) | Value::Scalar(_) => value.map(|_| 0.0),
+        self.drawn.as_ref().map_or(self.computed, |a| a.value).above(self.noise)
     }
 }
 
@@ -353,7 +343,7 @@ fn stages(
         let mut others = Vec::new();
         for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
             let value = other.answer(scene, &configuration, &find.what);
-            others.extend(value.map(|v| above(noise_of(other, &v), v)));
+            others.extend(value.map(|v| v.above(noise_of(other, &v))));
         }
         let longer = written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
         let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;

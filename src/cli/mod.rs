@@ -7,6 +7,7 @@ mod args;
 mod batch;
 mod cam;
 mod centres;
+mod composite;
 mod curves;
 mod draw;
 mod files;
@@ -72,6 +73,7 @@ pub fn main() -> ExitCode {
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
+        Command::Composite(a) => composite::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -9,8 +9,8 @@ use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
 use crate::position::Configuration;
-use crate::scene::exact::Inputs;
 use crate::scene::Scene;
+use crate::scene::exact::Inputs;
 
 /// Draws a plan.
 ///
@@ -153,7 +153,10 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::origin())).collect();
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
-        for steps in plan.steps(level) {
+        // What waits for an image of a later group: vectors between images, and rates measured on such images.
+        let mut open: Vec<&Between> = Vec::new();
+        for (k, steps) in plan.steps(level).iter().enumerate() {
+            let so_far = &plan.steps(level)[..=k];
             // Given rates serve the group's own points; measured ones come from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
@@ -162,12 +165,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
-            let mut open: Vec<&Between> = steps.between.iter().collect();
-            self.read_off(&mut polygon, steps, &mut open)?;
+            open.extend(&steps.between);
+            self.read_off(&mut polygon, so_far, &mut open)?;
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
                 // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-                self.read_off(&mut polygon, steps, &mut open)?;
+                self.read_off(&mut polygon, so_far, &mut open)?;
             }
         }
         Ok(polygon)
@@ -312,7 +315,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
             By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
-            By::Guide { .. } | By::Contact(_) | By::Apart => 1.0,
+            By::Guide { .. } | By::Contact(_) | By::Frame { .. } | By::Apart => 1.0,
         }
     }
 
@@ -331,7 +334,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
             By::Contact(pair) => self.contact_normal(pair).and_then(|n| n.unit()),
-            By::Apart => None,
+            By::Frame { .. } | By::Apart => None,
         };
         u.ok_or_else(|| self.coincide(term.of, term.to).into())
     }

@@ -1,5 +1,6 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
+mod composite;
 mod rolling;
 
 use super::model::Lang;
@@ -96,6 +97,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
         raw.sides.extend(word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults).map(|w| (key.clone(), w)));
     }
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
+    for node in items(f.get("composite"), "\"composite\"", faults) {
+        raw.composite.extend(composite::composite(node, faults));
+    }
     if let Some(node) = f.get("paper") {
         raw.paper = paper(node, faults);
     }

@@ -313,6 +313,7 @@ fn a_byte_order_mark_moves_no_place() {
     assert_eq!(faults(&source), "[4] \"ground\" must be a text, this is a number (write \"4\")\n");
 }
 
+/// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.
 #[test]
 fn the_description_shows_what_can_be_read() {
     let text = include_str!("../../docs/scene.md");

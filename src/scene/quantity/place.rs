@@ -4,7 +4,7 @@ use super::{Entry, Form, Known, Meaning, Of, Over, Quantity, Value};
 use crate::diag::{Diagnostic, both};
 use crate::number::Real;
 use crate::scene::book::Kind;
-use crate::scene::model::{LinkId, OnLink, PointId};
+use crate::scene::model::{LinkId, OnLink, PointId, Scene};
 use crate::scene::resolve::Question;
 
 /// Where something is.
@@ -90,7 +90,7 @@ impl Quantity for Place {
         }
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         Some(Meaning::Place(*self))
     }
 }

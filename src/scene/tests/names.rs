@@ -109,5 +109,3 @@ mod any_input {
         }
     }
 }
-
-/// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.
