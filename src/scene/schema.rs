@@ -57,6 +57,7 @@ mod tests {
             ("/$defs/place_xy", keys::PLACE_XY),
             ("/$defs/place_polar", keys::PLACE_POLAR),
             ("/$defs/guide", keys::GUIDE),
+            ("/$defs/composite", keys::COMPOSITE),
             ("/$defs/turn", keys::TURN),
             ("/$defs/slide", keys::SLIDE),
             ("/$defs/cylinder", keys::CYLINDER),
