@@ -88,7 +88,7 @@
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep report
 //! render     diag geom figure
-//! worksheet  diag digits scene geom mechanism answer plan construct accuracy worked report figure render
+//! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
 //! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep effort report figure render worksheet lesson
 //! ```

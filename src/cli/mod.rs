@@ -18,6 +18,7 @@ mod long;
 mod mobility;
 mod part;
 mod path;
+mod plan;
 mod spool;
 mod stop;
 mod sweep;
@@ -60,7 +61,7 @@ pub fn main() -> ExitCode {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
-        Command::Plan(a) => plan(a),
+        Command::Plan(a) => plan::run(a),
         Command::Worksheet(a) => worksheet::run(a),
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
@@ -357,58 +358,6 @@ fn solve(a: args::Solve) -> Run {
     }
     input.say_notes();
     Ok(verdict(&worked))
-}
-
-fn plan(a: args::Plan) -> Run {
-    let mut input = Input::read(&a.common)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
-    if a.json {
-        return plan_for_programs(input, lang, &notation, a.figure);
-    }
-    let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
-        Ok(Warned { value, notes }) => (value, notes),
-        Err(faults) => return Err(input.failed(faults)),
-    };
-    let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
-    let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-    let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
-    files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
-    notes.append(&mut input.notes);
-    input.notes = notes;
-    input.say_notes();
-    Ok(ExitCode::SUCCESS)
-}
-
-/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
-/// notes say why.
-fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
-    let fail = |input: &Input, faults| input.failed(faults);
-    let mut code = ExitCode::SUCCESS;
-    let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
-        Ok(Warned { value: worked, notes }) => {
-            input.notes.extend(notes);
-            // What has no answer in the pose is no fault of the plan.
-            code = if agrees(&worked) { code } else { verdict(&worked) };
-            let certified = certify(&input.scene, &worked, answers::DIGITS);
-            let mut done = Work::of(&worked).with_certified(&certified);
-            if figure {
-                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
-                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
-            }
-            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
-            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
-        }
-        Err(faults) => {
-            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
-            let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
-            let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
-            input.notes.extend(faults.list);
-            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
-        }
-    };
-    files::print(&format!("{document:#}\n"))?;
-    Ok(code)
 }
 
 fn accuracy(a: args::Accuracy) -> Run {

@@ -137,6 +137,8 @@ fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang)
         lines.push(format!(
             "  {}",
             match lang {
+                Lang::En if drawn == "0" && solved == "0" => "polygon and analysis have the same rates".to_owned(),
+                Lang::Zh if drawn == "0" && solved == "0" => "与速度多边形及解析结果一致".to_owned(),
                 Lang::En => format!("the polygon's rates differ by at most {drawn} of the largest, those of the analysis by {solved}"),
                 Lang::Zh => format!("与速度多边形所得角速度之差不超过最大值的 {drawn} 倍，与解析结果之差不超过 {solved} 倍"),
             }

@@ -20,8 +20,8 @@ impl Maker<'_> {
         let mut all = Vec::new();
         // The ends in the order of the scene, as the equations name them.
         let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
-        let lengths: Vec<String> =
-            self.scene.lengths.iter().map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
+        let written = self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
+        let lengths: Vec<String> = written.map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
         if !lengths.is_empty() {
             all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
         }
@@ -29,10 +29,12 @@ impl Maker<'_> {
         if !places.is_empty() {
             all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
         }
-        // The guides that rolling pairs bring with them are not in the file.
-        all.extend(self.scene.guides.iter().filter(|g| g.rolling.is_none()).map(|g| self.guide(g)));
+        // The guides that rolling pairs and cams bring with them are not in the file.
+        let guides = self.scene.guides.iter().enumerate().filter(|(g, guide)| guide.rolling.is_none() && !self.is_contact(*g));
+        all.extend(guides.map(|(_, g)| self.guide(g)));
         all.extend(self.scene.rolling.iter().map(|pair| self.rolling(pair)));
-        all.extend((0..self.scene.drivers.len()).map(|d| self.driver(d)));
+        all.extend(self.scene.cams.iter().map(|c| self.cam(c)));
+        all.extend((0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.driver(d)));
         all.push(match self.lang() {
             Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
             Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),

@@ -5,6 +5,7 @@ use super::super::item::{Anchor, Colour, Dash, Figure, Item, PLACED, Shape, Stro
 use super::super::label::Label;
 use super::super::place::{LabelRequest, Obstacles, place};
 use super::super::style::Style;
+use super::super::text;
 use super::super::words::words;
 use super::{heading, words_at};
 use crate::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
@@ -56,9 +57,13 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         d.items.extend(at.items(request, PLACED, style.thin).into_iter().map(|i| i.with_id(format!("cam-label-{k}"))));
     }
     let mut items = d.items;
-    let (width_mm, height_mm) = (2.0 * half, 2.0 * half + ABOVE_MM + BELOW_MM);
-    super::super::extent::translate(&mut items, Vec2::new(half, half + BELOW_MM));
     let title = heading(report.scene, tr(lang, "profile by inversion", "反转法绘制凸轮廓线"), lang);
+    let (scale, caption) = (scale_text(report, mu_l), legend(disc, lang));
+    // A small drawing stands on a paper as wide as its words.
+    let wide = |text: &str, size_mm: f64| text::set(&Label::text(text).in_fonts(&style.fonts)).width_em * size_mm + 2.0 * MARGIN_MM;
+    let words_mm = wide(&title, style.caption_mm * 4.0 / 3.0).max(wide(&caption, style.small_mm));
+    let (width_mm, height_mm) = ((2.0 * half).max(words_mm), 2.0 * half + ABOVE_MM + BELOW_MM);
+    super::super::extent::translate(&mut items, Vec2::new(width_mm / 2.0, half + BELOW_MM));
     let middle = width_mm / 2.0;
     items.push(words_at(
         "title",
@@ -68,7 +73,6 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         Anchor::Middle,
         style,
     ));
-    let (scale, caption) = (scale_text(report, mu_l), legend(disc, lang));
     items.push(words_at("caption", Point::new(middle, 14.0), Label::text(caption.as_str()), style.small_mm, Anchor::Middle, style));
     items.push(words_at("mu_l", Point::new(middle, 7.0), Label::math(scale), style.small_mm, Anchor::Middle, style));
     let desc = match lang {

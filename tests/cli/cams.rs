@@ -1,0 +1,71 @@
+//! `hodograph cam`: report, figures, the profile for who mills it.
+
+use super::{hodograph, text};
+
+#[test]
+fn a_cam_is_told_drawn_and_written_out() {
+    let out = tempfile::tempdir().unwrap();
+    let run = hodograph()
+        .args(["cam", "templates/cam-offset-roller.json", "--lang", "zh", "--dpi", "40", "-o"])
+        .arg(out.path())
+        .assert()
+        .success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("偏距 e = 10.0000 mm") && said.contains("柔性冲击"), "{said}");
+    let mut names: Vec<String> = std::fs::read_dir(out.path()).unwrap().map(|f| f.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    let expected = ["motion.png", "motion.svg", "profile.png", "profile.svg"].map(|n| format!("cam-offset-roller-cam-{n}"));
+    assert_eq!(names, expected);
+
+    let csv = out.path().join("cam.csv");
+    hodograph().args(["cam", "templates/cam-offset-roller.json", "--steps", "360", "--profile"]).arg(&csv).assert().success();
+    let table = std::fs::read_to_string(csv).unwrap();
+    assert!(table.starts_with("phi [deg],s [mm],ds [mm/rad]"), "{table}");
+    // A row for each degree, and the end of the turn.
+    assert_eq!(table.lines().count(), 362);
+
+    let dxf = out.path().join("cam.dxf");
+    hodograph().args(["cam", "templates/cam-valve-train.json", "--profile"]).arg(&dxf).assert().success();
+    let drawing = std::fs::read_to_string(dxf).unwrap();
+    let count = |what: &str| drawing.lines().filter(|l| *l == what).count();
+    // Two arcs and two flanks stay what they are; the centre is a cross.
+    assert_eq!((count("ARC"), count("LINE"), count("POLYLINE")), (2, 4, 0), "{drawing}");
+}
+
+#[test]
+fn a_cam_for_programs() {
+    let run = hodograph().args(["cam", "templates/cam-offset-roller.json", "--json"]).assert().success();
+    let list: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    let cam = &list[0];
+    let number = |path: &str| cam.pointer(path).and_then(serde_json::Value::as_f64).unwrap_or_else(|| panic!("no {path} in {cam}"));
+    assert!((number("/stroke") - 0.02).abs() < 1e-15 && (number("/least_rho/value") - 0.037_257_387_229_340_7).abs() < 1e-12);
+    assert!((number("/now/pressure_angle").to_degrees() - 8.553_423_323_410_39).abs() < 1e-10);
+    assert_eq!(cam["shocks"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn what_does_not_work_is_told() {
+    let run = |args: &[&str]| text(&hodograph().arg("cam").args(args).output().unwrap().stderr);
+    // Case cam-undercut: the pitch curve bends with 19 mm at the end of the rise, the roller has 25 mm.
+    let sharp = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/templates/cam-offset-roller.json")).unwrap();
+    let sharp = sharp.replace(
+        "\"over\": \"120 deg\", \"law\": \"cycloidal\"}, {\"dwell\": \"60 deg\"",
+        "\"over\": \"50 deg\", \"law\": \"harmonic\"}, {\"dwell\": \"130 deg\"",
+    );
+    let mut cam = hodograph();
+    let undercut = cam.args(["cam", "-", "--set", "r0=15", "--set", "rr=25", "--set", "e=0"]).write_stdin(sharp).output().unwrap();
+    let undercut = text(&undercut.stderr);
+    assert!(undercut.contains("undercut") && undercut.contains("18.9873 mm") && undercut.contains("least base circle"), "{undercut}");
+    let steep = run(&["templates/cam-offset-roller.json", "--set", "h=60", "--lang", "zh"]);
+    assert!(steep.contains("压力角"), "{steep}");
+    for (args, said) in [
+        (vec!["templates/crank-rocker.json"], "the scene has no cam"),
+        (vec!["templates/cam-offset-roller.json", "--cam", "2"], "there is no cam 2"),
+        (vec!["templates/cam-offset-roller.json", "-o", "cam.svg"], "would be a folder"),
+        (vec!["templates/cam-offset-roller.json", "--profile", "cam.step"], "neither a .csv nor a .dxf"),
+    ] {
+        let out = hodograph().arg("cam").args(&args).output().unwrap();
+        assert_eq!(out.status.code(), Some(2), "{args:?}");
+        assert!(text(&out.stderr).contains(said), "{args:?}: {}", text(&out.stderr));
+    }
+}
