@@ -316,6 +316,14 @@ fn what_is_said_about_bad_scenes() {
             ),
         ),
         ("cam line and face", cam(r#""face": {"through": "B"}, "profile": ["tangent", {"centre": "R", "radius": "2 mm"}]"#)),
+        ("frames", with("find", r#"["ve_E", "ve_E/", "ve_E/9", "ve_CB/1", "vr_Q/1"]"#)),
+        (
+            "composite",
+            with(
+                "composite",
+                r#"[{"point": "Q", "frame": "2"}, {"point": "E", "frame": "4"}, {"point": "E", "frame": "2"}, {"frame": "2"}, {"point": "E", "on": "7", "frame": "1"}, 3]"#,
+            ),
+        ),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
         ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),
