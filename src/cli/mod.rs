@@ -24,6 +24,7 @@ mod stop;
 mod sweep;
 mod tables;
 mod target;
+mod template;
 mod together;
 mod values;
 mod worksheet;
@@ -37,7 +38,7 @@ use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
-use crate::scene::{self, Lang, Scene, edit, templates};
+use crate::scene::{self, Lang, Scene, edit};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -73,8 +74,8 @@ pub fn main() -> ExitCode {
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
         Command::Composite(a) => composite::run(a),
-        Command::New { template, set, output } => new(&template, &set, output.as_deref()),
-        Command::Templates => list_templates(),
+        Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
+        Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)
@@ -382,28 +383,4 @@ fn accuracy(a: args::Accuracy) -> Run {
     }
     input.say_notes();
     Ok(ExitCode::SUCCESS)
-}
-
-fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
-    templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
-    let text = values::with_values(set, |values| templates::instantiate(template, values))?;
-    match output {
-        Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
-        None => {
-            files::print(&text)?;
-        }
-    }
-    Ok(ExitCode::SUCCESS)
-}
-
-fn list_templates() -> Run {
-    let mut out = String::new();
-    for t in templates::list() {
-        out.push_str(&format!("{}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
-        let parameters: Vec<String> = t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
-        if !parameters.is_empty() {
-            out.push_str(&format!("    {}\n", parameters.join("  ")));
-        }
-    }
-    files::print(&out)
 }
