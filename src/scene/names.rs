@@ -209,6 +209,12 @@ impl<'a> Names<'a> {
         let of = self.one_on_link(point, word)?;
         let frame = match self.find_link(frame) {
             Some(link) => Frame::Link(link),
+            None if self.singles(frame).is_empty() => {
+                let message = both!("the frame `{frame}` is neither a link nor a point", "动系 `{frame}` 既不是构件也不是点");
+                let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
+                let d = Diagnostic::error("unknown-frame", message).at(word.span);
+                return Err(d.help(suggest(frame, all, both!("there are", "有"))));
+            }
             None => Frame::Point(self.one_on_link(frame, word)?),
         };
         Ok((of, frame))

@@ -278,6 +278,22 @@ fn what_is_said_about_bad_scenes() {
         ("paper size", with("paper", r#"{"size": ["200 m", "100 mm"]}"#)),
         ("pencil", with("paper", r#"{"pencil": "6 mm"}"#)),
         ("pencil sign", with("paper", r#"{"pencil": "-0.1 mm"}"#)),
+        ("frames", with("find", r#"["ve_E", "ve_E/", "ve_E/9", "ve_CB/1", "vr_Q/1"]"#)),
+        (
+            "composite",
+            with(
+                "composite",
+                r#"[{"point": "Q", "frame": "2"}, {"point": "E", "frame": "4"}, {"point": "E", "frame": "2"}, {"frame": "2"}, {"point": "E", "on": "7", "frame": "1"}, 3]"#,
+            ),
+        ),
+        ("motions", with("motions", r#"[{"point": "M", "on": "2", "line": "BC", "s": "6 m/s*t"}, {"point": "M"}, 3]"#)),
+        (
+            "laws",
+            with(
+                "time",
+                r#""1 s", "motions": [{"point": "M", "on": "2", "line": "BC", "s": "1 m*abs(t/(1 s))"}, {"point": "N", "on": "2", "line": "BC", "s": "1 m*2^(t/(1 s))"}, {"point": "P", "on": "9", "line": "BC", "s": "1 m/s"}]"#,
+            ),
+        ),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
         ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),
