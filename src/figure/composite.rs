@@ -23,10 +23,7 @@ use super::sheet::{Maker, of_level};
 /// The parallelograms and the parts of the accelerations.
 pub const ENTRY: Entry = Entry {
     name: "composite",
-    about: [
-        "Composite motion of a point: its parallelogram and its parts",
-        "点的合成运动：动点处的速度平行四边形和加速度各分量",
-    ],
+    about: ["Composite motion of a point: its parallelogram and its parts", "点的合成运动：动点处的速度平行四边形和加速度各分量"],
     draw,
 };
 
