@@ -121,18 +121,22 @@ impl Renamed {
         }
     }
 
-    /// A guide or a driver.
+    /// A guide, a pair of gears, a wheel or a driver.
     fn part(&self, object: &mut Map<String, Value>) {
         for (key, value) in object.iter_mut() {
             let Some(text) = value.as_str().map(str::to_owned) else {
-                if key == "links" {
-                    *value = value.as_array().unwrap().iter().map(|l| json!(self.link(l.as_str().unwrap()))).collect();
+                let list =
+                    |new: &dyn Fn(&str) -> String| value.as_array().unwrap().iter().map(|v| json!(new(v.as_str().unwrap()))).collect();
+                match key.as_str() {
+                    "links" => *value = list(&|l| self.link(l)),
+                    "centres" => *value = list(&|p| self.point(p)),
+                    _ => {}
                 }
                 continue;
             };
             *value = match key.as_str() {
-                "pin" | "through" | "centre" => self.point(&text),
-                "slider" | "on" | "link" | "against" => self.link(&text),
+                "pin" | "through" | "centre" | "track" | "at" => self.point(&text),
+                "slider" | "on" | "link" | "against" | "ring" | "rack" | "wheel" => self.link(&text),
                 "line" | "against_line" | "cylinder" => self.pair(&text),
                 "slide" => self.points.get(&text).cloned().unwrap_or_else(|| self.link(&text)),
                 _ => text,
@@ -190,7 +194,9 @@ impl Renamed {
                 }
                 "sketch" => keys(value, &|p| self.point(p)),
                 "lengths" => keys(value, &|ends| self.pair(ends)),
-                "guides" => value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap())),
+                "guides" | "gears" | "rolling" => {
+                    value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap()))
+                }
                 "cams" => self.cam(value),
                 "driver" => match value {
                     Value::Array(list) => list.iter_mut().for_each(|d| self.part(d.as_object_mut().unwrap())),
