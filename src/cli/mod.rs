@@ -163,6 +163,9 @@ impl Failure {
 
 type Run = Result<ExitCode, Failure>;
 
+/// How a file's bytes become a scene.
+type Reader<'a> = &'a dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>;
+
 /// A scene file, read.
 struct Input {
     name: String,
@@ -190,11 +193,7 @@ impl Input {
         Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_topology(bytes))
     }
 
-    fn read_by(
-        common: &Common,
-        change: impl Fn(&str) -> Result<String, Faults>,
-        read: &dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>,
-    ) -> Result<Input, Failure> {
+    fn read_by(common: &Common, change: impl Fn(&str) -> Result<String, Faults>, read: Reader) -> Result<Input, Failure> {
         let path = common.scene.as_str();
         let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.

@@ -135,7 +135,7 @@ impl Entry {
     }
 
     /// Counted from a chosen place or direction.
-    pub(super) const fn from_origin(self) -> Entry {
+    pub(super) const fn counted_from_origin(self) -> Entry {
         Entry { from_origin: true, ..self }
     }
 

@@ -38,9 +38,9 @@ const DISTANCE: usize = 3;
 
 impl Quantity for Place {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).from_origin(),
-        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).from_origin(),
-        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).from_origin(),
+        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
+        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
+        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).counted_from_origin(),
         Entry::new("l", "l_AB", Kind::Length, Form::Scalar, ["distance", "距离"]),
     ];
 

@@ -31,7 +31,7 @@ pub(super) fn composite(c: &Context, faults: &mut Faults) -> Vec<Seen> {
 /// The frames that are none for their moving points.
 pub(super) fn judged(scene: &Scene, faults: &mut Faults) {
     for s in &scene.composite {
-        let text = format!("{}", scene.point_name(s.of.point));
+        let text = scene.point_name(s.of.point).to_owned();
         unusable(scene, &s.of, s.frame, &text).into_iter().for_each(|d| faults.push(d.at(s.span)));
     }
 }
