@@ -128,7 +128,8 @@ fn faults_of(page: &Page, at: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let all = bounds(&page.parts.iter().flat_map(|p| p.items.clone()).collect::<Vec<_>>()).unwrap();
     // 8 mm is what a printer cannot reach.
-    if all.min.x < 8.0 || all.min.y < 8.0 || all.max.x > page.width_mm - 8.0 + 1e-6 || all.max.y > page.height_mm - 8.0 + 1e-6 {
+    if all.min.x < 8.0 - 1e-6 || all.min.y < 8.0 - 1e-6 || all.max.x > page.width_mm - 8.0 + 1e-6 || all.max.y > page.height_mm - 8.0 + 1e-6
+    {
         faults.push(format!("{at}: ink at {all:?}"));
     }
     let common = |r: &Rect, s: &Rect| {
