@@ -225,9 +225,9 @@ mod tests {
         assert!((standard(&BASIC, teeth) - 47.0).abs() < 1e-13);
         assert!((standard(&BASIC, [20, 30]) - 50.0).abs() < 1e-13);
         let alpha = operating(&BASIC, teeth, 50.0).unwrap();
-        assert!((alpha - degrees(27.955608553357031041)).abs() < 1e-14, "{}", alpha * 180.0 / PI);
+        assert!((alpha - degrees(27.955_608_553_357_03)).abs() < 1e-14, "{}", alpha * 180.0 / PI);
         let sum = sum_of_shifts(&BASIC, teeth, alpha);
-        assert!((sum - 1.8010107216159440137).abs() < 1e-12, "{sum}");
+        assert!((sum - 1.801_010_721_615_944).abs() < 1e-12, "{sum}");
         assert!((distance_of(&BASIC, teeth, sum).unwrap() - 50.0).abs() < 1e-10);
     }
 

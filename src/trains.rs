@@ -220,7 +220,9 @@ mod tests {
     use crate::worked::{Scope, work};
 
     /// A train: links, gears, drivers; then rates as ratios of the driver's that books print.
-    const TRAINS: &[(&str, &str, &str, &[(&str, f64)])] = &[
+    type Train = (&'static str, &'static str, &'static str, &'static [(&'static str, f64)]);
+
+    const TRAINS: &[Train] = &[
         // Shigley, example 13-6: sun 20, planet 30, ring 80 held, sun at −100 rpm.
         (
             r#""1": ["O"], "2": ["O", "Q"], "3": ["Q"], "4": ["O"]"#,

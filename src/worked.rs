@@ -3,6 +3,8 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
+mod higher;
+
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{
     Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
@@ -13,7 +15,7 @@ use crate::answer::Value;
 use crate::construct::scale::Boxes;
 use crate::construct::{self, Answer, Construction};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
-use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need};
+use crate::mechanism::{Demand, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
@@ -124,17 +126,7 @@ pub struct Outcome {
 impl Outcome {
     /// The value to print: the drawing's where there is one; zero where it is no more than rounding.
     pub fn value(&self) -> Value {
-        above(self.noise, self.drawn.as_ref().map_or(self.computed, |a| a.value))
-    }
-}
-
-/// The value, or zero where it is no more than `noise`.
-fn above(noise: f64, value: Value) -> Value {
-    match value {
-        // Each coordinate of a place by itself.
-        Value::Point(_) => value.map(|x| if x.abs() > noise { x } else { 0.0 }),
-        Value::Vector(_) | Value::Scalar(_) if value.magnitude() > noise => value,
-        Value::Vector(_) | Value::Scalar(_) => value.map(|_| 0.0),
+        self.drawn.as_ref().map_or(self.computed, |a| a.value).above(self.noise)
     }
 }
 
@@ -194,35 +186,6 @@ pub fn work_placed(scene: &Scene, mechanism: Mechanism, demand: Demand, configur
     stages(scene, mechanism, demand, configuration, Digits::Estimated)
 }
 
-/// The groups without a core that a plan draws.
-fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec<usize> {
-    let higher = |g: &usize| matches!(mechanism.groups[*g].core, Core::Higher) && !plan.undrawable.contains(g);
-    (0..mechanism.groups.len()).filter(higher).collect()
-}
-
-/// What is said of the groups higher than class III that are called for: by what they are drawn, or that they are not.
-fn higher_groups(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
-    let planned = |g: usize| plan.undrawable.contains(&g) || plan.velocity.iter().any(|s| s.group == g);
-    let groups = mechanism.groups.iter().enumerate().filter(|(g, group)| matches!(group.core, Core::Higher) && planned(*g));
-    let note = |(g, group): (usize, &Group)| {
-        let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
-        let names = names.join(", ");
-        let message = if plan.undrawable.contains(&g) {
-            both!(
-                "links {names} form a group higher than class III: it is answered from the loop equations and not drawn",
-                "构件 {names} 组成高于Ⅲ级的杆组：由回路方程求解，不作图"
-            )
-        } else {
-            both!(
-                "links {names} form a group higher than class III: it is drawn by special points",
-                "构件 {names} 组成高于Ⅲ级的杆组：用特殊点作图"
-            )
-        };
-        Diagnostic::note("higher-group", message)
-    };
-    groups.map(note).collect()
-}
-
 /// By how much more than a length an acceleration may be off: a length enters it by its square, and by two links.
 const NEARLY: f64 = 64.0;
 
@@ -259,7 +222,7 @@ fn stages(
             Ok(construction) => construction,
             Err(faults) => {
                 // Special points lie at infinity in some poses: then what they would draw is left to the loop equations.
-                let reduced = drawn_by_special_points(&mechanism, &plan);
+                let reduced = higher::drawn_by_special_points(&mechanism, &plan);
                 if reduced.is_empty() {
                     return Err(faults);
                 }
@@ -315,7 +278,7 @@ fn stages(
         notes.extend(told.map(|told| near.as_ref().map_or(told, |near| near.note(worst, solution.condition))));
     }
     notes.extend(solution.notes.iter().cloned());
-    notes.extend(higher_groups(scene, &mechanism, &plan));
+    notes.extend(higher::notes(scene, &mechanism, &plan));
     let blur = blur_of(&solution);
     let (mut results, mut unanswered) = (Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
@@ -380,7 +343,7 @@ fn stages(
         let mut others = Vec::new();
         for other in solution.singular.iter().filter_map(|s| s.other.as_deref()).filter(|_| level > Level::Position) {
             let value = other.answer(scene, &configuration, &find.what);
-            others.extend(value.map(|v| above(noise_of(other, &v), v)));
+            others.extend(value.map(|v| v.above(noise_of(other, &v))));
         }
         let longer = written.as_ref().filter(|_| drawn.is_none() && level > Level::Position).map(|r| r.rung);
         let by_next_order = !solution.singular.is_empty() && drawn.is_none() && level > Level::Position;

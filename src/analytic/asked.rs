@@ -12,8 +12,8 @@ use crate::answer::{Source, Value, evaluate};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Joined, Level, joined};
 use crate::position::{Configuration, Path};
-use crate::scene::quantity::{Meaning, Split};
-use crate::scene::{Asked, GuideId, LinkId, OnLink, Scene};
+use crate::scene::quantity::{Frame, Meaning, Seen, Split, split};
+use crate::scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
 use nalgebra::DVector;
 
 /// Unknowns of a small system of its own: three of a body that turns, two of a point, two of another.
@@ -45,7 +45,7 @@ impl Solution {
     pub fn answer(&self, scene: &Scene, at: &Configuration, what: &Asked) -> Option<Value> {
         let level = what.level();
         let vector = |p: &OnLink| self.vector(level, p.point, p.link);
-        match what.meaning() {
+        match what.meaning(scene) {
             Some(Meaning::Vector(p)) => vector(&p).map(Value::Vector),
             Some(Meaning::Relative(split, a, b)) => {
                 let parts = || self.parts(scene, at, &a, &b);
@@ -55,9 +55,12 @@ impl Solution {
                     (Split::Across, _) => parts()?.tangential,
                     (Split::Sliding, Level::Acceleration) => parts()?.sliding[1],
                     (Split::Sliding, Level::Position | Level::Velocity) => self.sliding_velocity(scene, at, &a, &b)?,
+                    (Split::SlidingNormal, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[1],
+                    (Split::SlidingTangential, _) => self.along_guide(scene, at, &a, &b, parts()?.sliding[1])?[0],
                     (Split::Coriolis, _) => parts()?.coriolis,
                 }))
             }
+            Some(Meaning::Seen(seen, of, frame, about)) => self.seen(at, seen, &of, frame, about).map(Value::Vector),
             Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),
             Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
             // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
@@ -95,6 +98,20 @@ impl Solution {
         };
         let of_carrier = |p: &OnLink| p.link.map_or_else(|| scene.links[carrier.0].points.contains(&p.point), |l| l == carrier);
         let (runner, sign) = if of_carrier(b) { (a, 1.0) } else { (b, -1.0) };
+        let seen = self.seen_from(at, carrier, (through, along), runner, level)?;
+        Some(seen.map(|v| v * sign))
+    }
+
+    /// Velocity and acceleration of a point as a link sees it: from the derivatives of two coordinates in that link, counted from one of
+    /// its places along a direction and square to it.
+    fn seen_from(
+        &self,
+        at: &Configuration,
+        carrier: LinkId,
+        (through, along): (Point, Vec2),
+        runner: &OnLink,
+        level: Level,
+    ) -> Option<[Vec2; 2]> {
         let place = at.points[runner.point.0]?;
         // The origin of the carrier lies in `through`, so that its arm is none.
         let unknowns = |level| -> Option<Unknowns> {
@@ -106,11 +123,45 @@ impl Solution {
         let xx = if level == Level::Acceleration { unknowns(level)? } else { Unknowns::default() };
         let mut seen = [Vec2::ZERO; 2];
         for k in [along, along.perp()] {
-            let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Guide(g));
-            seen[0] += k * (sign * first(&row, &x));
-            seen[1] += k * (sign * second(&row, &x, &xx));
+            let row = projection(POINT, BODY, k, place - through, [0.0; 2], Pair::Pin(runner.point));
+            seen[0] += k * first(&row, &x);
+            seen[1] += k * second(&row, &x, &xx);
         }
         Some(seen)
+    }
+
+    /// An acceleration along a guide, parted along it and square to it.
+    fn along_guide(&self, scene: &Scene, at: &Configuration, a: &OnLink, b: &OnLink, whole: Vec2) -> Option<[Vec2; 2]> {
+        let Joined::Guide(g) = joined(scene, a, b)? else { return None };
+        Some(match at.guides[g.0]? {
+            Path::Line { .. } => [whole, Vec2::ZERO],
+            Path::Arc { centre, .. } => split((centre - at.points[a.point.0]?).perp().unit(), whole),
+        })
+    }
+
+    /// A part of the motion of a point seen from a frame.
+    fn seen(&self, at: &Configuration, part: Seen, of: &OnLink, frame: Frame, about: Option<PointId>) -> Option<Vec2> {
+        use Level::{Acceleration, Velocity};
+        let seat = frame.transport_point(*of);
+        let vector = |level, p: &OnLink| self.vector(level, p.point, p.link);
+        let relative = |level| Some(vector(level, of)? - vector(level, &seat)?);
+        let place = at.points[of.point.0]?;
+        let seen = || match frame {
+            Frame::Link(l) => Some(self.seen_from(at, l, (place, Vec2::new(1.0, 0.0)), of, Acceleration)?[1]),
+            Frame::Point(_) => relative(Acceleration),
+        };
+        let path = || match about {
+            Some(k) => Some((at.points[k.0]? - place).perp().unit()),
+            None => Some(relative(Velocity)?.unit()),
+        };
+        Some(match part {
+            Seen::Relative => seen()?,
+            Seen::Coriolis => relative(Acceleration)? - seen()?,
+            Seen::RelativeNormal => split(path()?, seen()?)[1],
+            Seen::RelativeTangential => split(path()?, seen()?)[0],
+            Seen::TransportNormal => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[1],
+            Seen::TransportTangential => split(vector(Velocity, &seat)?.unit(), vector(Acceleration, &seat)?)[0],
+        })
     }
 
     /// The motion of one end of a line against the other, taken apart along and across the line: its length and its direction are the

@@ -362,7 +362,11 @@ pub fn round(disc: &Disc, steps: usize) -> Vec<(f64, Side)> {
     all.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1 == Side::After).cmp(&(b.1 == Side::After))));
     all.dedup_by(|a, b| a.1 == b.1 && (a.0 - b.0).abs() < 1e-9);
     // The turn begins after its start and ends before it.
-    all.retain(|(phi, side)| !(*phi < 1e-9 && *side == Side::Before) && !(*phi > tau - 1e-9 && *side == Side::After));
+    let outside = |(phi, side): &(f64, Side)| match side {
+        Side::Before => *phi < 1e-9,
+        Side::After => *phi > tau - 1e-9,
+    };
+    all.retain(|station| !outside(station));
     all
 }
 

@@ -193,7 +193,7 @@ pub fn segments(parts: &[Part]) -> Result<Vec<Segment>, Broken> {
 fn tangent(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<(Segment, f64, f64)> {
     let way = b - a;
     let cosine = (ra - rb) / way.norm();
-    if !(cosine.abs() <= 1.0) {
+    if cosine.is_nan() || cosine.abs() > 1.0 {
         return None;
     }
     let normal = way.angle() - libm::acos(cosine);
@@ -230,7 +230,7 @@ fn crossing(a: Vec2, ra: f64, b: Vec2, rb: f64) -> Option<[f64; 2]> {
     let foot = (d * d + ra * ra - rb * rb) / (2.0 * d);
     let square = ra * ra - foot * foot;
     // Circles that touch miss by rounding.
-    if !(square >= -1e-9 * ra * ra) {
+    if square.is_nan() || square < -1e-9 * ra * ra {
         return None;
     }
     let u = way * (1.0 / d);

@@ -51,6 +51,8 @@ pub enum Command {
     Mobility(Mobility),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
+    /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
+    Composite(Composite),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -359,6 +361,16 @@ pub struct Cam {
 #[derive(ClapArgs, Debug)]
 #[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
 pub struct Centres {
+    #[command(flatten)]
+    pub common: Common,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "The figure with the parallelograms: hodograph draw SCENE --figure composite -o composite.svg")]
+pub struct Composite {
     #[command(flatten)]
     pub common: Common,
     /// As JSON, in SI

@@ -146,7 +146,7 @@ fn entities(report: &Report, steps: usize) -> Vec<(&'static str, Entity)> {
                     let ends = s.points(1.0);
                     Entity::Line([mm(ends[0]), mm(*ends.last()?)])
                 }
-                Segment::Arc { radius, .. } if radius == 0.0 => return None,
+                Segment::Arc { radius: 0.0, .. } => return None,
                 Segment::Arc { centre, radius, normals: [from, to] } if to - from >= std::f64::consts::TAU => {
                     Entity::Circle { centre: mm(centre), radius: radius * 1e3 }
                 }

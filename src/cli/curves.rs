@@ -62,12 +62,12 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
     let somewhere = input.notes.iter().all(|n| n.code != "free-centre");
     let mut words: Vec<String> = Vec::new();
     for find in &scene.find {
-        match find.what.meaning() {
+        match find.what.meaning(scene) {
             Some(Meaning::Turning(l, None)) if somewhere && has_line(scene, l) => words.push(format!("phi_{}", scene.link_name(l))),
             Some(Meaning::Vector(p)) if p.link.is_none() => {
                 words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
-            Some(Meaning::Turning(..) | Meaning::Vector(_) | Meaning::Relative(..) | Meaning::Place(_)) | None => {}
+            Some(Meaning::Turning(..) | Meaning::Vector(_) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_)) | None => {}
         }
         words.push(find.text.clone());
     }

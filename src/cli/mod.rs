@@ -7,6 +7,7 @@ mod args;
 mod batch;
 mod cam;
 mod centres;
+mod composite;
 mod curves;
 mod draw;
 mod files;
@@ -17,11 +18,13 @@ mod long;
 mod mobility;
 mod part;
 mod path;
+mod plan;
 mod spool;
 mod stop;
 mod sweep;
 mod tables;
 mod target;
+mod template;
 mod together;
 mod values;
 mod worksheet;
@@ -35,7 +38,7 @@ use crate::figure::style::Style;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::{answers, construction, diagnostics, drafting as tolerances, plan as plan_text, plan_json, price, statement, trains};
-use crate::scene::{self, Lang, Scene, edit, templates};
+use crate::scene::{self, Lang, Scene, edit};
 use crate::worked::{Scope, Worked, work};
 use args::{Args, Command, Common};
 use clap::FromArgMatches;
@@ -59,7 +62,7 @@ pub fn main() -> ExitCode {
         Command::Draw(a) => draw::run(a),
         Command::Lesson(a) => lesson(a),
         Command::Solve(a) => solve(a),
-        Command::Plan(a) => plan(a),
+        Command::Plan(a) => plan::run(a),
         Command::Worksheet(a) => worksheet::run(a),
         Command::Accuracy(a) => accuracy(a),
         Command::Sweep(a) => sweep::sweep(a),
@@ -70,8 +73,9 @@ pub fn main() -> ExitCode {
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
-        Command::New { template, set, output } => new(&template, &set, output.as_deref()),
-        Command::Templates => list_templates(),
+        Command::Composite(a) => composite::run(a),
+        Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
+        Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)
@@ -159,6 +163,9 @@ impl Failure {
 
 type Run = Result<ExitCode, Failure>;
 
+/// How a file's bytes become a scene.
+type Reader<'a> = &'a dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>;
+
 /// A scene file, read.
 struct Input {
     name: String,
@@ -186,11 +193,7 @@ impl Input {
         Input::read_by(common, |text| Ok(text.to_owned()), &|bytes| scene::read_topology(bytes))
     }
 
-    fn read_by(
-        common: &Common,
-        change: impl Fn(&str) -> Result<String, Faults>,
-        read: &dyn Fn(&[u8]) -> Result<Warned<Scene>, Faults>,
-    ) -> Result<Input, Failure> {
+    fn read_by(common: &Common, change: impl Fn(&str) -> Result<String, Faults>, read: Reader) -> Result<Input, Failure> {
         let path = common.scene.as_str();
         let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
         // A text that cannot be changed has a fault, which the reader tells with its place.
@@ -357,58 +360,6 @@ fn solve(a: args::Solve) -> Run {
     Ok(verdict(&worked))
 }
 
-fn plan(a: args::Plan) -> Run {
-    let mut input = Input::read(&a.common)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
-    if a.json {
-        return plan_for_programs(input, lang, &notation, a.figure);
-    }
-    let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
-        Ok(Warned { value, notes }) => (value, notes),
-        Err(faults) => return Err(input.failed(faults)),
-    };
-    let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
-    let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-    let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
-    files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
-    notes.append(&mut input.notes);
-    input.notes = notes;
-    input.say_notes();
-    Ok(ExitCode::SUCCESS)
-}
-
-/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
-/// notes say why.
-fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
-    let fail = |input: &Input, faults| input.failed(faults);
-    let mut code = ExitCode::SUCCESS;
-    let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
-        Ok(Warned { value: worked, notes }) => {
-            input.notes.extend(notes);
-            // What has no answer in the pose is no fault of the plan.
-            code = if agrees(&worked) { code } else { verdict(&worked) };
-            let certified = certify(&input.scene, &worked, answers::DIGITS);
-            let mut done = Work::of(&worked).with_certified(&certified);
-            if figure {
-                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
-                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
-            }
-            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
-            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
-        }
-        Err(faults) => {
-            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
-            let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
-            let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
-            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
-            input.notes.extend(faults.list);
-            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
-        }
-    };
-    files::print(&format!("{document:#}\n"))?;
-    Ok(code)
-}
-
 fn accuracy(a: args::Accuracy) -> Run {
     let style = style_of(&a.look)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
@@ -431,28 +382,4 @@ fn accuracy(a: args::Accuracy) -> Run {
     }
     input.say_notes();
     Ok(ExitCode::SUCCESS)
-}
-
-fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
-    templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
-    let text = values::with_values(set, |values| templates::instantiate(template, values))?;
-    match output {
-        Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
-        None => {
-            files::print(&text)?;
-        }
-    }
-    Ok(ExitCode::SUCCESS)
-}
-
-fn list_templates() -> Run {
-    let mut out = String::new();
-    for t in templates::list() {
-        out.push_str(&format!("{}\n    {} · {}\n", t.name, t.title.en, t.title.zh));
-        let parameters: Vec<String> = t.parameters.iter().map(|(n, v)| format!("{n}={v}")).collect();
-        if !parameters.is_empty() {
-            out.push_str(&format!("    {}\n", parameters.join("  ")));
-        }
-    }
-    files::print(&out)
 }

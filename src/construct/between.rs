@@ -10,10 +10,11 @@ use crate::number::Real;
 use crate::plan::{Between, Body, By, GroupSteps, Term, TermKind};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
-    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn.
-    pub(super) fn read_off(&mut self, p: &mut Polygon<N>, steps: &GroupSteps, open: &mut Vec<&Between>) -> Result<(), Faults> {
+    /// What is drawn between images, as far as they are there, and the turnings measured from what is drawn: those of the groups so far,
+    /// for a block is measured on points that a later group may bring.
+    pub(super) fn read_off(&mut self, p: &mut Polygon<N>, so_far: &[GroupSteps], open: &mut Vec<&Between>) -> Result<(), Faults> {
         loop {
-            for (body, rate) in &steps.rates {
+            for (body, rate) in so_far.iter().flat_map(|s| &s.rates) {
                 self.turning(p, *body, *rate);
             }
             let there = |b: &&Between| {
@@ -43,6 +44,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             By::Turning(body) => Some(body),
             By::Guide { guide, .. } => Some(Body::Link(self.scene.guides[guide.0].on)),
             By::Cylinder(d) => Some(Body::Cylinder(d)),
+            By::Frame { body, .. } => body,
             By::Contact(_) | By::Apart => None,
         };
         known.iter().filter(by_omega).filter_map(body).all(|b| {

@@ -1,17 +1,16 @@
 //! Carries a plan out on paper.
 
-use super::choices::SPECIAL_LEGS;
 use super::pencil::{Exact, Pencil};
 use super::scale::{self, Boxes};
-use super::{Action, Construction, Crossed, Diagram, Edge, Mark, Polygon};
+use super::{Action, Construction, Diagram, Edge, Mark, Polygon};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
-use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
+use crate::mechanism::{Level, Mechanism};
 use crate::number::Real;
-use crate::plan::{Between, By, Chain, Plan, Rate, Special, SpecialLine, Spot, Step, Term, VertexId};
-use crate::position::{Configuration, Path};
+use crate::plan::{Between, By, Chain, Plan, Rate, Spot, Step, Term, VertexId};
+use crate::position::Configuration;
+use crate::scene::Scene;
 use crate::scene::exact::Inputs;
-use crate::scene::{Contours, RollingId, Scene};
 
 /// Draws a plan.
 ///
@@ -62,7 +61,7 @@ pub(super) struct Board<'a, N, P> {
 }
 
 /// A line on paper: a point of it, and its direction.
-type Line<N> = (Point<N>, Vec2<N>);
+pub(super) type Line<N> = (Point<N>, Vec2<N>);
 
 /// The mark in which a part ends.
 pub(super) fn part_mark<N>(p: &Polygon<N>, term: &Term) -> Mark {
@@ -115,31 +114,6 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         }
     }
 
-    fn special_point(&mut self, v: VertexId, special: &Special) -> Option<Point<N>> {
-        let [(p, u), (q, w)] = [self.special_line(&special.lines[0])?, self.special_line(&special.lines[1])?];
-        let (u, w) = (self.laid(&special.lines[0], u), self.laid(&special.lines[1], w));
-        let c = cross_lines(p, u, q, w);
-        if !c.at.is_finite() {
-            return None;
-        }
-        let alternative = special.legs.and_then(|legs| SPECIAL_LEGS.iter().position(|l| *l == legs));
-        if alternative.is_none_or(|k| self.done.chosen[special.group] == k) {
-            self.done.diagram.crossed.push(Crossed { target: v, sine: c.sine });
-        }
-        Some(self.pencil.mark(Level::Position, c.at))
-    }
-
-    /// A line (on paper) along which a link is held.
-    fn special_line(&self, line: &SpecialLine) -> Option<Line<N>> {
-        match *line {
-            SpecialLine::Leg(line) => self.line(line),
-            SpecialLine::Through { pin, special } => {
-                let p = self.joint(pin)?;
-                Some((p, p - self.done.diagram.spots[special.0]?))
-            }
-        }
-    }
-
     pub(super) fn keep(&mut self, polygon: Polygon<N>) {
         match polygon.level {
             Level::Velocity => self.done.velocity = Some(polygon),
@@ -175,34 +149,14 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         (self.spot(of) - self.spot(to)) * self.mu_l
     }
 
-    /// The line (on paper) on which a leg gives a locus for every point of the core.
-    pub(super) fn constraint_line(&self, leg: &Leg) -> Option<Line<N>> {
-        self.line(leg.line()?)
-    }
-
-    fn line(&self, line: ConstraintLine) -> Option<Line<N>> {
-        let p = self.joint(line.pin())?;
-        let along = match line {
-            ConstraintLine::Along { far, .. } => p - self.joint(far)?,
-            ConstraintLine::Normal { guide, .. } => match self.at.guide(guide) {
-                Path::Line { direction, .. } => self.turned(guide, direction.perp()),
-                Path::Arc { centre, .. } => self.turned(guide, p - self.paper(centre)),
-            },
-            ConstraintLine::Tangent { pair, .. } => self.contact_normal(pair)?.perp(),
-        };
-        Some((p, along))
-    }
-
-    pub(super) fn constraint_lines(&self, group: usize, legs: (usize, usize)) -> Option<(Line<N>, Line<N>)> {
-        let Core::Link { legs: all, .. } = &self.m.groups[group].core else { return None };
-        Some((self.constraint_line(&all[legs.0])?, self.constraint_line(&all[legs.1])?))
-    }
-
     pub(super) fn draw(&mut self, level: Level, mu: f64) -> Result<Polygon<N>, Faults> {
         let fixed = self.plan.vertices.iter().map(|v| v.fixed.then_some(Point::origin())).collect();
         let mut polygon = Polygon { level, mu, images: fixed, edges: Vec::new(), actions: Vec::new() };
         let plan = self.plan;
-        for steps in plan.steps(level) {
+        // What waits for an image of a later group: vectors between images, and rates measured on such images.
+        let mut open: Vec<&Between> = Vec::new();
+        for (k, steps) in plan.steps(level).iter().enumerate() {
+            let so_far = &plan.steps(level)[..=k];
             // Given rates serve the group's own points; measured ones come from them.
             for (body, rate) in steps.rates.iter().filter(|(_, r)| !matches!(r, Rate::Measured { .. })) {
                 self.turning(&mut polygon, *body, *rate);
@@ -211,12 +165,12 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             for step in steps.alternatives.get(alternative).into_iter().flatten() {
                 self.step(&mut polygon, step)?;
             }
-            let mut open: Vec<&Between> = steps.between.iter().collect();
-            self.read_off(&mut polygon, steps, &mut open)?;
+            open.extend(&steps.between);
+            self.read_off(&mut polygon, so_far, &mut open)?;
             for step in &steps.further {
                 self.step(&mut polygon, step)?;
                 // A block on a curved guide is measured from the guide's centre, which is one of the further points.
-                self.read_off(&mut polygon, steps, &mut open)?;
+                self.read_off(&mut polygon, so_far, &mut open)?;
             }
         }
         Ok(polygon)
@@ -361,19 +315,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
         let Some(term) = chain.unknown.first() else { return 0.0 };
         match term.by {
             By::Turning(_) | By::Cylinder(_) => self.at.extent() / self.arm(term.of, term.to).approx().norm(),
-            By::Guide { .. } | By::Contact(_) | By::Apart => 1.0,
-        }
-    }
-
-    /// The line of centres at a contact, as drawn; of a straight track its normal.
-    pub(super) fn contact_normal(&self, pair: RollingId) -> Option<Vec2<N>> {
-        let pair = &self.scene.rolling[pair.0];
-        match pair.contours {
-            Contours::Circles { centres: [a, b], .. } => Some(self.joint(b)? - self.joint(a)?),
-            Contours::Track { .. } => match (pair.guide, self.at.guide(pair.guide?)) {
-                (Some(guide), Path::Line { direction, .. }) => Some(self.turned(guide, direction.perp())),
-                (_, Path::Arc { .. }) | (None, _) => None,
-            },
+            By::Guide { .. } | By::Contact(_) | By::Frame { .. } | By::Apart => 1.0,
         }
     }
 
@@ -392,7 +334,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).perp().unit(),
             By::Guide { .. } => self.guide_tangent(term).unit(),
             By::Contact(pair) => self.contact_normal(pair).and_then(|n| n.unit()),
-            By::Apart => None,
+            By::Frame { .. } | By::Apart => None,
         };
         u.ok_or_else(|| self.coincide(term.of, term.to).into())
     }

@@ -139,7 +139,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             By::Turning(_) | By::Cylinder(_) => self.arm(term.of, term.to).approx().norm() / self.done.diagram.mu_l,
             By::Guide { guide, .. } => self.guide_length(guide),
             By::Contact(pair) => self.contact_length(pair),
-            By::Apart => 0.0,
+            By::Frame { .. } | By::Apart => 0.0,
         }
     }
 

@@ -105,6 +105,16 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
                 self.slide_velocity(term).perp() * (two * omega)
             }
+            (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {
+                let v = self.slide_velocity(term);
+                let Spot::Point(own) = self.plan.vertex(term.of).spot else { unreachable!("a moving point is a point") };
+                let inward = self.at.point(centre) - self.at.point(own);
+                inward * (v.norm2() / inward.norm2())
+            }
+            (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
+                let omega = self.rate(Level::Velocity, body);
+                self.slide_velocity(term).perp() * (two * omega)
+            }
             (TermKind::SlideNormal, By::Guide { guide, .. }) => {
                 let Path::Arc { centre, radius } = self.at.guide(guide) else { unreachable!("only arcs have a normal part of sliding") };
                 let v = self.slide_velocity(term);

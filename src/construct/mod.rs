@@ -14,6 +14,7 @@ mod measure;
 pub mod pencil;
 mod readings;
 pub mod scale;
+mod special;
 
 pub use board::construct;
 pub use checks::{Condition, conditions};

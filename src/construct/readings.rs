@@ -11,7 +11,7 @@ use crate::mechanism::{Level, Mechanism, Passive};
 use crate::number::Real;
 use crate::plan::{Asking, Body, Plan, Spot, Term, VertexId, asking};
 use crate::position::Configuration;
-use crate::scene::quantity::{Meaning, Of};
+use crate::scene::quantity::{Frame, Meaning, Of, Seen};
 use crate::scene::{Asked, Find, Kind, LinkId, OnLink, PointId, Scene};
 
 /// The answer to one question.
@@ -87,7 +87,7 @@ impl<N: Real> OnPaper<'_, N> {
 
     /// Whether all points of a question have their images, at every level that it is made of.
     fn is_drawn(&self, what: &Asked) -> bool {
-        what.points().iter().all(|p| self.image(what.level(), p).is_some())
+        what.points(self.scene).iter().all(|p| self.image(what.level(), p).is_some())
     }
 
     /// Where a question lies on paper; `None` where no edge shows it.
@@ -134,6 +134,15 @@ fn points_of(at: &Configuration, plan: &Plan, (of, to): (VertexId, VertexId), ar
     (off.abs() < 1e-9 * arm).then_some((a, b))
 }
 
+/// Whether a Coriolis part vanishes because its frame never turns.
+fn vanishes(m: &Mechanism, what: &Asked, scene: &Scene) -> bool {
+    match what.meaning(scene) {
+        Some(Meaning::Seen(Seen::Coriolis, _, Frame::Link(l), _)) => m.never_turns[l.0],
+        Some(Meaning::Seen(Seen::Coriolis, _, Frame::Point(_), _)) => true,
+        _ => false,
+    }
+}
+
 /// The answers from the drawing board; `None` for what was not drawn (a group higher than class III).
 pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper: &Construction) -> Vec<Option<Answer>> {
     let source = OnPaper { scene, m, plan, paper };
@@ -142,7 +151,7 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
         if level == Level::Position {
             return Some(Answer { find, value: place(scene, at, &f.what)?, measured: None });
         }
-        match f.what.meaning() {
+        match f.what.meaning(scene) {
             Some(Meaning::Turning(l, None)) => {
                 let reading = paper.rates.iter().find(|r| r.level == level && r.body == source.body(l));
                 let measured = reading.zip(paper.polygon(level)).and_then(|(r, p)| {
@@ -157,6 +166,8 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
                 return Some(Answer { find, value: Value::Scalar(value), measured: None });
             }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
+            Some(Meaning::Seen(..)) if asking(scene, m, plan, &f.what).is_none() && !vanishes(m, &f.what, scene) => return None,
+            Some(Meaning::Seen(..)) => {}
             // No edge is of it.
             Some(Meaning::Place(_)) | None => return None,
         }

@@ -6,7 +6,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Plan, Step};
 use crate::position::Configuration;
-use crate::scene::{Cam, Paper, Scene};
+use crate::scene::{Cam, Contours, Paper, Rolling, Scene};
 
 /// Room for each drawing, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -53,11 +53,30 @@ impl Boxes {
     }
 }
 
-/// Width and height of a mechanism (m): of the box around its joints and the profiles of its cams.
+/// A hollow circle that makes the figure more than so many times as large is drawn as an arc, as books do, and asks for no room.
+pub const DWARFS: f64 = 2.0;
+
+/// Width and height of a mechanism (m): of the box around its joints, the profiles of its cams and the circles of its wheels.
 pub fn size(scene: &Scene, at: &Configuration) -> [f64; 2] {
     let joints = at.points.iter().flatten().copied();
     let profiles = scene.cams.iter().flat_map(|c| profile(c, at));
-    extent(joints.chain(profiles))
+    let (rings, wheels): (Vec<_>, Vec<_>) = scene.rolling.iter().flat_map(|pair| circles(pair, at)).partition(|c| c.2);
+    let corners = |(centre, r, _): &(Point, f64, bool)| [*centre + Vec2::new(*r, *r), *centre - Vec2::new(*r, *r)];
+    let mut places: Vec<Point> = joints.chain(profiles).chain(wheels.iter().flat_map(corners)).collect();
+    let [w, h] = extent(places.iter().copied());
+    places.extend(rings.iter().filter(|(_, r, _)| 2.0 * r <= DWARFS * w.max(h)).flat_map(corners));
+    extent(places.into_iter())
+}
+
+/// The circles of a rolling pair: centre, radius, and whether it is hollow.
+fn circles(pair: &Rolling, at: &Configuration) -> Vec<(Point, f64, bool)> {
+    let hollow = match pair.contours {
+        Contours::Circles { hollow, .. } => hollow,
+        Contours::Track { .. } => None,
+    };
+    let Some(contact) = at.points[pair.at.0] else { return Vec::new() };
+    let centres = pair.centres().into_iter().enumerate().filter_map(|(i, p)| Some((i, at.points[p?.0]?)));
+    centres.map(|(i, centre)| (centre, centre.distance(contact), hollow == Some(i))).collect()
 }
 
 /// Points round the profile of a cam, one for each ten degrees.

@@ -315,7 +315,7 @@ mod tests {
     }
 
     fn drawn(gear: &str, distance: f64, lang: Lang) -> Result<Warned<Pages>, Faults> {
-        let scene = read(&text(gear, distance)).unwrap().value;
+        let scene = read(text(gear, distance)).unwrap().value;
         let worked = work(&scene, Scope::Questions).unwrap().value;
         let options = Options::of_language(lang);
         pairs(&Maker { scene: &scene, worked: &worked, options: &options, certified: certify(&scene, &worked, 4) })
@@ -358,7 +358,7 @@ mod tests {
             (r#""teeth": [20, 40], "addendum": 0"#, "gear-flanks"),
             (r#""teeth": [20, 40], "shift": [0, 0, 0]"#, "gear-flanks"),
         ] {
-            let faults = read(&text(gear, 60.0)).unwrap_err();
+            let faults = read(text(gear, 60.0)).unwrap_err();
             assert!(faults.list.iter().any(|d| d.code == code), "{gear}: {:?}", faults.list);
         }
     }

@@ -195,10 +195,11 @@ pub fn symbol(find: &Find, notation: &Notation) -> String {
     let sub = find.text.split_once('_').map_or("", |(_, s)| s).replace('-', ",");
     let entry = find.what.entry();
     let sup = match entry.over {
-        Over::Nothing => "",
-        Over::Sign(sign) => sign,
-        Over::Sliding => notation.sliding.as_str(),
-        Over::Coriolis => notation.coriolis.as_str(),
+        Over::Nothing => String::new(),
+        Over::Sign(sign) => sign.to_owned(),
+        Over::Sliding => notation.sliding.clone(),
+        Over::SlidingPart(part) => format!("{}\\,{part}", notation.sliding),
+        Over::Coriolis => notation.coriolis.clone(),
     };
     // A coordinate is of the point itself, and so is written below as it stands on the diagram.
     let place = matches!((find.what.of(), entry.kind), (Of::Point(_), Kind::Length));

@@ -18,6 +18,8 @@ pub struct Words {
     pub centres: &'static str,
     /// Caption of the circle diagram.
     pub circle_diagram: &'static str,
+    /// Caption of the parts of an acceleration at the moving point.
+    pub composite_acceleration: &'static str,
     /// Heading of the velocity equations.
     pub velocities: &'static str,
     /// Heading of the acceleration equations.
@@ -99,6 +101,7 @@ const EN: Words = Words {
     acceleration_polygon: "Acceleration polygon",
     centres: "Instantaneous centres",
     circle_diagram: "Circle diagram",
+    composite_acceleration: "Acceleration of the moving point and its parts",
     velocities: "Velocities",
     accelerations: "Accelerations",
     results: "Results",
@@ -144,6 +147,7 @@ const ZH: Words = Words {
     acceleration_polygon: "加速度多边形",
     centres: "速度瞬心",
     circle_diagram: "点元图（点元法）",
+    composite_acceleration: "动点的加速度及其各分量",
     velocities: "速度分析",
     accelerations: "加速度分析",
     results: "结果",

@@ -7,7 +7,7 @@
 use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
 use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
-use crate::scene::quantity::{Meaning, Split};
+use crate::scene::quantity::{Frame, Meaning, Seen, Split};
 use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
@@ -58,7 +58,7 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
     let even =
         |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
     let level = what.level();
-    match what.meaning()? {
+    match what.meaning(scene)? {
         Meaning::Vector(p) => whole(&p, false),
         Meaning::Relative(Split::Whole, a, b) if fixed(&b) => whole(&a, false),
         Meaning::Relative(Split::Whole, a, b) if fixed(&a) => whole(&b, true),
@@ -95,6 +95,42 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
             Joined::Cylinder(d) => terms(&a, &b, &[Coriolis], By::Cylinder(d)),
             Joined::Link(_) => None,
         },
+        Meaning::Relative(part @ (Split::SlidingNormal | Split::SlidingTangential), a, b) => match joined(scene, &a, &b)? {
+            Joined::Guide(g) if part == Split::SlidingNormal => {
+                if arc(g) {
+                    terms(&a, &b, &[SlideNormal], guide(g))
+                } else {
+                    None
+                }
+            }
+            Joined::Guide(g) => {
+                if even(g) {
+                    None
+                } else {
+                    terms(&a, &b, &[Slide], guide(g))
+                }
+            }
+            Joined::Cylinder(_) | Joined::Link(_) => None,
+        },
+        Meaning::Seen(seen, a, frame, about) => {
+            let body = match frame {
+                Frame::Link(l) if !m.never_turns[l.0] => Some(body_of(scene, m, l)),
+                Frame::Link(_) | Frame::Point(_) => None,
+            };
+            let (seat, by) = (frame.transport_point(a), By::Frame { body, about });
+            match (seen, body, about) {
+                (Seen::Relative, _, Some(_)) => terms(&a, &seat, &[SlideNormal, Slide], by),
+                // A frame that only translates adds nothing to what the one point does against the other.
+                (Seen::Relative, None, None) => terms(&a, &seat, &[Relative], By::Apart),
+                (Seen::Relative, Some(_), None) => terms(&a, &seat, &[Slide], by),
+                (Seen::Coriolis, Some(_), _) => terms(&a, &seat, &[Coriolis], by),
+                (Seen::RelativeNormal, _, Some(_)) => terms(&a, &seat, &[SlideNormal], by),
+                (Seen::RelativeTangential, _, Some(_)) => terms(&a, &seat, &[Slide], by),
+                (Seen::Coriolis, None, _) => None,
+                // Parts along a path that no pair gives are reckoned.
+                (Seen::RelativeNormal | Seen::RelativeTangential | Seen::TransportNormal | Seen::TransportTangential, ..) => None,
+            }
+        }
         Meaning::Place(_) | Meaning::Turning(..) => None,
     }
 }
@@ -132,10 +168,11 @@ fn rows(step: &Step) -> impl Iterator<Item = Vec<Term>> + '_ {
 }
 
 /// The point whose acceleration a question asks in parts.
-fn parts_of(what: &Asked) -> Option<Need> {
-    match what.meaning()? {
+fn parts_of(scene: &Scene, what: &Asked) -> Option<Need> {
+    match what.meaning(scene)? {
         Meaning::Relative(Split::Along | Split::Across, a, _) => Some(Need::Point(a.point, a.link)),
-        Meaning::Relative(Split::Whole | Split::Sliding | Split::Coriolis, ..)
+        Meaning::Relative(Split::Whole | Split::Sliding | Split::SlidingNormal | Split::SlidingTangential | Split::Coriolis, ..)
+        | Meaning::Seen(..)
         | Meaning::Vector(_)
         | Meaning::Turning(..)
         | Meaning::Place(_) => None,
@@ -146,7 +183,7 @@ impl Builder<'_> {
     /// Among the points asked for behind a group, those of which the parts are asked come first: an equation from a known point shows them,
     /// an image does not.
     pub(super) fn parts_first(&mut self) {
-        let parts: Vec<Need> = self.scene.find.iter().flat_map(|f| parts_of(&f.what)).collect();
+        let parts: Vec<Need> = self.scene.find.iter().flat_map(|f| parts_of(self.scene, &f.what)).collect();
         self.due.iter_mut().for_each(|due| due.sort_by_key(|(need, _)| !parts.contains(need)));
     }
 
@@ -173,14 +210,14 @@ impl Builder<'_> {
         }
         let scene = self.scene;
         for find in scene.find.iter().filter(|f| f.what.level() == level) {
-            for p in find.what.points() {
+            for p in find.what.points(scene) {
                 // A fixed point may not have been met yet.
                 if p.link.map_or_else(|| scene.links[scene.ground.0].points.contains(&p.point), |l| l == scene.ground) {
                     self.vertex_of(&p);
                 }
             }
             let Some(Asking::Terms(terms)) = asking_of(scene, self.m, &self.vertices, &find.what) else { continue };
-            let nodes = find.what.points().into_iter().flat_map(|p| nodes_of(scene, self.m, Need::Point(p.point, p.link)));
+            let nodes = find.what.points(scene).into_iter().flat_map(|p| nodes_of(scene, self.m, Need::Point(p.point, p.link)));
             let Some(group) = nodes.filter_map(|n| self.m.group_of(n)).max() else { continue };
             self.between(level, group, &terms);
         }
@@ -225,6 +262,14 @@ impl Builder<'_> {
                 })
             }
             (_, by @ By::Contact(_)) => Some(Between::Join(term(TermKind::Roll, by))),
+            (_, by @ By::Frame { body, about }) => {
+                let coriolis = body.map(|_| TermKind::Coriolis);
+                let parts = coriolis.into_iter().chain(about.map(|_| TermKind::SlideNormal));
+                Some(Between::LayOff {
+                    known: parts.map(|kind| Term { known: true, ..term(kind, by) }).collect(),
+                    rest: vec![term(TermKind::Slide, by)],
+                })
+            }
             (_, By::Apart) => None,
         };
         let Some(between) = between else { return };

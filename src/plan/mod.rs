@@ -136,6 +136,13 @@ pub enum By {
     Cylinder(usize),
     /// The contact of a rolling pair.
     Contact(RollingId),
+    /// Nothing but the frame from which the one is seen.
+    Frame {
+        /// The body with which the frame turns, if it does.
+        body: Option<Body>,
+        /// The centre of the path in the frame, where it is a circle.
+        about: Option<PointId>,
+    },
     /// Nothing: two points of different links, of which the difference alone is asked.
     Apart,
 }

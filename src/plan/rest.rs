@@ -78,6 +78,7 @@ impl Plan {
             }
             (TermKind::SlideNormal, By::Guide { driver, .. }) => driver.is_some_and(|d| rest.drivers[d]),
             (TermKind::Coriolis, By::Cylinder(d)) => rest.drivers[d],
+            (TermKind::Coriolis, By::Frame { body, .. }) => body.is_none_or(still),
             (TermKind::Slide, By::Guide { driver: Some(d), .. }) | (TermKind::Extension, By::Cylinder(d)) => {
                 level == Level::Velocity && rest.drivers[d]
             }

@@ -69,7 +69,7 @@ pub fn held_by(scene: &Scene, plan: &Plan, t: &Term) -> Both {
             let [a, b] = scene.rolling[pair.0].links.map(|l| scene.link_name(l));
             both!("the contact of links {a} and {b}", "构件 {a} 与 {b} 的接触")
         }
-        By::Apart => Both::same(line()),
+        By::Frame { .. } | By::Apart => Both::same(line()),
     }
 }
 
@@ -125,6 +125,7 @@ impl Writer<'_> {
             // the acceleration.
             By::Guide { guide, .. } => level == Level::Velocity || self.plan.still[self.scene.guides[guide.0].on.0],
             By::Turning(Body::Link(_)) | By::Contact(_) | By::Apart => true,
+            By::Frame { .. } => false,
         };
         let absolute = |t: &Term| self.plan.vertex(t.to).fixed && whole(t);
         // A point held from two fixed ones (a part of the mechanism that cannot move) has the same vector by two names.
@@ -137,6 +138,9 @@ impl Writer<'_> {
 
     /// The sliding velocity that makes a Coriolis or normal part of sliding.
     fn sliding(&self, t: &Term) -> String {
+        if let By::Frame { .. } = t.by {
+            return self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t });
+        }
         self.symbol(Level::Velocity, &Term { kind: TermKind::Slide, ..*t })
     }
 
@@ -306,6 +310,9 @@ impl Writer<'_> {
             (TermKind::Extension, _) => format!("\\parallel {}", self.line(t.to, t.of)),
             (TermKind::Coriolis, By::Guide { guide, .. }) if !self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Coriolis, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
+            (TermKind::Coriolis, By::Frame { .. }) => {
+                format!("\\perp {}", self.symbol(Level::Velocity, &Term { kind: TermKind::Relative, by: By::Apart, ..*t }))
+            }
             (TermKind::Coriolis, _) => format!("\\perp {}", self.line(t.to, t.of)),
             (TermKind::Slide, By::Guide { guide, .. }) if self.is_arc(guide) => format!("\\perp {}", self.guide_line(guide)),
             (TermKind::Slide, By::Guide { guide, .. }) => format!("\\parallel {}", self.guide_line(guide)),
@@ -318,6 +325,13 @@ impl Writer<'_> {
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
             (TermKind::Roll, By::Contact(pair)) => self.normal_line(pair),
+            (TermKind::SlideNormal, By::Frame { about: Some(k), .. }) => {
+                format!("{} \\to {}", self.spot(t.of), point_label(self.scene.point_name(k)))
+            }
+            (TermKind::Slide, By::Frame { about: Some(k), .. }) => {
+                format!("\\perp {}{}", self.spot(t.of), point_label(self.scene.point_name(k)))
+            }
+            (TermKind::Slide, By::Frame { about: None, .. }) => self.notation.unknown.clone(),
             (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
         }
     }
@@ -351,6 +365,9 @@ impl Writer<'_> {
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
                 let omega = self.turning(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
                 format!("2{omega} {}", self.sliding(t))
+            }
+            (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {
+                format!("2{} {}", self.turning(Level::Velocity, body), self.sliding(t))
             }
             (TermKind::Coriolis, By::Cylinder(d)) => {
                 let v = self.symbol(Level::Velocity, &Term { kind: TermKind::Extension, ..*t });

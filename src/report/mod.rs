@@ -4,6 +4,7 @@ pub mod answers;
 pub mod cam;
 pub mod centres;
 pub mod centres_json;
+pub mod composite;
 pub mod construction;
 pub mod diagnostics;
 pub mod drafting;

@@ -317,6 +317,7 @@ impl Reporter<'_> {
             By::Guide { guide, driver } => json!({"guide": guide.0, "driver": driver}),
             By::Cylinder(d) => json!({"cylinder": d}),
             By::Contact(pair) => json!({"rolling": pair.0}),
+            By::Frame { body, about } => json!({"frame": body.map(|b| self.body(b)), "about": about.map(|p| p.0)}),
             By::Apart => Json::Null,
         }
     }
@@ -345,7 +346,7 @@ impl Reporter<'_> {
                 By::Turning(_) => &[(TermKind::Tangential, Reason::ConstantRate)],
                 By::Guide { .. } => &[(TermKind::Coriolis, Reason::GuideDoesNotTurn), (TermKind::Slide, Reason::ConstantRate)],
                 By::Cylinder(_) => &[(TermKind::Extension, Reason::ConstantRate)],
-                By::Contact(_) | By::Apart => &[],
+                By::Contact(_) | By::Frame { .. } | By::Apart => &[],
             };
             for &(kind, why) in expected {
                 if !own.iter().any(|t| (t.kind, t.of, t.to) == (kind, of, to)) {

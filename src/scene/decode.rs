@@ -1,5 +1,7 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
+mod composite;
+mod motion;
 mod rolling;
 
 use super::model::Lang;
@@ -35,6 +37,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     }
     for (key, node) in entries(f.get("parameters"), "\"parameters\"", faults) {
         raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    if let Some(node) = f.get("time") {
+        raw.parameters.extend(motion::time(node, faults));
     }
     for (key, node) in entries(f.get("units"), "\"units\"", faults) {
         raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
@@ -89,6 +94,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
         Some(node) => raw.drivers.extend(driver(node, topology, faults)),
         None => {}
     }
+    for node in items(f.get("motions"), "\"motions\"", faults) {
+        motion::motion(node, &mut raw, faults);
+    }
     for (key, node) in entries(f.get("sketch"), "\"sketch\"", faults) {
         raw.sketch.extend(two_quantities(node, both!("sketch of `{}`", "`{}` 的草图位置", key.text), faults).map(|q| (key.clone(), q)));
     }
@@ -96,6 +104,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
         raw.sides.extend(word(node, both!("side of `{}`", "`{}` 的 side", key.text), faults).map(|w| (key.clone(), w)));
     }
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
+    for node in items(f.get("composite"), "\"composite\"", faults) {
+        raw.composite.extend(composite::composite(node, faults));
+    }
     if let Some(node) = f.get("paper") {
         raw.paper = paper(node, faults);
     }

@@ -86,6 +86,13 @@ pub enum Function {
     Abs,
 }
 
+impl Function {
+    /// Its name in expressions.
+    pub fn name(self) -> &'static str {
+        FUNCTIONS.iter().find(|(_, f)| *f == self).map_or("", |(name, _)| name)
+    }
+}
+
 const FUNCTIONS: [(&str, Function); 8] = [
     ("sqrt", Function::Sqrt),
     ("sin", Function::Sin),

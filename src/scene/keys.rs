@@ -4,6 +4,7 @@ pub(super) const SCENE: &[&str] = &[
     "title",
     "statement",
     "parameters",
+    "time",
     "units",
     "answers",
     "links",
@@ -15,9 +16,11 @@ pub(super) const SCENE: &[&str] = &[
     "gears",
     "rolling",
     "driver",
+    "motions",
     "sketch",
     "side",
     "find",
+    "composite",
     "paper",
     "language",
     "notation",
@@ -49,6 +52,8 @@ pub(super) const ROLLING: &[&str] =
 pub(super) const TURN: &[&str] = &["link", "against", "line", "against_line", "angle", "omega", "alpha"];
 pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "acceleration"];
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
+pub(super) const MOTION: &[&str] = &["point", "on", "line", "s"];
+pub(super) const COMPOSITE: &[&str] = &["point", "on", "frame"];
 pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];
 pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at"];
 pub(super) const ROLLER: &[&str] = &["pin", "radius"];

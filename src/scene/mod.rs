@@ -12,6 +12,7 @@ pub mod exact;
 pub mod expr;
 mod keys;
 mod lang;
+mod law;
 pub mod model;
 mod names;
 pub mod quantity;

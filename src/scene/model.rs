@@ -5,7 +5,7 @@
 //! [`crate::position`].
 
 use super::book::Book;
-use super::quantity::Asked;
+use super::quantity::{Asked, Frame};
 use super::rolling::{Rolling, RollingId};
 use super::statement::Statement;
 use super::units::Unit;
@@ -293,6 +293,17 @@ pub struct Find {
     pub span: Span,
 }
 
+/// A moving point, and the frame from which its motion is seen.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seen {
+    /// The moving point.
+    pub of: OnLink,
+    /// The frame.
+    pub frame: Frame,
+    /// Where it is said.
+    pub span: Span,
+}
+
 /// Paper and scales. A fixed scale is in SI per millimetre of paper.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paper {
@@ -346,6 +357,8 @@ pub struct Scene {
     pub sides: Vec<Side>,
     /// What is asked.
     pub find: Vec<Find>,
+    /// Moving points and frames whose composite motions are shown.
+    pub composite: Vec<Seen>,
     /// Language of the output unless the caller says otherwise.
     pub language: Option<Lang>,
     /// Name of the notation profile (`en`, `cn`), unless the caller says otherwise.

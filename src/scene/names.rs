@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::model::{Link, LinkId, OnLink, Point, PointId};
+use super::quantity::Frame;
 use crate::diag::{Both, Diagnostic, both};
 use crate::json::Word;
 use crate::json::fields::suggest;
@@ -199,6 +200,33 @@ impl<'a> Names<'a> {
                 let d = Diagnostic::error("ambiguous", both!("`{text}` can be read in {} ways", "`{text}` 有 {} 种读法", many.len()))
                     .at(word.span);
                 Err(d.help(written(&many.iter().map(|r| self.print(r)).collect::<Vec<_>>())))
+            }
+        }
+    }
+
+    /// A moving point, and the frame from which it is seen: a link, else a point. Both are parts of `word`.
+    pub fn seen_from(&self, point: &str, frame: &str, word: &Word) -> Result<(OnLink, Frame), Diagnostic> {
+        let of = self.one_on_link(point, word)?;
+        let frame = match self.find_link(frame) {
+            Some(link) => Frame::Link(link),
+            None if self.singles(frame).is_empty() => {
+                let message = both!("the frame `{frame}` is neither a link nor a point", "动系 `{frame}` 既不是构件也不是点");
+                let all = self.links.iter().map(|l| l.name.as_str()).chain(self.points.iter().map(|p| p.name.as_str()));
+                let d = Diagnostic::error("unknown-frame", message).at(word.span);
+                return Err(d.help(suggest(frame, all, both!("there are", "有"))));
+            }
+            None => Frame::Point(self.one_on_link(frame, word)?),
+        };
+        Ok((of, frame))
+    }
+
+    /// One point, perhaps with a link.
+    fn one_on_link(&self, text: &str, word: &Word) -> Result<OnLink, Diagnostic> {
+        match self.on_links(text, word)? {
+            (one, None) => Ok(one),
+            (_, Some(_)) => {
+                let message = both!("`{text}` names two points; here is place for one", "`{text}` 写了两个点；此处只能写一个点");
+                Err(Diagnostic::error("unknown-point", message).at(word.span))
             }
         }
     }

@@ -133,6 +133,15 @@ pub(super) struct RawPaper {
     pub pencil: Option<RawQuantity>,
 }
 
+/// A moving point and a frame.
+#[derive(Clone, Debug)]
+pub(super) struct RawComposite {
+    pub point: Word,
+    pub on: Option<Word>,
+    pub frame: Word,
+    pub span: Span,
+}
+
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
@@ -157,6 +166,7 @@ pub(super) struct RawScene {
     pub sides: Vec<(Word, Word)>,
     /// `None` where the file has no such key: everything is asked.
     pub find: Option<Vec<Word>>,
+    pub composite: Vec<RawComposite>,
     pub paper: RawPaper,
     pub language: Option<Word>,
     pub notation: Option<Word>,

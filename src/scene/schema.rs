@@ -57,6 +57,8 @@ mod tests {
             ("/$defs/place_xy", keys::PLACE_XY),
             ("/$defs/place_polar", keys::PLACE_POLAR),
             ("/$defs/guide", keys::GUIDE),
+            ("/$defs/composite", keys::COMPOSITE),
+            ("/$defs/motion", keys::MOTION),
             ("/$defs/turn", keys::TURN),
             ("/$defs/slide", keys::SLIDE),
             ("/$defs/cylinder", keys::CYLINDER),

@@ -1,6 +1,8 @@
 //! Whole scenes, good and bad: what the reader makes of them, and what it says.
 
+mod cams;
 mod meant;
+mod names;
 mod rolling;
 
 use super::*;
@@ -213,27 +215,6 @@ fn places_sides_and_paper() {
     assert_eq!((scene.language, scene.notation.as_deref()), (Some(Lang::Zh), Some("cn")));
 }
 
-/// Cams with one fault each, on a four-bar.
-const CAMS: &str = r#"[
-  {"cam": "1", "follower": "2", "profile": {"centre": "B", "radius": "5 mm"}},
-  {"cam": "1", "follower": "2", "edge": "C", "roller": {"pin": "C", "radius": 1}, "profile": {"centre": "B", "radius": "5 mm"}},
-  {"cam": "1", "follower": "9", "edge": "C", "profile": {"centre": "B", "radius": "5 mm"}},
-  {"cam": "1", "follower": "1", "edge": "B", "profile": {"centre": "B", "radius": "5 mm"}},
-  {"cam": "1", "follower": "2", "edge": "C", "profile": {"base": "5 mm", "law": [{"rise": "1 mm", "over": "10 deg", "law": "cyclodial"}]}},
-  {"cam": "1", "follower": "2", "edge": "C", "profile": {"base": "5 mm", "law": [{"rise": "1 mm", "dwell": "10 deg"}]}},
-  {"cam": "1", "follower": "2", "edge": "C", "profile": ["line"]},
-  {"cam": "1", "follower": "2", "face": {"through": "C", "cam": "below"}, "profile": 3}
-]"#;
-
-/// A cam about O with a point Q, under a slider B.
-fn cam(rest: &str) -> String {
-    format!(
-        r#"{{"links": {{"1": ["O"], "2": ["O", "Q"], "3": ["B"]}}, "ground": "1", "points": {{"O": [0, 0]}}, "lengths": {{"OQ": "20 mm"}},
-        "guides": [{{"pin": "B", "slider": "3", "on": "1", "through": ["40 mm", 0], "angle": "90 deg"}}],
-        "cams": [{{"cam": "2", "follower": "3", {rest}}}], "driver": {{"link": "2", "angle": "10 deg", "omega": "1 rad/s"}}, "find": ["v_B"]}}"#
-    )
-}
-
 #[test]
 fn what_is_said_about_bad_scenes() {
     let cases: Vec<(&str, String)> = vec![
@@ -297,24 +278,22 @@ fn what_is_said_about_bad_scenes() {
         ("paper size", with("paper", r#"{"size": ["200 m", "100 mm"]}"#)),
         ("pencil", with("paper", r#"{"pencil": "6 mm"}"#)),
         ("pencil sign", with("paper", r#"{"pencil": "-0.1 mm"}"#)),
-        ("cams", with("cams", CAMS)),
+        ("frames", with("find", r#"["ve_E", "ve_E/", "ve_E/9", "ve_CB/1", "vr_Q/1"]"#)),
         (
-            "cam law open",
-            cam(
-                r#""roller": {"pin": "B", "radius": "5 mm"}, "profile": {"base": "30 mm", "law": [{"rise": "9 mm", "over": "90 deg", "law": "harmonic"}, {"dwell": "200 deg"}]}"#,
+            "composite",
+            with(
+                "composite",
+                r#"[{"point": "Q", "frame": "2"}, {"point": "E", "frame": "4"}, {"point": "E", "frame": "2"}, {"frame": "2"}, {"point": "E", "on": "7", "frame": "1"}, 3]"#,
             ),
         ),
+        ("motions", with("motions", r#"[{"point": "M", "on": "2", "line": "BC", "s": "6 m/s*t"}, {"point": "M"}, 3]"#)),
         (
-            "cam no contact",
-            cam(r#""edge": "B", "profile": [{"centre": "O", "radius": "3 mm"}, "tangent", {"centre": "Q", "radius": "2 mm"}, "tangent"]"#),
-        ),
-        (
-            "cam apart",
-            cam(
-                r#""edge": "B", "profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "31 mm"}, {"centre": "Q", "radius": "2 mm"}, "tangent"]"#,
+            "laws",
+            with(
+                "time",
+                r#""1 s", "motions": [{"point": "M", "on": "2", "line": "BC", "s": "1 m*abs(t/(1 s))"}, {"point": "N", "on": "2", "line": "BC", "s": "1 m*2^(t/(1 s))"}, {"point": "P", "on": "9", "line": "BC", "s": "1 m/s"}]"#,
             ),
         ),
-        ("cam line and face", cam(r#""face": {"through": "B"}, "profile": ["tangent", {"centre": "R", "radius": "2 mm"}]"#)),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
         ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),
@@ -323,7 +302,8 @@ fn what_is_said_about_bad_scenes() {
         ("sketch", with("sketch", r#"{"C": [3, 2]}"#)),
         ("text", with("title", "{}")),
     ];
-    let said: String = cases.iter().chain(&rolling::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
+    let said: String =
+        cases.iter().chain(&rolling::bad()).chain(&cams::bad()).map(|(name, source)| format!("{name}:\n{}", faults(source))).collect();
     // A golden text: review the difference, then write what is printed here into the file.
     let expected = include_str!("bad_scenes.txt");
     assert!(said == expected, "src/scene/bad_scenes.txt should now read:\n<<<\n{said}>>>");
@@ -347,114 +327,6 @@ fn input_beyond_the_limits() {
 fn a_byte_order_mark_moves_no_place() {
     let source = format!("\u{feff}{}", with("ground", "4"));
     assert_eq!(faults(&source), "[4] \"ground\" must be a text, this is a number (write \"4\")\n");
-}
-
-#[test]
-fn names_that_overlap() {
-    // With O and O2 declared, O2 is the point; the point of link 2 at O has to be written with its partner or a comma.
-    let scene = |find: &str| {
-        format!(
-            r#"{{"links": {{"1": ["O", "O2"], "2": ["O2", "AB", "A"], "4": ["O", "B", "BB"]}}, "ground": "4",
-            "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["{find}"]}}"#
-        )
-    };
-    let asked = |find: &str| written(&good(&scene(find)).find[0].what);
-    let on = |point: usize, link: Option<usize>| OnLink { point: PointId(point), link: link.map(LinkId) };
-    assert_eq!(asked("v_O2"), ("v", Of::Point(on(1, None))));
-    assert_eq!(asked("v_O1"), ("v", Of::Point(on(0, Some(0)))));
-    assert_eq!(asked("v_AB"), ("v", Of::Point(on(2, None))));
-    assert_eq!(asked("v_A,B"), ("v", Of::Points(on(3, None), on(4, None))));
-    assert_eq!(asked("v_AB4B2"), ("v", Of::Points(on(2, Some(2)), on(4, Some(1)))));
-    assert_eq!(faults(&scene("l_ABB")), "[\"l_ABB\"] `ABB` can be read in 2 ways (write \"A,BB\" or \"AB,B\")\n");
-}
-
-mod any_input {
-    use super::*;
-    use crate::scene::templates;
-    use proptest::prelude::*;
-
-    /// Reads, and prints what is said: neither may panic, and every place lies in the text.
-    fn survives(source: &[u8]) {
-        if let Err(faults) = read(source) {
-            assert!(faults.has_errors());
-            let text = String::from_utf8_lossy(source);
-            crate::report::diagnostics::render(&faults, "scene.json", &text);
-            if let Ok(text) = std::str::from_utf8(source) {
-                for span in faults.list.iter().filter_map(|d| d.span) {
-                    assert!(text.get(span.start..span.end).is_some(), "{span:?} in {text}");
-                }
-            }
-        }
-    }
-
-    /// Pieces of which scenes and expressions are made, for mutations that get past the first check.
-    const PIECES: &[&str] = &[
-        "{}",
-        "[]",
-        "\"\"",
-        "null",
-        "true",
-        "0",
-        "-1",
-        "1e999",
-        "1e-999",
-        "\"A\"",
-        "\"AB\"",
-        "\"4\"",
-        "\"60 deg\"",
-        "\"1 mm\"",
-        "\"((1))\"",
-        "\"-\"",
-        "\"2^2^2\"",
-        "\"1/0\"",
-        "\"l_AB\"",
-        "\"曲柄\"",
-        "\"\\u0041\"",
-        "[0, 0]",
-        "{\"base\": \"BC\", \"x\": 0, \"y\": 0}",
-        "{\"link\": \"4\"}",
-        "\"left of AB\"",
-    ];
-
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(300) })]
-
-        #[test]
-        fn random_bytes(bytes in proptest::collection::vec(any::<u8>(), 0..200)) {
-            survives(&bytes);
-        }
-
-        #[test]
-        fn mutated_bytes(edits in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..4), which in any::<prop::sample::Index>()) {
-            let all = templates::list();
-            let mut bytes = templates::get(all[which.index(all.len())].name).unwrap().as_bytes().to_vec();
-            for (at, byte) in edits {
-                let at = at.index(bytes.len());
-                bytes[at] = byte;
-            }
-            survives(&bytes);
-        }
-
-        #[test]
-        fn exchanged_strings(edits in proptest::collection::vec((any::<prop::sample::Index>(), prop::sample::select(PIECES)), 1..3), which in any::<prop::sample::Index>()) {
-            let all = templates::list();
-            let mut text = templates::get(all[which.index(all.len())].name).unwrap().to_owned();
-            for (at, piece) in edits {
-                let quotes: Vec<usize> = text.match_indices('"').map(|(i, _)| i).collect();
-                let i = at.index(quotes.len().max(2) / 2) * 2;
-                if let (Some(a), Some(b)) = (quotes.get(i), quotes.get(i + 1)) {
-                    text.replace_range(*a..=*b, piece);
-                }
-            }
-            survives(text.as_bytes());
-        }
-
-        #[test]
-        fn random_expressions(text in "[-+*/^()0-9a-z. °πpi]{0,40}") {
-            let source = with("lengths", &format!("{{\"AB\": \"{text}\"}}"));
-            survives(source.as_bytes());
-        }
-    }
 }
 
 /// The JSON blocks of the format's description: the first is a whole scene, the others are sections that fit the schema.

@@ -39,7 +39,7 @@ enum Way<'a> {
     /// Each by the general solver: followers of cams move by laws.
     Each,
     /// The whole mechanism is followed; why there is no program.
-    Moved { course: Course<Moved<'a>>, why: Diagnostic },
+    Moved { course: Box<Course<Moved<'a>>>, why: Diagnostic },
 }
 
 impl<'a> Long<'a> {
@@ -60,7 +60,7 @@ impl<'a> Long<'a> {
                 }
             }
             Err(_) if placed.scene.has_laws(driver) => Way::Each,
-            Err(why) => Way::Moved { course: Moved::course(placed, driver, count, &values), why },
+            Err(why) => Way::Moved { course: Box::new(Moved::course(placed, driver, count, &values)), why },
         };
         Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
     }

@@ -7,7 +7,7 @@ use crate::mechanism::Level;
 use crate::plan::text::point_label;
 use crate::report::phrase::Phrase;
 use crate::report::statement::paragraphs;
-use crate::scene::quantity::Of;
+use crate::scene::quantity::{Frame, Of};
 use crate::scene::{Asked, Find, Lang, OnLink};
 use crate::worked::Worked;
 
@@ -55,7 +55,7 @@ impl Maker<'_> {
     fn kind(&self, what: &Asked) -> Option<&'static str> {
         match what.of() {
             Of::Point(OnLink { link: None, .. }) | Of::Link(_) => what.entry().several(self.lang()),
-            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) => None,
+            Of::Point(OnLink { link: Some(_), .. }) | Of::Points(..) | Of::Links(..) | Of::Line(..) | Of::Seen(..) => None,
         }
     }
 
@@ -94,6 +94,18 @@ impl Maker<'_> {
             (Of::Link(l), Lang::Zh) => format!("构件 {} 的{name}", self.link(l)),
             (Of::Links(a, b), Lang::En) => format!("{name} of link {} against link {}", self.link(a), self.link(b)),
             (Of::Links(a, b), Lang::Zh) => format!("构件 {} 相对构件 {} 的{name}", self.link(a), self.link(b)),
+            (Of::Seen(p, frame), lang) => {
+                let own = match (frame, lang) {
+                    (Frame::Link(l), Lang::En) => format!("the frame on link {}", self.link(l)),
+                    (Frame::Link(l), Lang::Zh) => format!("固连于构件 {} ", self.link(l)),
+                    (Frame::Point(c), Lang::En) => format!("the frame that translates with {}", spot(&c)),
+                    (Frame::Point(c), Lang::Zh) => format!("随 {} 平移", spot(&c)),
+                };
+                match lang {
+                    Lang::En => format!("{name} of the moving point, {}, in {own}", spot(&p)),
+                    Lang::Zh => format!("动点为 {}、动系{own}时的{name}", spot(&p)),
+                }
+            }
             (Of::Line(a, b), _) => {
                 format!("{name} ${}{}$", point_label(self.scene.point_name(a)), point_label(self.scene.point_name(b)))
             }

@@ -6,6 +6,7 @@
 mod asked;
 mod bad;
 mod centres;
+mod composite;
 mod dead;
 mod digits;
 mod emit;

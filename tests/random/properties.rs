@@ -164,15 +164,15 @@ fn drawing_agrees_with_the_loop_equations() {
 }
 
 /// Vectors of a point of the configuration, or the angle of a link, at a driver time.
-struct Motion {
-    at: Vec<Configuration>,
+pub struct Motion {
+    pub at: Vec<Configuration>,
 }
 
 /// Central differences with steps h, 2h, 4h, twice extrapolated: the error left goes with h⁶.
 const STEPS: [f64; 7] = [0.0, 1.0, -1.0, 2.0, -2.0, 4.0, -4.0];
 
 impl Motion {
-    fn of(c: &Case, h: f64) -> Option<Motion> {
+    pub fn of(c: &Case, h: f64) -> Option<Motion> {
         let (scene, w) = (&c.scene, &c.worked);
         let now = newton::driver_values(scene, &w.configuration);
         let at = STEPS.map(|k| {
@@ -187,12 +187,12 @@ impl Motion {
         Some(Motion { at: at.into_iter().collect::<Option<Vec<_>>>()? })
     }
 
-    fn first(&self, h: f64, f: impl Fn(&Configuration) -> Vec2) -> Vec2 {
+    pub fn first(&self, h: f64, f: impl Fn(&Configuration) -> Vec2) -> Vec2 {
         let d = |k: usize| (f(&self.at[k]) - f(&self.at[k + 1])) * (0.5 / (h * STEPS[k]));
         extrapolate(d(1), d(3), d(5))
     }
 
-    fn second(&self, h: f64, f: impl Fn(&Configuration) -> Vec2) -> Vec2 {
+    pub fn second(&self, h: f64, f: impl Fn(&Configuration) -> Vec2) -> Vec2 {
         let d = |k: usize| {
             let step = h * STEPS[k];
             ((f(&self.at[k]) - f(&self.at[0])) + (f(&self.at[k + 1]) - f(&self.at[0]))) * (1.0 / (step * step))

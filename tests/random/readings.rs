@@ -60,7 +60,7 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
     for (l, _) in scene.links.iter().enumerate().filter(|(l, link)| *l != scene.ground.0 && link.points.len() > 1) {
         all.extend(Rate::ALL.map(|rate| Asked::from(Turning { rate, of: LinkId(l), against: None })));
     }
-    all.retain(|what| match what.meaning() {
+    all.retain(|what| match what.meaning(scene) {
         Some(Meaning::Relative(Split::Along | Split::Across, a, b)) => a.point != b.point && joined(scene, &a, &b).is_some(),
         Some(Meaning::Relative(Split::Sliding | Split::Coriolis, a, b)) => joined(scene, &a, &b).is_some(),
         _ => true,

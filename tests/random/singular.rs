@@ -72,7 +72,7 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
     assert_eq!(unanswered.len() + results.len(), scene.find.len(), "{text}");
     for u in unanswered {
         assert!(done.notes.contains(&u.refused.diagnostic), "no word of {:?}\n{text}", u.refused);
-        let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what.meaning()) {
+        let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what.meaning(&scene)) {
             (DriverKind::Turn { link, against, .. }, Some(Meaning::Turning(l, None))) => l == link && against == scene.ground,
             _ => false,
         };

@@ -16,6 +16,7 @@ use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
 use super::centres;
+use super::composite;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -45,6 +46,7 @@ pub const LIST: &[&Entry] = &[
     &centres::ENTRY,
     &kutzbach::ENTRY,
     &gears::ENTRY,
+    &composite::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

@@ -2,11 +2,12 @@
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
 //! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
-//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it.
+//! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
 mod apart;
 mod cams;
+mod composed;
 mod directions;
 mod form;
 mod letters;
@@ -28,6 +29,7 @@ use super::drawing::{Drawing, Part};
 use super::item::{Colour, Item, Shape, Stroke};
 use super::style::Style;
 use super::symbols as sym;
+pub use composed::{Composed, SHORTEST_MM, Vector, composed};
 use form::Form;
 
 pub use apart::{Piece, apart};

@@ -2,6 +2,7 @@
 //!
 //! Teeth are not drawn: the pitch circle is what rolls. What is hollow, or part of the ground, is hatched on the side of its material.
 
+use crate::construct::scale::DWARFS;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use crate::figure::extent::{Rect, on_circle};
@@ -25,8 +26,6 @@ const HATCHED_RAD: f64 = FRAC_PI_4;
 /// A rack goes on so far to either side of the contact.
 const RACK_HALF_MM: f64 = 22.0;
 
-/// A hollow circle that makes the figure more than so many times as large is drawn as an arc, as books do.
-const DWARFS: f64 = 2.0;
 /// Half of that arc, in parts of the rest of the figure: it passes behind all of it.
 const ARC_PART: f64 = 0.6;
 /// Where the number of teeth is written, seen from the middle of the side that is turned away from the contact.

@@ -40,10 +40,15 @@ impl Circle {
         self.centre.distance(self.through)
     }
 
-    /// Corners of the box around what is drawn of it.
-    pub fn corners(&self) -> [Point; 2] {
-        let r = Vec2::new(self.radius_mm(), self.radius_mm());
-        if self.whole { [self.centre - r, self.centre + r] } else { [self.through; 2] }
+    /// Corners of the box around what is drawn of it: of an arc its ends and its middle.
+    pub fn corners(&self) -> Vec<Point> {
+        let r = self.radius_mm();
+        if self.whole {
+            let half = Vec2::new(r, r);
+            return vec![self.centre - half, self.centre + half];
+        }
+        let along = (self.through - self.centre).angle();
+        [-ARC_RAD, 0.0, ARC_RAD].map(|a| self.centre + Vec2::from_angle(along + a) * r).to_vec()
     }
 }
 

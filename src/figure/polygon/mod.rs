@@ -122,9 +122,9 @@ impl Draft<'_> {
     /// Symbols of the vectors from the pole that a question asks for or an equation starts with.
     fn needed(&self) -> Vec<String> {
         let (w, level) = (self.w, self.p.level);
-        let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning()? {
+        let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning(w.scene)? {
             Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
-            Meaning::Relative(..) | Meaning::Turning(..) | Meaning::Place(_) => None,
+            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Place(_) => None,
         });
         let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(Step::chains).map(|c| c.start);
@@ -206,7 +206,8 @@ impl Draft<'_> {
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }
             }
             By::Contact(_) => self.w.plan.vertex(term.of).on.map(|l| l.0),
-            By::Apart => None,
+            By::Frame { body: Some(Body::Link(l)), .. } => Some(l.0),
+            By::Frame { .. } | By::Apart => None,
         }
     }
 

@@ -34,7 +34,7 @@ impl One<'_> {
         let mut lift = 0.0f64;
         for stage in stages {
             let over = self.told(&stage.over, Wanted::Angle, faults);
-            if let Some(over) = over.as_ref().filter(|o| !(o.value > 0.0)) {
+            if let Some(over) = over.as_ref().filter(|o| o.value.is_nan() || o.value <= 0.0) {
                 let message = both!("a stage goes over {}; it must be greater than zero", "该段转角为 {}，应大于零", over.text);
                 faults.push(Diagnostic::error("not-positive", message).at(stage.over.span));
             }
@@ -100,8 +100,7 @@ impl One<'_> {
         raw: &mut RawScene,
         (base, start, text, program): (f64, f64, LawText, Program),
         point: PointId,
-        end: Option<Told>,
-        placed: Option<(OnPivot, Carried)>,
+        (end, placed): (Option<Told>, Option<(OnPivot, Carried)>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {

@@ -19,8 +19,7 @@ impl One<'_> {
         raw: &mut RawScene,
         parts: &[RawPart],
         (cam, point): (LinkId, PointId),
-        end: Option<Told>,
-        placed: Option<(OnPivot, Carried)>,
+        (end, placed): (Option<Told>, Option<(OnPivot, Carried)>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {

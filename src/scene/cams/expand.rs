@@ -163,7 +163,7 @@ impl One<'_> {
         };
         let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
         match &self.raw.profile {
-            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, point), end, placed, &mut pending, faults)?,
+            RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, point), (end, placed), &mut pending, faults)?,
             RawProfile::Law { base, start, clockwise, stages } => {
                 let law = self.law(
                     base,
@@ -173,7 +173,7 @@ impl One<'_> {
                     placed.as_ref().is_some_and(|p| matches!(p.1, Carried::Pivot { .. })),
                     faults,
                 )?;
-                self.by_law(raw, law, point, end, placed, &mut pending, faults)?;
+                self.by_law(raw, law, point, (end, placed), &mut pending, faults)?;
             }
         }
         Some(pending)

@@ -85,7 +85,7 @@ impl Quantity for CamQuantity {
         self.follower.map_or(Of::Link(self.link), |f| Of::Links(self.link, f))
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
     }
 

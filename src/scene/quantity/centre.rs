@@ -53,7 +53,7 @@ impl Quantity for InstantCentre {
         Of::Links(self.links[0].0, self.links[1].0)
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
     }
 

@@ -1,6 +1,6 @@
 //! A line of the table of quantities: what is told of all that share it.
 
-use super::{Level, Need};
+use super::{Frame, Level, Need};
 use crate::scene::book::Kind;
 use crate::scene::model::{OnLink, PointId};
 use crate::scene::{Lang, LinkId};
@@ -36,6 +36,8 @@ pub enum Over {
     Sign(&'static str),
     /// The sign of sliding in the notation at hand.
     Sliding,
+    /// The same, and which part of it.
+    SlidingPart(&'static str),
     /// The sign of the Coriolis acceleration in the notation at hand.
     Coriolis,
 }
@@ -53,6 +55,8 @@ pub enum Of {
     Links(LinkId, LinkId),
     /// The line between two points.
     Line(PointId, PointId),
+    /// A point, seen from a frame.
+    Seen(OnLink, Frame),
 }
 
 impl Of {
@@ -66,6 +70,7 @@ impl Of {
             Of::Link(l) => vec![(Need::Turning(l), level)],
             Of::Links(a, b) => vec![(Need::Turning(a), level), (Need::Turning(b), level)],
             Of::Line(a, b) => vec![end(a), end(b)],
+            Of::Seen(p, frame) => vec![at(p), at(frame.transport_point(p))],
         }
     }
 }
@@ -130,7 +135,7 @@ impl Entry {
     }
 
     /// Counted from a chosen place or direction.
-    pub(super) const fn from_origin(self) -> Entry {
+    pub(super) const fn counted_from_origin(self) -> Entry {
         Entry { from_origin: true, ..self }
     }
 

@@ -1,8 +1,8 @@
 //! What questions come down to, which is little: by this go the rooms that have a way of their own to answer. Their formulas of relative motion.
 
-use super::{Joined, Known, Level, Place, Value, joined};
+use super::{Frame, Joined, Known, Level, Place, Seen, Value, joined};
 use crate::number::Real;
-use crate::scene::model::{LinkId, OnLink};
+use crate::scene::model::{GuidePath, LinkId, OnLink, PointId};
 
 /// What a question comes down to; its level is told by [`Asked::level`](super::Asked::level).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub enum Meaning {
     Vector(OnLink),
     /// A part of the motion of the first point against the second.
     Relative(Split, OnLink, OnLink),
+    /// A part of the motion of a point seen from a frame that no guide shows; the centre of the relative path, where it is a circle.
+    Seen(Seen, OnLink, Frame, Option<PointId>),
     /// The angular velocity or acceleration of a link; with a second one, against that.
     Turning(LinkId, Option<LinkId>),
 }
@@ -28,6 +30,10 @@ pub enum Split {
     Across,
     /// Along the guide or the cylinder.
     Sliding,
+    /// Of an acceleration along a guide, what is square to the guide: v_r²/ρ of an arc.
+    SlidingNormal,
+    /// And what is along it.
+    SlidingTangential,
     /// 2 ω × v_r.
     Coriolis,
 }
@@ -39,6 +45,7 @@ impl Meaning {
             Meaning::Place(place) => place.value(known),
             Meaning::Vector(p) => known.vector(level, &p).map(Value::Vector),
             Meaning::Relative(split, a, b) => relative(split, level, known, &a, &b),
+            Meaning::Seen(seen, of, frame, about) => seen.value(known, &of, frame, about),
             Meaning::Turning(l, None) => known.turning(level, l).map(Value::Scalar),
             Meaning::Turning(l, Some(against)) => Some(Value::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
         }
@@ -95,6 +102,18 @@ fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnL
             u * along
         }
         (Split::Coriolis, _, _) => coriolis()?,
+        (Split::SlidingNormal | Split::SlidingTangential, _, Some(Joined::Guide(g))) => {
+            let whole = whole(Acceleration)? - coriolis()?;
+            let tangential = match known.scene().guides[g.0].path {
+                GuidePath::Line { .. } => whole,
+                GuidePath::Arc { centre, .. } => {
+                    let along = (known.point(centre)? - known.point(a.point)?).perp().unit()?;
+                    along * along.dot(whole)
+                }
+            };
+            if split == Split::SlidingTangential { tangential } else { whole - tangential }
+        }
+        (Split::SlidingNormal | Split::SlidingTangential, _, Some(Joined::Link(_) | Joined::Cylinder(_)) | None) => return None,
         (Split::Along | Split::Across, _, Some(Joined::Guide(_)) | None) | (Split::Sliding, _, Some(Joined::Link(_)) | None) => {
             return None;
         }

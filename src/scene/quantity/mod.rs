@@ -10,13 +10,16 @@
 
 mod cam;
 mod centre;
+pub mod composite;
 mod entry;
+mod frame;
 mod joined;
 mod level;
 mod meaning;
 mod place;
 mod point;
 pub mod relative;
+mod seen;
 pub mod sliding;
 #[cfg(test)]
 mod tests;
@@ -25,13 +28,18 @@ mod value;
 
 pub use cam::CamQuantity;
 pub use centre::InstantCentre;
+pub use composite::Composite;
 pub use entry::{Entry, Form, Of, Over};
+pub(crate) use frame::owns;
+pub use frame::{Frame, RelativePath, relative_path};
 pub use joined::{Joined, joined};
 pub use level::{Level, Need, Rate};
 pub use meaning::{Meaning, Split};
 pub use place::{Axis, Place};
 pub use point::PointMotion;
 pub use relative::Relative;
+pub use seen::Seen;
+pub(crate) use seen::split;
 pub use sliding::Sliding;
 pub use turning::Turning;
 pub use value::{Known, Value};
@@ -60,7 +68,7 @@ trait Quantity: Copy + Into<Asked> {
     fn of(&self) -> Of;
 
     /// What it comes down to; `None`: no room has a way of its own for it.
-    fn meaning(&self) -> Option<Meaning>;
+    fn meaning(&self, scene: &Scene) -> Option<Meaning>;
 
     /// The motions that must be known.
     fn needs(&self) -> Vec<(Need, Level)> {
@@ -74,7 +82,7 @@ trait Quantity: Copy + Into<Asked> {
 
     /// Its value where places, vectors and rates are known.
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
-        self.meaning()?.value(self.entry().level, known)
+        self.meaning(known.scene())?.value(self.entry().level, known)
     }
 }
 
@@ -116,8 +124,8 @@ macro_rules! families {
             }
 
             /// By which the rooms that answer go; `None`: by the formula of [`Asked::value`].
-            pub fn meaning(&self) -> Option<Meaning> {
-                match self { $(Asked::$Family(q) => q.meaning()),+ }
+            pub fn meaning(&self, scene: &Scene) -> Option<Meaning> {
+                match self { $(Asked::$Family(q) => q.meaning(scene)),+ }
             }
 
             /// The motions that must be known for it, each with its level.
@@ -144,6 +152,8 @@ families! {
     Relative,
     /// `vr_B3B2`, `ak_B3B2`: how a point slides on another link.
     Sliding,
+    /// `ve_A/2`, `arn_A/2`, `path_A/2`: how a point moves as a frame carries it and sees it.
+    Composite,
     /// `omega_3`, `alpha_3/2`: how a link turns.
     Turning,
     /// `x_E`, `phi_3`, `l_AB`: where things are.
@@ -166,10 +176,11 @@ impl Asked {
     }
 
     /// The points of whose motion it is asked, the one from which the other is seen last.
-    pub fn points(&self) -> Vec<OnLink> {
-        match self.meaning() {
+    pub fn points(&self, scene: &Scene) -> Vec<OnLink> {
+        match self.meaning(scene) {
             Some(Meaning::Vector(p)) => vec![p],
             Some(Meaning::Relative(_, a, b)) => vec![a, b],
+            Some(Meaning::Seen(_, of, frame, _)) => vec![of, frame.transport_point(of)],
             Some(Meaning::Turning(..) | Meaning::Place(_)) | None => Vec::new(),
         }
     }

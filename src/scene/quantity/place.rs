@@ -4,7 +4,7 @@ use super::{Entry, Form, Known, Meaning, Of, Over, Quantity, Value};
 use crate::diag::{Diagnostic, both};
 use crate::number::Real;
 use crate::scene::book::Kind;
-use crate::scene::model::{LinkId, OnLink, PointId};
+use crate::scene::model::{LinkId, OnLink, PointId, Scene};
 use crate::scene::resolve::Question;
 
 /// Where something is.
@@ -38,9 +38,9 @@ const DISTANCE: usize = 3;
 
 impl Quantity for Place {
     const WRITTEN: &'static [Entry] = &[
-        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).from_origin(),
-        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).from_origin(),
-        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).from_origin(),
+        Entry::new("x", "x_E", Kind::Length, Form::Scalar, ["coordinate $x$", "坐标 $x$"]).counted_from_origin(),
+        Entry::new("y", "y_E", Kind::Length, Form::Scalar, ["coordinate $y$", "坐标 $y$"]).counted_from_origin(),
+        Entry::new("phi", "phi_3", Kind::Angle, Form::Scalar, ["angle", "位置角"]).printed("\\varphi", Over::Nothing).counted_from_origin(),
         Entry::new("l", "l_AB", Kind::Length, Form::Scalar, ["distance", "距离"]),
     ];
 
@@ -90,7 +90,7 @@ impl Quantity for Place {
         }
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         Some(Meaning::Place(*self))
     }
 }

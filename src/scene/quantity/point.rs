@@ -3,7 +3,7 @@
 use super::{Entry, Form, Meaning, Of, Quantity, Rate};
 use crate::diag::Diagnostic;
 use crate::scene::book::Kind;
-use crate::scene::model::OnLink;
+use crate::scene::model::{OnLink, Scene};
 use crate::scene::resolve::Question;
 
 /// How a point moves.
@@ -41,7 +41,7 @@ impl Quantity for PointMotion {
         Of::Point(self.of)
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         Some(Meaning::Vector(self.of))
     }
 }

@@ -68,7 +68,7 @@ impl Quantity for Relative {
         Of::Points(self.of, self.to)
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
             Part::Velocity | Part::Acceleration => Split::Whole,
             Part::Normal => Split::Along,

@@ -44,6 +44,10 @@ impl Quantity for Sliding {
     ];
 
     fn read(question: &Question<'_>) -> Result<Option<Sliding>, Diagnostic> {
+        // Behind a stroke stands a frame.
+        if question.names().contains('/') {
+            return Ok(None);
+        }
         let (of, to) = question.two_points()?;
         // The ends of a cylinder slide along their line; elsewhere sliding is at one place. There one of the two may be the pin itself:
         // vr_BB3 is the sliding of pin B on link 3.
@@ -71,7 +75,7 @@ impl Quantity for Sliding {
         Of::Points(self.of, self.to)
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         let split = match self.part {
             Part::Velocity | Part::Acceleration => Split::Sliding,
             Part::Coriolis => Split::Coriolis,

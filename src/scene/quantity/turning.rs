@@ -3,7 +3,7 @@
 use super::{Entry, Form, Meaning, Of, Over, Quantity, Rate};
 use crate::diag::{Diagnostic, both};
 use crate::scene::book::Kind;
-use crate::scene::model::LinkId;
+use crate::scene::model::{LinkId, Scene};
 use crate::scene::resolve::Question;
 
 /// How a link turns.
@@ -61,7 +61,7 @@ impl Quantity for Turning {
         self.against.map_or(Of::Link(self.of), |to| Of::Links(self.of, to))
     }
 
-    fn meaning(&self) -> Option<Meaning> {
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         Some(Meaning::Turning(self.of, self.against))
     }
 }

@@ -64,6 +64,15 @@ impl Value {
         }
     }
 
+    /// The same, or zero where it is no more than `noise`; of a place each coordinate by itself.
+    pub fn above(&self, noise: f64) -> Value {
+        match *self {
+            Value::Point(_) => self.map(|x| if x.abs() > noise { x } else { 0.0 }),
+            Value::Vector(_) | Value::Scalar(_) if self.magnitude() > noise => *self,
+            Value::Vector(_) | Value::Scalar(_) => self.map(|_| 0.0),
+        }
+    }
+
     /// How far two values of one form are apart; `None` where their forms differ.
     pub fn apart(&self, other: &Value) -> Option<f64> {
         match (self, other) {

@@ -1,7 +1,7 @@
 //! The section `find`: what is asked.
 
 use super::*;
-use crate::scene::quantity::{self, Asked, Entry, Level, Of, PointMotion, Rate, Turning};
+use crate::scene::quantity::{self, Asked, Entry, Frame, Level, Of, PointMotion, Rate, Turning};
 
 pub(super) fn find(c: &Context, faults: &mut Faults) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
@@ -25,6 +25,8 @@ fn of_links(c: &Context, word: &Word, what: Asked) -> Result<Asked, Diagnostic> 
         _ if what.entry().level == Level::Position => Vec::new(),
         Of::Point(p) => vec![p],
         Of::Points(p, q) => vec![p, q],
+        Of::Seen(p, Frame::Point(q)) => vec![p, q],
+        Of::Seen(p, Frame::Link(_)) => vec![p],
         Of::Line(..) | Of::Link(_) | Of::Links(..) => Vec::new(),
     };
     let Some(contact) = moving.into_iter().find(|p| p.link.is_none() && c.contacts.contains(&p.point)) else { return Ok(what) };
@@ -214,6 +216,24 @@ impl Question<'_> {
             return Err(self.fault(both!("`{}` is of a point relative to itself: zero", "`{}` 是一点相对自身的量，为零", self.text())));
         }
         Ok((of, to))
+    }
+
+    /// A point, and behind a stroke the frame from which it is seen, a link or a point; `None` where there is no stroke.
+    ///
+    /// # Errors
+    /// Names that are no point, and no link or point.
+    pub fn point_and_frame(&self) -> Result<Option<(OnLink, Frame)>, Diagnostic> {
+        let Some((point, frame)) = self.names.split_once('/') else {
+            // A symbol of which all quantities have a frame.
+            let (symbol, first) = (self.symbol, quantity::symbols().into_iter().find(|e| e.symbol == self.symbol));
+            let d = self.fault(both!("`{}` names no frame", "`{}` 没有写动系", self.text()));
+            let example = first.map_or("", |e| e.example);
+            return Err(d.help(both!(
+                "write the moving point, a stroke, and the link or point from which it is seen: {symbol}_A/2, such as {example}",
+                "请写动点、斜线和动系（构件或点）：{symbol}_A/2，如 {example}"
+            )));
+        };
+        self.c.names.seen_from(point.trim(), frame.trim(), self.word).map(Some)
     }
 
     /// How a point is called.

@@ -1,7 +1,7 @@
 //! Centres of gears that nothing places. A train told by its numbers of teeth has angular velocities without having a size or a direction:
 //! where only these are asked, the centres are laid along the x axis, as a book draws them.
 
-use super::super::quantity::Meaning;
+use super::super::quantity::Asked;
 use super::super::rolling::{Contours, Sizes};
 use super::*;
 
@@ -13,7 +13,7 @@ pub(super) fn centres(
     lengths: &[Length],
     faults: &mut Faults,
 ) {
-    let turning_only = |f: &Find| matches!(f.what.meaning(), Some(Meaning::Turning(..)));
+    let turning_only = |f: &Find| matches!(f.what, Asked::Turning(_));
     if find.is_empty() || !find.iter().all(turning_only) {
         return;
     }

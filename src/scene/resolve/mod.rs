@@ -4,6 +4,7 @@
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
 mod answers;
+mod composite;
 mod declare;
 mod drivers;
 mod find;
@@ -164,6 +165,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             free::centres(&context, (&mut rolling, drivers, find), &mut places, &lengths, faults);
         }
         lengths.extend(rolling.lengths);
+        let composite = composite::composite(&context, faults);
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
@@ -185,6 +187,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             drivers: drivers?,
             sides,
             find: find?,
+            composite,
             language,
             notation,
             paper,
@@ -192,6 +195,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             book,
         }
     };
+    composite::judged(&scene, faults);
     Some(scene)
 }
 

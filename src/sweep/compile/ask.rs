@@ -24,7 +24,7 @@ impl Compiler<'_> {
             c.columns.extend([v.x, v.y, length]);
         };
         let level = find.what.level();
-        match find.what.meaning().ok_or_else(|| no_kernel(find))? {
+        match find.what.meaning(self.scene).ok_or_else(|| no_kernel(find))? {
             Meaning::Place(Place::Coordinate(p, axis)) => {
                 let at = self.point(p, P)?;
                 one(self, if axis == Axis::X { at.x } else { at.y })
@@ -74,6 +74,8 @@ impl Compiler<'_> {
                 let v = self.coriolis(&a, &b, find)?;
                 vector(self, V, v)
             }
+            // No kernel is of these: the loop equations answer them.
+            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => return Err(no_kernel(find)),
             Meaning::Turning(l, None) => {
                 let reg = self.turning(l, level)?;
                 one(self, reg)

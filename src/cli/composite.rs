@@ -1,0 +1,30 @@
+//! The command `composite`: which moving points and frames serve, and the parts of the motion for those that the scene names.
+
+use super::{Input, Run, args, choices, files};
+use crate::composite;
+use crate::diag::Warned;
+use crate::mechanism::Mechanism;
+use crate::report::composite as report;
+use std::process::ExitCode;
+
+/// Most choices whose parts are told where the scene names none.
+const MOST: usize = 3;
+
+/// Runs the command.
+pub fn run(a: args::Composite) -> Run {
+    let mut input = Input::read(&a.common)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    Mechanism::new(&input.scene).map_err(|f| input.failed(f))?;
+    let all = composite::choices(&input.scene);
+    let shown = composite::shown(&input.scene, MOST);
+    let Warned { value, notes } = composite::solved(&input.scene, &shown, composite::level(&input.scene)).map_err(|f| input.failed(f))?;
+    input.notes.extend(notes);
+    let (_, solved) = value;
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.scene, &all, &solved, &input.notes)))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    files::print(&report::text(&input.scene, &all, &solved, lang))?;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}

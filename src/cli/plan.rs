@@ -1,0 +1,55 @@
+//! `hodograph plan`: the equations without numbers, as text and for programs.
+
+use super::*;
+
+pub(super) fn run(a: args::Plan) -> Run {
+    let mut input = Input::read(&a.common)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
+    if a.json {
+        return plan_for_programs(input, lang, &notation, a.figure);
+    }
+    let (mechanism, mut notes) = match crate::mechanism::Mechanism::new(&input.scene) {
+        Ok(Warned { value, notes }) => (value, notes),
+        Err(faults) => return Err(input.failed(faults)),
+    };
+    let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
+    let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
+    let w = Writer { scene: &input.scene, plan: &plan, notation: &notation, lang };
+    files::print(&plan_text::text(&input.scene, &mechanism, &w))?;
+    notes.append(&mut input.notes);
+    input.notes = notes;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The plan and what was done for it. A plan needs no numbers: where the pose cannot be solved it stands alone, and the
+/// notes say why.
+fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: bool) -> Run {
+    let fail = |input: &Input, faults| input.failed(faults);
+    let mut code = ExitCode::SUCCESS;
+    let document = match work(&input.scene, if figure { Scope::Figure } else { Scope::Questions }) {
+        Ok(Warned { value: worked, notes }) => {
+            input.notes.extend(notes);
+            // What has no answer in the pose is no fault of the plan.
+            code = if agrees(&worked) { code } else { verdict(&worked) };
+            let certified = certify(&input.scene, &worked, answers::DIGITS);
+            let mut done = Work::of(&worked).with_certified(&certified);
+            if figure {
+                let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
+                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
+            }
+            let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
+            plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)
+        }
+        Err(faults) => {
+            let mechanism = crate::mechanism::Mechanism::new(&input.scene).map_err(|f| fail(&input, f))?.value;
+            let demand = crate::mechanism::Demand::of(&input.scene, &mechanism);
+            let plan = crate::plan::plan(&input.scene, &mechanism, &demand);
+            let w = Writer { scene: &input.scene, plan: &plan, notation, lang };
+            input.notes.extend(faults.list);
+            plan_json::json(&mechanism, &demand, &w, None, &input.notes)
+        }
+    };
+    files::print(&format!("{document:#}\n"))?;
+    Ok(code)
+}

@@ -1,0 +1,202 @@
+//! Composite motion of a point: which moving points and frames a mechanism offers, which of them serve and why the others do not, and
+//! the parts of the motion for one of them.
+//!
+//! Moving point M and frame belong to different bodies, M is the same material point for good, and its path in the frame is known: then
+//! v_r has a known direction, a_rⁿ a known size, and each equation is left with the unknowns of one crossing. Choices come from topology
+//! alone; the parts of one are found as questions of the scene are, by drawing and by analysis.
+
+mod projection;
+mod solved;
+
+pub use projection::{Projection, projections};
+pub use solved::{Known, Solved, solved};
+
+use crate::mechanism::Level;
+use crate::scene::quantity::{Frame, RelativePath, owns, relative_path};
+use crate::scene::{GuidePath, LinkId, OnLink, PointId, Scene};
+
+/// Whether a moving point and a frame serve.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The path of the point in the frame is known.
+    Serves,
+    /// No pair gives the path: the equation of velocities holds, but neither direction of v_r nor a_rⁿ are known beforehand.
+    PathUnknown,
+    /// Another point of the body comes to the contact at every instant; its path is not the profile or guide.
+    PointChanges,
+    /// The point belongs to the frame.
+    SameBody,
+    /// The frame stands still.
+    FrameFixed,
+}
+
+/// At what a choice is offered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// The scene names it.
+    Named,
+    /// A sliding pair.
+    Guide(crate::scene::GuideId),
+    /// A pin.
+    Pin(PointId),
+    /// The contact of a rolling pair.
+    Contact(crate::scene::RollingId),
+}
+
+/// A moving point and a frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    /// The moving point.
+    pub of: OnLink,
+    /// The frame.
+    pub frame: Frame,
+    /// At what it is offered.
+    pub place: Place,
+    /// Whether it serves.
+    pub verdict: Verdict,
+    /// The path of the point in the frame.
+    pub path: RelativePath,
+}
+
+/// More choices than this are not listed: nobody reads them.
+const MOST: usize = 500;
+
+/// What speaks for and against a moving point and a frame.
+pub fn judge(scene: &Scene, of: OnLink, frame: Frame, place: Place) -> Choice {
+    let path = relative_path(scene, of, frame);
+    let verdict = match path {
+        _ if frame.is_fixed(scene) => Verdict::FrameFixed,
+        _ if frame.carries(scene, &of) => Verdict::SameBody,
+        _ if momentary(scene, of) => Verdict::PointChanges,
+        RelativePath::Guide(_) | RelativePath::Circle(_) => Verdict::Serves,
+        RelativePath::Unknown => Verdict::PathUnknown,
+    };
+    // What merely lies under a pin has no path of its own, whatever circle the pin runs on.
+    let path = if verdict == Verdict::Serves { path } else { RelativePath::Unknown };
+    Choice { of, frame, place, verdict, path }
+}
+
+/// Whether a point of a link is named only because another's pin or contact lies there: the next instant it is another point of the link.
+fn momentary(scene: &Scene, of: OnLink) -> bool {
+    let Some(link) = of.link else { return scene.rolling.iter().any(|r| r.at == of.point) };
+    if scene.links[link.0].points.contains(&of.point) {
+        return false;
+    }
+    let under_pin = scene.guides.iter().any(|g| g.on == link && g.pin == Some(of.point));
+    under_pin || scene.rolling.iter().any(|r| r.at == of.point && r.links.contains(&link))
+}
+
+/// All choices: those that the scene names, then those at each slide, pin and contact.
+pub fn choices(scene: &Scene) -> Vec<Choice> {
+    let mut list = List { scene, all: Vec::new() };
+    for c in &scene.composite {
+        list.add(c.of, c.frame, Place::Named);
+    }
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
+        list.guide(crate::scene::GuideId(g), guide);
+    }
+    for p in (0..scene.points.len()).map(PointId) {
+        list.pin(p);
+    }
+    for (r, pair) in scene.rolling.iter().enumerate() {
+        let [a, b] = pair.links;
+        for (own, other) in [(a, b), (b, a)] {
+            let of = OnLink { point: pair.at, link: Some(own) };
+            list.add_moving(of, Frame::Link(other), Place::Contact(crate::scene::RollingId(r)));
+        }
+    }
+    list.all.truncate(MOST);
+    list.all
+}
+
+/// A point as a question names it: `B`, `B3`, `O2,3`.
+pub fn name_of(scene: &Scene, p: &OnLink) -> String {
+    let point = scene.point_name(p.point);
+    let Some(link) = p.link else { return point.to_owned() };
+    let comma = if point.ends_with(|c: char| c.is_ascii_digit()) { "," } else { "" };
+    format!("{point}{comma}{}", scene.link_name(link))
+}
+
+/// How deep the parts of a motion go: to accelerations where a question of the scene asks for any, else to velocities.
+pub fn level(scene: &Scene) -> Level {
+    scene.find.iter().map(|f| f.what.level()).max().map_or(Level::Velocity, |l| l.max(Level::Velocity))
+}
+
+/// The choices that a figure shows: those that the scene names, else the first that serve.
+pub fn shown(scene: &Scene, most: usize) -> Vec<Choice> {
+    let all = choices(scene);
+    let named: Vec<Choice> = all.iter().copied().filter(|c| c.place == Place::Named && usable(c)).collect();
+    if !named.is_empty() {
+        return named;
+    }
+    all.into_iter().filter(|c| c.verdict == Verdict::Serves).take(most).collect()
+}
+
+/// Whether there are parts at all.
+fn usable(c: &Choice) -> bool {
+    match c.verdict {
+        Verdict::Serves | Verdict::PathUnknown | Verdict::PointChanges => true,
+        Verdict::SameBody | Verdict::FrameFixed => false,
+    }
+}
+
+struct List<'a> {
+    scene: &'a Scene,
+    all: Vec<Choice>,
+}
+
+impl List<'_> {
+    fn add(&mut self, of: OnLink, frame: Frame, place: Place) {
+        if !self.all.iter().any(|c| c.of == of && c.frame == frame) {
+            self.all.push(judge(self.scene, of, frame, place));
+        }
+    }
+
+    /// Adds what moves: nothing is carried by the ground, and a fixed point does not move.
+    fn add_moving(&mut self, of: OnLink, frame: Frame, place: Place) {
+        if !frame.is_fixed(self.scene) && !owns(self.scene, self.scene.ground, &of) && !self.stands(&of) {
+            self.add(of, frame, place);
+        }
+    }
+
+    fn stands(&self, of: &OnLink) -> bool {
+        of.link == Some(self.scene.ground)
+    }
+
+    fn guide(&mut self, id: crate::scene::GuideId, guide: &crate::scene::Guide) {
+        let (scene, place) = (self.scene, Place::Guide(id));
+        let Some(pin) = guide.pin else { return };
+        let of_pin = OnLink { point: pin, link: None };
+        let under = OnLink { point: pin, link: Some(guide.on) };
+        self.add_moving(of_pin, Frame::Link(guide.on), place);
+        for runner in scene.carriers(pin).chain(guide.slider).filter(|l| *l != guide.on) {
+            self.add_moving(under, Frame::Link(runner), place);
+            if let GuidePath::Arc { centre, .. } = guide.path {
+                self.add_moving(OnLink { point: centre, link: None }, Frame::Link(runner), place);
+            }
+        }
+        if let GuidePath::Arc { centre, .. } = guide.path {
+            let of_centre = OnLink { point: centre, link: None };
+            self.add_moving(of_pin, Frame::Point(of_centre), place);
+            self.add_moving(of_centre, Frame::Point(of_pin), place);
+        }
+    }
+
+    /// At a pin of two links: the pin belongs to both, further points of the one run on circles in the other.
+    fn pin(&mut self, p: PointId) {
+        let (scene, place) = (self.scene, Place::Pin(p));
+        let pin = OnLink { point: p, link: None };
+        let links: Vec<LinkId> = scene.carriers(p).filter(|l| *l != scene.ground).collect();
+        for own in &links {
+            for other in links.iter().filter(|l| *l != own) {
+                self.add_moving(pin, Frame::Link(*other), place);
+                for q in scene.links[own.0].points.iter().filter(|q| **q != p) {
+                    self.add_moving(OnLink { point: *q, link: None }, Frame::Link(*other), place);
+                }
+            }
+            for q in scene.links[own.0].points.iter().filter(|q| **q != p && links.len() > 1) {
+                self.add_moving(OnLink { point: *q, link: None }, Frame::Point(pin), place);
+            }
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The parts of a composite motion, found as questions of the scene are.
+
+use super::Choice;
+use crate::diag::{Faults, Warned};
+use crate::geom::Vec2;
+use crate::mechanism::Level;
+use crate::scene::quantity::composite::Part;
+use crate::scene::quantity::{Composite, Frame, PointMotion, Rate, RelativePath};
+use crate::scene::{Asked, Find, Scene};
+use crate::worked::{Outcome, Scope, Worked, work};
+
+/// The parts of one choice.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// The moving point and the frame.
+    pub choice: Choice,
+    /// v_a, v_e, v_r.
+    pub velocity: [Vec2; 3],
+    /// a_a and its parts in the order of [`Part`]; empty where the scene does not call for accelerations.
+    pub acceleration: Vec<(Option<Part>, Vec2)>,
+    /// Whether v_a is known before v_e (the point is nearer to the driver than the frame).
+    pub known: Known,
+}
+
+/// What of v_a and v_e is known beforehand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// The motion of the point; that of the frame is wanted.
+    Absolute,
+    /// The motion of the frame; that of the point is wanted.
+    Transport,
+    /// Both, for they rest on no common group.
+    Both,
+}
+
+/// The parts of an acceleration, in the order in which they are drawn.
+///
+/// a_k and a_rⁿ lie on one line, so that one after the other they would be drawn over one another.
+const PARTS: [Part; 5] = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
+
+/// The scene asking for the parts of these choices alone, and its work.
+///
+/// # Errors
+/// Those of the scene: a dead centre has no motion to part.
+pub fn solved(scene: &Scene, choices: &[Choice], level: Level) -> Result<Warned<(Worked, Vec<Solved>)>, Faults> {
+    let mut asking = scene.clone();
+    asking.find = choices.iter().flat_map(|c| questions(scene, c, level)).collect();
+    let Warned { value: worked, notes } = work(&asking, Scope::Figure)?;
+    let each = choices.iter().filter_map(|c| parts(&asking, &worked, c, level)).collect();
+    Ok(Warned { value: (worked, each), notes })
+}
+
+/// As `find` would write it.
+fn named(scene: &Scene, what: &Asked, c: &Choice) -> Find {
+    let frame = match c.frame {
+        Frame::Link(l) => scene.link_name(l).to_owned(),
+        Frame::Point(p) => super::name_of(scene, &p),
+    };
+    let (symbol, point) = (what.entry().symbol, super::name_of(scene, &c.of));
+    let text = if matches!(what, Asked::Composite(_)) { format!("{symbol}_{point}/{frame}") } else { format!("{symbol}_{point}") };
+    Find { what: *what, text, span: Default::default() }
+}
+
+fn absolute(c: &Choice, rate: Rate) -> Asked {
+    PointMotion { rate, of: c.of }.into()
+}
+
+fn part(c: &Choice, part: Part) -> Asked {
+    Composite { part, of: c.of, frame: c.frame }.into()
+}
+
+/// The parts that a frame has: one that translates has no Coriolis part.
+fn has(c: &Choice) -> impl Fn(&Part) -> bool {
+    let (turns, straight) = (matches!(c.frame, Frame::Link(_)), matches!(c.path, RelativePath::Unknown));
+    move |p| match p {
+        Part::Coriolis => turns,
+        Part::RelativeNormal | Part::RelativeTangential => !straight,
+        Part::Relative => straight,
+        Part::TransportVelocity
+        | Part::RelativeVelocity
+        | Part::Transport
+        | Part::TransportNormal
+        | Part::TransportTangential
+        | Part::Path => true,
+    }
+}
+
+fn questions(scene: &Scene, c: &Choice, level: Level) -> Vec<Find> {
+    let mut all = vec![absolute(c, Rate::Velocity), part(c, Part::TransportVelocity), part(c, Part::RelativeVelocity)];
+    if level == Level::Acceleration {
+        all.push(absolute(c, Rate::Acceleration));
+        let whole = [Part::Transport, Part::Relative];
+        all.extend(PARTS.iter().chain(&whole).filter(|p| has(c)(p)).map(|p| part(c, *p)));
+    }
+    all.iter().map(|what| named(scene, what, c)).collect()
+}
+
+fn parts(scene: &Scene, worked: &Worked, c: &Choice, level: Level) -> Option<Solved> {
+    let value = |what: &Asked| {
+        let of = |r: &&Outcome| scene.find[r.find].what == *what;
+        match worked.results.iter().find(of)?.value() {
+            crate::answer::Value::Vector(v) => Some(v),
+            crate::answer::Value::Scalar(_) | crate::answer::Value::Point(_) => None,
+        }
+    };
+    let velocity =
+        [value(&absolute(c, Rate::Velocity))?, value(&part(c, Part::TransportVelocity))?, value(&part(c, Part::RelativeVelocity))?];
+    let mut acceleration = Vec::new();
+    if level == Level::Acceleration {
+        acceleration.push((None, value(&absolute(c, Rate::Acceleration))?));
+        for p in PARTS.iter().chain(&[Part::Relative]).filter(|p| has(c)(p)) {
+            acceleration.push((Some(*p), value(&part(c, *p))?));
+        }
+    }
+    Some(Solved { choice: *c, velocity, acceleration, known: known(scene, worked, c) })
+}
+
+/// Which of the two motions a plan knows first: that of the earlier group.
+fn known(scene: &Scene, worked: &Worked, c: &Choice) -> Known {
+    use crate::mechanism::{Need, Node, nodes_of};
+    let m = &worked.mechanism;
+    let latest = |need: Need| nodes_of(scene, m, need).into_iter().filter_map(|n: Node| m.group_of(n)).max();
+    let of_point = latest(Need::Point(c.of.point, c.of.link));
+    let of_frame = match c.frame {
+        Frame::Link(l) => latest(Need::Turning(l)),
+        Frame::Point(p) => latest(Need::Point(p.point, p.link)),
+    };
+    let rests = |a: Option<usize>, b: Option<usize>| {
+        let (Some(a), Some(b)) = (a, b) else { return false };
+        let mut open = vec![a];
+        while let Some(g) = open.pop() {
+            if g == b {
+                return true;
+            }
+            open.extend(&m.groups[g].upstream);
+        }
+        false
+    };
+    // Of two in one group neither is known first.
+    match (rests(of_point, of_frame), rests(of_frame, of_point)) {
+        (true, false) => Known::Transport,
+        (false, true) => Known::Absolute,
+        (true, true) => Known::Transport,
+        (false, false) => Known::Both,
+    }
+}

@@ -1,0 +1,333 @@
+//! Composite motion of a point as a table for people and as JSON for programs: which moving points and frames serve and why not, the parts
+//! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
+
+use super::answers::diagnostic;
+use super::phrase::{Phrase, tr};
+use crate::composite::{Choice, Known, Place, Projection, Solved, Verdict, name_of, projections};
+use crate::diag::Diagnostic;
+use crate::digits::{direction_degrees, inked, significant};
+use crate::geom::Vec2;
+use crate::mechanism::Level;
+use crate::plan::names::name_label;
+use crate::scene::quantity::composite::Part;
+use crate::scene::quantity::{Frame, RelativePath};
+use crate::scene::{GuidePath, Kind, Lang, Scene};
+use serde_json::{Value as Json, json};
+use unicode_width::UnicodeWidthStr;
+
+/// Significant digits of the table; the certified ones are told by `solve`.
+const DIGITS: usize = 5;
+/// Values to a line.
+const PER_LINE: usize = 3;
+
+/// The report as text.
+pub fn text(scene: &Scene, all: &[Choice], solved: &[Solved], lang: Lang) -> String {
+    let w = Words { scene, lang };
+    let mut lines = Vec::new();
+    let title = scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    if all.is_empty() {
+        lines.push(tr(lang, "no pair of moving bodies offers a moving point and a frame", "没有可作动点和动系的运动物体").to_owned());
+    } else {
+        lines.extend(columns(&w.table(all)));
+    }
+    for s in solved {
+        lines.push(String::new());
+        lines.extend(w.lines(s).iter().map(|p| p.plain()));
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// A table with its columns below one another.
+fn columns(rows: &[Vec<String>]) -> Vec<String> {
+    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
+    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
+    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
+}
+
+/// The word for a verdict in JSON.
+pub fn code(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Serves => "serves",
+        Verdict::PathUnknown => "path-unknown",
+        Verdict::PointChanges => "momentary-point",
+        Verdict::SameBody => "same-body",
+        Verdict::FrameFixed => "frame-unusable",
+    }
+}
+
+/// A writer for one scene and language.
+pub struct Words<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// The language.
+    pub lang: Lang,
+}
+
+impl Words<'_> {
+    fn table(&self, all: &[Choice]) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let head = [tr(lang, "moving point", "动点"), tr(lang, "frame", "动系"), tr(lang, "at", "所在"), tr(lang, "verdict", "判断"), ""];
+        let row = |c: &Choice| {
+            let point = name_of(self.scene, &c.of);
+            vec![point, self.frame(c.frame), self.place(c), self.verdict(c.verdict).to_owned(), self.reason(c)]
+        };
+        std::iter::once(head.map(str::to_owned).to_vec()).chain(all.iter().map(row)).collect()
+    }
+
+    /// A frame: `link 2`, `translating with C`.
+    fn frame(&self, frame: Frame) -> String {
+        match (frame, self.lang) {
+            (Frame::Link(l), Lang::En) => format!("link {}", self.scene.link_name(l)),
+            (Frame::Link(l), Lang::Zh) => format!("构件 {}", self.scene.link_name(l)),
+            (Frame::Point(p), Lang::En) => format!("translating with {}", name_of(self.scene, &p)),
+            (Frame::Point(p), Lang::Zh) => format!("随 {} 平移", name_of(self.scene, &p)),
+        }
+    }
+
+    fn place(&self, c: &Choice) -> String {
+        let lang = self.lang;
+        match c.place {
+            Place::Named => tr(lang, "the scene", "机构文件").to_owned(),
+            Place::Pin(p) => format!("{} {}", tr(lang, "pin", "转动副"), self.scene.point_name(p)),
+            Place::Guide(g) => {
+                let guide = &self.scene.guides[g.0];
+                let name = guide.pin.map_or("", |p| self.scene.point_name(p));
+                format!("{} {name}", tr(lang, "slide", "移动副"))
+            }
+            Place::Contact(r) => format!("{} {}", tr(lang, "contact", "接触点"), self.scene.point_name(self.scene.rolling[r.0].at)),
+        }
+    }
+
+    /// The verdict in a word or two.
+    pub fn verdict(&self, verdict: Verdict) -> &'static str {
+        match verdict {
+            Verdict::Serves => tr(self.lang, "serves", "可用"),
+            Verdict::PathUnknown => tr(self.lang, "velocities only", "仅速度"),
+            Verdict::PointChanges => tr(self.lang, "point changes", "动点变换"),
+            Verdict::SameBody => tr(self.lang, "same body", "同一物体"),
+            Verdict::FrameFixed => tr(self.lang, "frame stands still", "动系不动"),
+        }
+    }
+
+    /// Why.
+    fn reason(&self, c: &Choice) -> String {
+        let (scene, lang) = (self.scene, self.lang);
+        match c.verdict {
+            Verdict::Serves => self.path(c),
+            Verdict::PathUnknown => tr(
+                lang,
+                "its path in the frame is not known: neither the direction of v_r nor a_r^n",
+                "相对轨迹未知：v_r 的方向和 a_r^n 均未知",
+            )
+            .to_owned(),
+            Verdict::PointChanges => tr(
+                lang,
+                "another point of the body lies at the contact at every instant; its relative path is not the guide or profile",
+                "接触处每瞬时是该物体上不同的点，其相对轨迹不是导路或廓线",
+            )
+            .to_owned(),
+            Verdict::SameBody => {
+                let point = scene.point_name(c.of.point);
+                match lang {
+                    Lang::En => format!("{point} belongs to the frame: no relative motion"),
+                    Lang::Zh => format!("{point} 在动系上，没有相对运动"),
+                }
+            }
+            Verdict::FrameFixed => tr(lang, "nothing is carried", "没有牵连运动").to_owned(),
+        }
+    }
+
+    /// The path of the point in the frame.
+    fn path(&self, c: &Choice) -> String {
+        let (scene, lang) = (self.scene, self.lang);
+        match c.path {
+            RelativePath::Guide(g) => match scene.guides[g.0].path {
+                GuidePath::Line { .. } => tr(lang, "relative path: a straight line, the guide", "相对轨迹：沿导路的直线").to_owned(),
+                GuidePath::Arc { centre, .. } => self.circle(scene.point_name(centre)),
+            },
+            RelativePath::Circle(k) => self.circle(scene.point_name(k)),
+            RelativePath::Unknown => String::new(),
+        }
+    }
+
+    fn circle(&self, centre: &str) -> String {
+        match self.lang {
+            Lang::En => format!("relative path: a circle about {centre}"),
+            Lang::Zh => format!("相对轨迹：以 {centre} 为圆心的圆"),
+        }
+    }
+
+    /// The heading of a choice: `moving point A, frame: link 2`.
+    pub fn heading(&self, c: &Choice) -> String {
+        let (point, frame) = (name_of(self.scene, &c.of), self.frame(c.frame));
+        match (c.frame, self.lang) {
+            (Frame::Link(_), Lang::En) => format!("moving point {point}, frame on {frame}"),
+            (Frame::Point(_), Lang::En) => format!("moving point {point}, frame {frame}"),
+            (Frame::Link(_), Lang::Zh) => format!("动点 {point}，动系固连于{frame}"),
+            (Frame::Point(_), Lang::Zh) => format!("动点 {point}，动系{frame}"),
+        }
+    }
+
+    /// All that is told of a choice: heading, path, equations with values, projections.
+    pub fn lines(&self, s: &Solved) -> Vec<Phrase> {
+        let mut out = vec![Phrase::of_words(&self.heading(&s.choice))];
+        out.extend(self.body(s, PER_LINE));
+        out
+    }
+
+    /// The same below its heading, so many values to a line; in narrow columns of fewer than three a projection has two lines.
+    pub fn body(&self, s: &Solved, per_line: usize) -> Vec<Phrase> {
+        let lang = self.lang;
+        let mut out = vec![Phrase::of_words(&match s.choice.verdict {
+            Verdict::Serves => self.path(&s.choice),
+            Verdict::PathUnknown | Verdict::PointChanges | Verdict::SameBody | Verdict::FrameFixed => self.verdict(s.choice.verdict).into(),
+        })];
+        out.push(Phrase::new(&format!("${} = {} + {}$", "v_{a}", "v_{e}", "v_{r}")));
+        let [a, e, r] = s.velocity;
+        out.extend(self.values(&[("v_{a}".into(), a), ("v_{e}".into(), e), ("v_{r}".into(), r)], Kind::Velocity, per_line));
+        let projections = projections(s);
+        let projected = |level| -> Vec<Phrase> {
+            let Some(p) = projections.iter().find(|p| p.level == level) else { return Vec::new() };
+            let (words, equation) = self.projection(p, s.known);
+            let lines = if per_line < PER_LINE { vec![words, format!("${equation}$")] } else { vec![format!("{words} ${equation}$")] };
+            lines.iter().map(|l| Phrase::new(l)).collect()
+        };
+        out.extend(projected(Level::Velocity));
+        if !s.acceleration.is_empty() {
+            let symbols: Vec<String> = s.acceleration.iter().skip(1).map(|(p, _)| symbol(*p, Level::Acceleration, lang)).collect();
+            out.push(Phrase::new(&format!("$a_{{a}} = {}$", symbols.join(" + "))));
+            let each: Vec<(String, Vec2)> = s.acceleration.iter().map(|(p, v)| (symbol(*p, Level::Acceleration, lang), *v)).collect();
+            out.extend(self.values(&each, Kind::Acceleration, per_line));
+            out.extend(projected(Level::Acceleration));
+        }
+        out
+    }
+
+    fn values(&self, vectors: &[(String, Vec2)], kind: Kind, per_line: usize) -> Vec<Phrase> {
+        let largest = vectors.iter().map(|v| v.1.norm()).fold(0.0, f64::max);
+        let told = |(symbol, v): &(String, Vec2)| {
+            // What is left of rounding has no direction.
+            if v.norm() <= 1e-12 * largest {
+                return format!("${symbol} = 0$");
+            }
+            let number = inked(&significant(self.scene.book.value(kind, v.norm()), DIGITS));
+            let degrees = inked(&significant(direction_degrees(v.angle()), DIGITS));
+            format!("${symbol} = {}$ ∠ ${degrees}$°", self.scene.book.label(kind, &number))
+        };
+        vectors.chunks(per_line.max(1)).map(|row| Phrase::new(&row.iter().map(told).collect::<Vec<_>>().join(self.comma()))).collect()
+    }
+
+    fn comma(&self) -> &'static str {
+        tr(self.lang, ", ", "，")
+    }
+
+    /// An equation on a line: `projected square to v_r (on 120°):` and `v_a cos 30° = v_e cos 60°`.
+    fn projection(&self, p: &Projection, known: Known) -> (String, String) {
+        let lang = self.lang;
+        let term = |(part, angle): &(Option<Part>, f64)| {
+            let symbol = symbol(*part, p.level, lang);
+            let degrees = significant(angle.to_degrees(), 4);
+            match degrees.parse::<f64>() {
+                Ok(d) if d.abs() < 0.01 => symbol,
+                Ok(d) if (d - 180.0).abs() < 0.01 => format!("−{symbol}"),
+                _ => format!("{symbol}\\,\\cos {}°", inked(&degrees)),
+            }
+        };
+        let (left, right): (Vec<_>, Vec<_>) = p.terms.iter().partition(|(part, _)| part.is_none());
+        let side = |terms: &[&(Option<Part>, f64)]| match terms {
+            [] => "0".to_owned(),
+            all => all.iter().map(|t| term(t)).collect::<Vec<_>>().join(" + ").replace("+ −", "− "),
+        };
+        let degrees = inked(&significant(direction_degrees(p.line.angle()), 4));
+        let unwanted = if p.level == Level::Velocity {
+            symbol(Some(Part::RelativeVelocity), p.level, lang)
+        } else {
+            symbol(Some(Part::RelativeTangential), p.level, lang)
+        };
+        let wanted = match (known, p.level) {
+            (Known::Transport, Level::Acceleration) => tr(lang, ", for $a_{a}$", "，求 $a_{a}$"),
+            (Known::Transport, _) => tr(lang, ", for $v_{a}$", "，求 $v_{a}$"),
+            (Known::Absolute, Level::Acceleration) => tr(lang, ", for the transport part", "，求牵连加速度"),
+            (Known::Absolute, _) => tr(lang, ", for $v_{e}$", "，求 $v_{e}$"),
+            (Known::Both, _) => "",
+        };
+        let equation = format!("{} = {}", side(&left), side(&right));
+        let words = match lang {
+            Lang::En => format!("projected square to ${unwanted}$ (on ${degrees}$°){wanted}:"),
+            Lang::Zh => format!("向垂直于 ${unwanted}$ 的方向（${degrees}$°）投影{wanted}："),
+        };
+        (words, equation)
+    }
+}
+
+/// The symbol of a part in the letters of theoretical mechanics; `None`: the absolute.
+pub fn symbol(part: Option<Part>, level: Level, lang: Lang) -> String {
+    let letter = if level == Level::Acceleration { "a" } else { "v" };
+    let (below, above) = match part {
+        None => ("a", ""),
+        Some(Part::TransportVelocity | Part::Transport) => ("e", ""),
+        Some(Part::TransportNormal) => ("e", "n"),
+        Some(Part::TransportTangential) => ("e", "t"),
+        Some(Part::RelativeVelocity | Part::Relative | Part::Path) => ("r", ""),
+        Some(Part::RelativeNormal) => ("r", "n"),
+        Some(Part::RelativeTangential) => ("r", "t"),
+        Some(Part::Coriolis) => (tr(lang, "c", "k"), ""),
+    };
+    let below = name_label(below);
+    if above.is_empty() { format!("{letter}_{{{below}}}") } else { format!("{letter}^{{{above}}}_{{{below}}}") }
+}
+
+/// The choices for programs, in SI.
+pub fn json(scene: &Scene, all: &[Choice], solved: &[Solved], notes: &[Diagnostic]) -> Json {
+    let w = Words { scene, lang: Lang::En };
+    let frame = |f: Frame| match f {
+        Frame::Link(l) => json!({"link": scene.link_name(l)}),
+        Frame::Point(p) => json!({"point": name_of(scene, &p)}),
+    };
+    let path = |c: &Choice| match c.path {
+        RelativePath::Guide(g) => json!({"guide": g.0}),
+        RelativePath::Circle(k) => json!({"circle_about": scene.point_name(k)}),
+        RelativePath::Unknown => Json::Null,
+    };
+    let vector = |v: Vec2| json!([v.x, v.y]);
+    let parts = |s: &Solved| {
+        let [a, e, r] = s.velocity;
+        let mut out = json!({"v_a": vector(a), "v_e": vector(e), "v_r": vector(r)});
+        for (part, v) in &s.acceleration {
+            let key = symbol(*part, Level::Acceleration, Lang::Zh).replace(['{', '}'], "");
+            let key = match key.split_once("^") {
+                Some((letter, rest)) => rest.split_once('_').map_or(key.clone(), |(above, below)| format!("{letter}_{below}{above}")),
+                None => key,
+            };
+            out[key] = vector(*v);
+        }
+        out["projections"] = projections(s)
+            .iter()
+            .map(|p| {
+                let (words, equation) = w.projection(p, s.known);
+                json!(Phrase::new(&format!("{words} ${equation}$")).plain())
+            })
+            .collect();
+        out
+    };
+    let choices: Vec<Json> = all
+        .iter()
+        .map(|c| {
+            let found = solved.iter().find(|s| s.choice.of == c.of && s.choice.frame == c.frame);
+            json!({
+                "point": name_of(scene, &c.of),
+                "frame": frame(c.frame),
+                "named": c.place == Place::Named,
+                "verdict": code(c.verdict),
+                "reason": w.reason(c),
+                "path": path(c),
+                "parts": found.map(parts),
+            })
+        })
+        .collect();
+    json!({"choices": choices, "notes": notes.iter().map(diagnostic).collect::<Vec<_>>()})
+}

@@ -1,0 +1,86 @@
+//! The sections `time` and `motions`: a point that moves on a link by a law of time becomes a guide and what drives its pin at the instant.
+
+use super::super::expr;
+use super::super::keys;
+use super::super::law::{NoDerivative, TIME, derivative};
+use super::super::raw::*;
+use super::quantity;
+use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::json::fields::{Fields, word};
+use crate::json::{Node, Word};
+
+/// The instant, as a parameter.
+pub(super) fn time(node: &Node, faults: &mut Faults) -> Option<(Word, RawQuantity)> {
+    quantity(node, "\"time\"", faults).map(|q| (Word { text: TIME.to_owned(), span: node.span }, q))
+}
+
+/// One motion: adds its guide and its driver.
+pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Option<()> {
+    let f = Fields::open(node, both!("a motion", "运动"), keys::MOTION, faults)?;
+    let point = f.need("point", "\"M\"", faults).and_then(|n| word(n, "\"point\"", faults));
+    let on = f.need("on", both!("\"2\", the link on which it moves", "\"2\"（所在构件）"), faults).and_then(|n| word(n, "\"on\"", faults));
+    let line = f.need("line", both!("\"AB\", from which point toward which", "\"AB\"（从哪点向哪点）"), faults);
+    let line = line.and_then(|n| word(n, "\"line\"", faults));
+    let s = f.need("s", "\"6 cm/s*t\"", faults).and_then(|n| quantity(n, "\"s\"", faults));
+    let (point, on, line, s) = (point?, on?, line?, s?);
+    let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
+    if !names.contains(&TIME) {
+        let message = both!("a law of time needs the instant", "运动规律需要给出时刻");
+        faults.push(Diagnostic::error("missing-key", message).at(node.span).help(both!("add \"time\": \"1 s\"", "请加 \"time\": \"1 s\"")));
+        return None;
+    }
+    let by_time = |law: &str, faults: &mut Faults| -> Option<Option<String>> {
+        let tree = expr::parse(law, &names).map_err(|d| faults.push(d.at(s.span))).ok()?;
+        match derivative(&tree) {
+            Ok(d) => Some(d),
+            Err(why) => {
+                let message = match why {
+                    NoDerivative::Corner => both!("`{}`: abs has a corner, and no derivative there", "`{}`：abs 有尖点，不可导", s.text),
+                    NoDerivative::Exponent => both!("`{}`: the exponent depends on time", "`{}`：指数随时间变化", s.text),
+                };
+                faults.push(Diagnostic::error("law", message).at(s.span));
+                None
+            }
+        }
+    };
+    let rate = by_time(&s.text, faults)?;
+    let second = match &rate {
+        Some(rate) => by_time(rate, faults)?,
+        None => None,
+    };
+    let given = |text: String| RawQuantity { text, span: s.span, bare: false };
+    let guide = RawGuide {
+        pin: Some(point.clone()),
+        slider: Some(Word { text: free_name(raw), span: point.span }),
+        on: Some(on),
+        line: Some(line.clone()),
+        through: first(raw, &line).map(RawThrough::Point),
+        angle: None,
+        offset: None,
+        centre: None,
+        radius: None,
+        span: node.span,
+    };
+    raw.guides.push(guide);
+    raw.drivers.push(RawDriver {
+        kind: RawDriverKind::Slide { slide: point, position: Some(s.clone()) },
+        rate: Some(given(rate.unwrap_or_else(|| "0 m/s".to_owned()))),
+        acceleration: second.map(given),
+        span: node.span,
+    });
+    Some(())
+}
+
+/// A number that no link has: the moving point is the only one of its link.
+fn free_name(raw: &RawScene) -> String {
+    let sliders = raw.guides.iter().filter_map(|g| g.slider.as_ref()).map(|w| w.text.as_str());
+    let taken: Vec<&str> = raw.links.iter().map(|l| l.name.text.as_str()).chain(sliders).collect();
+    (2..).map(|n| n.to_string()).find(|n| !taken.contains(&n.as_str())).unwrap_or_default()
+}
+
+/// The point from which a line leads, as far as the points of the links tell: the way counts from there.
+fn first(raw: &RawScene, line: &Word) -> Option<Word> {
+    let points = raw.links.iter().flat_map(|l| &l.points);
+    let begins = points.filter(|p| line.text.starts_with(p.text.as_str())).max_by_key(|p| p.text.len())?;
+    Some(Word { text: begins.text.clone(), span: Span::new(line.span.start, line.span.end) })
+}
