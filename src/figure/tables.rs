@@ -193,7 +193,10 @@ impl Tables<'_> {
             Phrase::new(&text).label(),
             self.style.caption_mm,
             Anchor::Start,
-            format!("{}-special-{}", kind(level), special.group),
+            match special.legs {
+                Some(_) => format!("{}-special-{}", kind(level), special.group),
+                None => format!("{}-special-{}-{link}", kind(level), special.group),
+            },
             &class,
         ))];
         self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], 0.0), LINE_MM)

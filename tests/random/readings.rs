@@ -53,7 +53,10 @@ fn relative_questions(scene: &Scene) -> Vec<Asked> {
             all.extend(&parts(a, b)[..2]);
         }
     }
-    let movers: Vec<OnLink> = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p))).filter(moving).collect();
+    // A place of contact is a point of both links, and of none by itself.
+    let by_itself = |p: &OnLink| scene.rolling.iter().all(|pair| pair.at != p.point);
+    let points = (0..scene.points.len()).map(|p| pin(hodograph::scene::PointId(p)));
+    let movers: Vec<OnLink> = points.filter(moving).filter(by_itself).collect();
     if let [first, .., last] = movers[..] {
         all.extend([parts(first, last)[0], parts(last, first)[1]]);
     }
@@ -233,7 +236,7 @@ fn printed_lengths_are_distances_in_the_svg() {
     let mut found = 0;
     for name in templates::list().iter().map(|t| t.name) {
         let scene = asking_all(with_angle(name, None).unwrap());
-        let worked = work(&scene, Scope::Figure).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
         for lang in [Lang::En, Lang::Zh] {
             let options = Options::of_language(lang);
             let figure = sheet(&scene, &worked, &options).unwrap();

@@ -203,6 +203,7 @@ impl Oracle<'_> {
                 let rest = between(level) - coriolis(carrier, between(Level::Velocity));
                 along(rest, self.direction(t))
             }
+            (TermKind::Roll, By::Contact(_)) => between(level),
             other => panic!("no such term: {other:?}"),
         }
     }
