@@ -6,8 +6,7 @@ use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, Sizes}
 impl Maker<'_> {
     /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
     pub(super) fn rolling(&self, pair: &Rolling) -> String {
-        let mut parts = vec![self.pair(pair)];
-        parts.extend(self.sizes(pair));
+        let mut parts: Vec<String> = self.sizes(pair).into_iter().collect();
         if let Some(phase) = &pair.phase {
             let angle = self.angle(phase);
             parts.push(match self.lang() {
@@ -22,7 +21,7 @@ impl Maker<'_> {
             (false, Lang::En) => format!("touching in {at}, without slip"),
             (false, Lang::Zh) => format!("接触点 {at}，纯滚动"),
         });
-        parts.join(self.words().comma)
+        format!("{}{}", self.pair(pair), parts.join(self.words().comma))
     }
 
     /// Which two links, and how they lie to one another.
