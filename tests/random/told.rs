@@ -165,7 +165,8 @@ impl Oracle<'_> {
                 Path::Line { direction, .. } => direction,
                 Path::Arc { centre, .. } => (self.place(t.of) - centre).perp(),
             },
-            _ => (self.place(t.of) - self.place(t.to)).perp(),
+            By::Contact(pair) => self.d.now.normal(self.scene, pair).expect("a drawn contact is placed"),
+            By::Turning(_) | By::Cylinder(_) | By::Frame { .. } | By::Apart => (self.place(t.of) - self.place(t.to)).perp(),
         }
     }
 
