@@ -429,7 +429,6 @@ fn every_template_has_a_lesson_of_some_size() {
     for t in templates::list() {
         let scene = template(t.name);
         let bytes = lesson(&scene, &Options::of_language(Lang::Zh)).unwrap_or_else(|f| panic!("{}: {f}", t.name)).value.len();
-        // Several turns where wheels stand elsewhere after one.
         let most = if scene.links.len() <= 6 && scene.rolling.is_empty() { 300_000 } else { 420_000 };
         assert!(bytes < most, "{}: {bytes} bytes for {} links", t.name, scene.links.len());
         sizes.push(bytes);

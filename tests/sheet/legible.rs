@@ -19,7 +19,7 @@ const POSES: usize = 24;
 /// The smallest type, printed on A4 (a sheet that is larger is made smaller for it); on A3 where there are more links than
 /// `A4_LINKS`.
 pub const SMALLEST_MM: f64 = 2.2;
-const A4_LINKS: usize = 8;
+const A4_LINKS: usize = 7;
 /// A label that a line only grazes is read all the same.
 const GRAZE_MM: f64 = 0.3;
 
