@@ -109,6 +109,7 @@ pub mod analytic;
 pub mod answer;
 pub mod cam;
 pub mod centres;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod composite;
 pub mod construct;

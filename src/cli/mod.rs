@@ -45,7 +45,7 @@ use clap::FromArgMatches;
 use draw::style_of;
 use std::ffi::OsString;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Runs the program.
 pub fn main() -> ExitCode {
@@ -365,9 +365,10 @@ fn accuracy(a: args::Accuracy) -> Run {
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
-    let patience = Duration::from_millis(a.patience);
-    let measured = ways::measure(&input.scene, &worked, patience).map_err(|f| input.failed(f))?;
-    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(|f| input.failed(f))? } else { Vec::new() };
+    let start = Instant::now();
+    let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
+    let measured = ways::measure(&input.scene, &worked, watch).map_err(|f| input.failed(f))?;
+    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
     if let Some(path) = &a.output {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
         input.notes.extend(files::figure(&figure, path)?);

@@ -4,7 +4,10 @@ use crate::diag::{Both, Diagnostic};
 
 pub mod dxf;
 pub mod number;
+pub mod pages;
+#[cfg(feature = "pdf")]
 pub mod pdf;
+#[cfg(feature = "png")]
 pub mod png;
 pub mod svg;
 

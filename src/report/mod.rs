@@ -17,5 +17,6 @@ pub mod plan;
 pub mod plan_json;
 pub mod price;
 pub mod statement;
+#[cfg(feature = "tables")]
 pub mod table;
 pub mod trains;

@@ -1,7 +1,7 @@
 //! A worksheet: the problem as it is set, and its solution as a teacher writes it at the board.
 //!
 //! [`worksheet`] makes a [`Document`] of blocks from a worked scene; four writers turn it into files: [`html`] with MathML,
-//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that [`crate::render::pdf`] writes. Decided here: what is
+//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that `render::pdf` writes. Decided here: what is
 //! said, in which order. Not decided here: a single number (they come from the certified answers and the drawing board),
 //! and how a figure looks.
 //!
