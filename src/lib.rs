@@ -14,6 +14,21 @@
 //! }
 //! ```
 //!
+//! A scene can be built without JSON, and drawn as SVG:
+//! ```
+//! use hodograph::{figure::sheet::{Options, sheet}, render::svg, scene::{Lang, build::*}, worked::{work, Scope}};
+//!
+//! let scene = Builder::new()
+//!     .link("1", ["A", "B"]).link("2", ["B", "C"]).link("3", ["C", "D"]).link("4", ["A", "D"]).ground("4")
+//!     .length("AB", mm(100.0)).length("BC", mm(250.0)).length("CD", mm(200.0)).length("AD", mm(300.0))
+//!     .driver(Driver::turning("1").angle(deg(60.0)).omega(rad_per_s(10.0)))
+//!     .find(["v_C", "a_C"]).build()?.value;
+//! let worked = work(&scene, Scope::Figure)?.value;
+//! let markup = svg::write(&sheet(&scene, &worked, &Options::of_language(Lang::En))?)?.value;
+//! assert!(markup.starts_with("<svg"));
+//! # Ok::<(), hodograph::diag::Faults>(())
+//! ```
+//!
 //! # The way through
 //! ```text
 //! scene.json ─▶ Scene ─▶ Mechanism ─┬─▶ Plan ──────────┬─▶ Construction ─┬─▶ Figure ─▶ SVG ─▶ PNG
@@ -26,7 +41,7 @@
 //! all.
 //!
 //! # Rooms
-//! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
+//! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; scenes without JSON ([`scene::build`]); units, expressions,
 //!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
 //!   ([`scene::book`]).
 //! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.

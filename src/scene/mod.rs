@@ -4,6 +4,7 @@
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 pub mod book;
+pub mod build;
 pub mod cams;
 mod decode;
 pub mod edit;
@@ -27,12 +28,14 @@ mod tests;
 mod told;
 pub mod units;
 mod values;
+mod write;
 mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
 pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
+pub use write::write;
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};
