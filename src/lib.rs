@@ -80,8 +80,8 @@
 //! diag       -
 //! json       diag
 //! digits   -
-//! trig       scene*
-//! number     trig scene*
+//! trig       -
+//! number     trig
 //! geom       number
 //! cam        geom
 //! scene      diag json digits trig number geom cam
@@ -99,7 +99,7 @@
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
-//! effort     mechanism plan construct accuracy worked figure*
+//! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep report
 //! render     diag geom figure

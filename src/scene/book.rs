@@ -5,8 +5,9 @@
 
 use super::expr::{self, Expr, ExprKind, Op};
 use super::quantity::Level;
-use super::units::{Dim, UNITS, Unit, Wanted, radians};
+use super::units::{Dim, UNITS, Unit, Wanted};
 use crate::number::Real;
+use crate::trig::radians;
 
 /// A kind of quantity: what shares a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

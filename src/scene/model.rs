@@ -13,6 +13,7 @@ use crate::diag::Span;
 
 pub use super::cams::{Cam, Follows, Turning};
 pub use super::lang::Lang;
+pub use crate::trig::Angle;
 
 /// Index into [`Scene::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,33 +42,6 @@ impl Localized {
         match lang {
             Lang::En => &self.en,
             Lang::Zh => &self.zh,
-        }
-    }
-}
-
-/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Angle {
-    /// Degrees.
-    Deg(f64),
-    /// Radians.
-    Rad(f64),
-}
-
-impl Angle {
-    /// The same in radians.
-    pub fn radians(self) -> f64 {
-        match self {
-            Angle::Deg(d) => super::units::radians(d),
-            Angle::Rad(r) => r,
-        }
-    }
-
-    /// The same in degrees.
-    pub fn degrees(self) -> f64 {
-        match self {
-            Angle::Deg(d) => d,
-            Angle::Rad(r) => r.to_degrees(),
         }
     }
 }

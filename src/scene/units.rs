@@ -1,7 +1,5 @@
 //! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
 
-use std::f64::consts::PI;
-
 use crate::diag::{Both, both};
 
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
@@ -127,11 +125,6 @@ pub static UNITS: &[Unit] = &[
 /// The unit of a name.
 pub fn unit_named(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|u| u.name == name)
-}
-
-/// Degrees as radians.
-pub fn radians(degrees: f64) -> f64 {
-    degrees * PI / 180.0
 }
 
 /// What a place in the scene asks for.
