@@ -62,8 +62,7 @@ impl Maker<'_> {
     /// The mechanism as it is given: without what the solution finds on it, and described without answers.
     fn given_mechanism(&self) -> Option<Block> {
         let mut bare: Worked = self.worked.clone();
-        bare.construction.velocity = None;
-        bare.construction.acceleration = None;
+        bare.construction.diagrams.clear();
         let mut figure = drawing(self.scene, &bare, self.options, Level::Position)?;
         figure.desc = self.words().diagram.into();
         Some(Block::Figure { name: "mechanism", figure: Box::new(figure) })
