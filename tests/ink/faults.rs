@@ -11,6 +11,9 @@ const TOUCH_MM2: f64 = 0.01;
 /// A name may stand by so much nearer to another line: the eye does not see it.
 const NEARER_MM: f64 = 0.15;
 
+/// Nearer than this two places are one: an inset is some ten times as large at most.
+const ONE_MM: f64 = 0.02;
+
 #[derive(Default)]
 pub struct Faults {
     pub counts: [usize; 8],
@@ -67,13 +70,25 @@ pub fn of(ink: &Ink) -> Faults {
         for l in drawn().filter(|l| l.width_mm < THICK_MM).filter(through) {
             f.note(7, format!("{} and {}", a.id, l.id));
         }
-        if has(&a.class, "inset") && a.text.contains(", ") {
-            f.note(4, a.id.clone());
+        if has(&a.class, "inset") && let Some(wide) = spread(ink, a) {
+            f.note(4, format!("{} names places {wide:.4} mm apart", a.id));
         }
     }
     hatchings(ink, &mut f);
     nearest(ink, &mut f);
     f
+}
+
+/// How far the places are apart that one label names, where they are not one place.
+fn spread(ink: &Ink, label: &Text) -> Option<f64> {
+    let kind = label.id.split('-').next()?;
+    let plain = |name: &str| name.replace(['{', '}'], "").replace('\'', "′");
+    let place = |name: &str| ink.marks.iter().find(|m| m.0 == format!("{kind}-mark-{}", plain(name))).map(|m| m.1);
+    let places: Vec<P> = label.text.split(", ").filter_map(place).collect();
+    let first = *places.first()?;
+    let wide = places.iter().map(|p| (p[0] - first[0]).hypot(p[1] - first[1])).fold(0.0, f64::max);
+    // Numbers of the file have a thousandth of a millimetre.
+    (wide > ONE_MM).then_some(wide)
 }
 
 fn has(class: &str, word: &str) -> bool {

@@ -32,7 +32,6 @@ pub struct Line {
     pub id: String,
     pub class: String,
     pub width_mm: f64,
-    pub filled: bool,
     pub pieces: Vec<(P, P)>,
 }
 
@@ -111,7 +110,7 @@ fn line(path: &Path, told: &Told, named: &str) -> Line {
             here = end;
         }
     }
-    Line { id: id.into(), class, width_mm, filled: path.stroke().is_none(), pieces }
+    Line { id: id.into(), class, width_mm, pieces }
 }
 
 fn bezier([a, b, c, d]: [P; 4], t: f64) -> P {

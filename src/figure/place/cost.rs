@@ -144,6 +144,18 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
         || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
 }
 
+/// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
+pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
+    let Target::Segment { clear_mm, .. } = wanted.target else { return false };
+    let own = own_distance(c, wanted.target);
+    let reach = c.grown(own);
+    let rival = |bar: &Bar| {
+        let foreign = bar.owner.is_none() || bar.owner != wanted.owner;
+        foreign && bar.half_width_mm >= clear_mm && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
+    };
+    !leader && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own)
+}
+
 /// What it costs to leave the paper.
 pub(super) fn outside(rect: Rect, paper: Rect) -> f64 {
     if rect.overlap_mm2(paper) < rect.width_mm() * rect.height_mm() - 1e-9 { OUTSIDE } else { 0.0 }

@@ -178,8 +178,8 @@ pub enum Habit {
     LeftOut,
 }
 
-/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label or on a line as thick as
-/// their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
+/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label, on a line as thick as
+/// their own, or nearer to one than to their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
 /// when there is a clear place beside all others, so that names do not come and go.
 pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<Habit>]) -> Vec<Option<Placement>> {
     if is_coarse(requests.len()) {
@@ -202,8 +202,9 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
             let (own, here) = (&labels[kept[k]], places[k].bounds);
             cost::hides(here, own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
         };
-        let mut crowded: Vec<usize> =
-            (0..kept.len()).filter(|&k| requests[kept[k]].optional && places[k].cost >= CROWDED && hides(k)).collect();
+        let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
+        let poor = |k: usize| places[k].cost >= CROWDED && hides(k) || strays(k);
+        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| requests[kept[k]].optional && poor(k)).collect();
         if crowded.is_empty() {
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
             break;
