@@ -122,7 +122,7 @@ fn nearest(ink: &Ink, f: &mut Faults) {
         if kind == "mechanism" {
             continue;
         }
-        let shafts = |l: &&Line| l.width_mm > 0.0 && l.id.starts_with(kind) && (has(&l.class, "edge") || has(&l.class, "absolute"));
+        let shafts = |l: &&Line| l.width_mm >= THICK_MM && l.id.starts_with(kind) && (has(&l.class, "edge") || has(&l.class, "absolute"));
         let shafts: Vec<&Line> = ink.lines.iter().filter(shafts).collect();
         let inset = has(&text.class, "inset");
         let own = [format!("{kind}-edge-{name}"), format!("{kind}-absolute-{name}"), format!("{kind}-inset-{name}")];

@@ -20,6 +20,13 @@ const ROTATION_PART: f64 = 0.4;
 const ROTATION_MM: [f64; 2] = [7.0, 9.5];
 /// Where the arrow of a rotation begins and ends, seen from the crank.
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
+/// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
+const TURNS: i32 = 24;
+const OUTS: usize = 3;
+const OUT_MM: f64 = 1.6;
+/// What speaks against one: a line crossed is worse than any turn; a step outward is worth some 60°.
+const CROSSED_COST: f64 = 20.0;
+const OUT_COST: f64 = 4.0;
 /// How much farther out a second driver's arrows are: its label fits between.
 const NEXT_MM: f64 = 6.0;
 /// A given angle smaller than this has no room for its arrow.
@@ -112,7 +119,8 @@ impl Draft<'_> {
             None => ROTATION_RAD.map(|a| outward.angle() + side * a),
         };
         // The head is at the end that the link turns to.
-        let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        let ends = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        let (radius, [from, to]) = self.clear_arc(centre, radius, ends);
         self.d.of_link(Some(link.0));
         let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
         let index = name_label(&index);
@@ -122,6 +130,23 @@ impl Draft<'_> {
         };
         self.arc_label(&symbol, "rotation", centre, radius, [from, to], owner);
         self.d.of_link(None);
+    }
+
+    /// Where the arrow of a rotation crosses least: where it is asked for, else turned about its centre or farther out, as little as may be.
+    fn clear_arc(&self, centre: Point, radius: f64, [from, to]: [f64; 2]) -> (f64, [f64; 2]) {
+        let place = |out: usize, turn: i32| {
+            let by = f64::from(turn) * TAU / f64::from(TURNS);
+            (radius + out as f64 * OUT_MM, [from + by, to + by])
+        };
+        let cost = |out: usize, turn: i32| {
+            let (radius, [from, to]) = place(out, turn);
+            let crossed = self.d.crossings(&sym::rotation(self.style, centre, radius, from, to));
+            CROSSED_COST * crossed as f64 + OUT_COST * out as f64 + f64::from(turn.abs())
+        };
+        let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
+        let priced = all.map(|(out, turn)| (cost(out, turn), out, turn));
+        let (_, out, turn) = priced.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0, 0));
+        place(out, turn)
     }
 
     fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {

@@ -28,6 +28,11 @@ const NEARER_PER_MM: f64 = 1.8;
 const NEARER_MARGIN_MM: f64 = 0.8;
 /// Nearness never costs as much as touching.
 const NEARER_MAX: f64 = 4.0;
+/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
+/// leader line is tried.
+const STRAYS: f64 = 6.0;
+/// Letters within this of one place are those of one mark.
+const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
 const LEADER_CROSSES: f64 = 2.5;
 /// Overlap of two labels, and each square millimetre of it.
@@ -44,6 +49,7 @@ pub(super) struct Around<'a> {
     heads: Vec<&'a Bar>,
     discs: Vec<&'a Disc>,
     rects: Vec<&'a Rect>,
+    rivals: Vec<Point>,
 }
 
 /// A line near a label's places.
@@ -59,7 +65,7 @@ impl<'a> Around<'a> {
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
-            return Around { wanted, paper, bars: Vec::new(), heads: Vec::new(), discs: Vec::new(), rects: Vec::new() };
+            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], rivals: vec![] };
         };
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
@@ -74,6 +80,24 @@ impl<'a> Around<'a> {
             heads: obstacles.heads.iter().filter(near).collect(),
             discs: obstacles.discs.iter().filter(touched).collect(),
             rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
+            rivals: rivals(wanted, obstacles).filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm()).collect(),
+        }
+    }
+
+    /// Whether another mark is nearer than the label's own, or another line as thick.
+    fn strays(&self, rect: Rect) -> bool {
+        match self.wanted.target {
+            Target::Point { at, .. } => {
+                let own = nearest(rect, at).distance(at);
+                self.rivals.iter().any(|p| nearest(rect, *p).distance(*p) < own)
+            }
+            Target::Segment { clear_mm, .. } => {
+                let own = own_distance(rect, self.wanted.target);
+                let rival = |l: &&Line| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
+                let near = |l: &Line| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
+                self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own)
+            }
+            Target::Arc { .. } => false,
         }
     }
 
@@ -97,6 +121,9 @@ impl<'a> Around<'a> {
             }
         }
         cost += (NEARER_PER_MM * nearer).min(NEARER_MAX);
+        if c.leader.is_none() && self.strays(c.rect) {
+            cost += STRAYS - (NEARER_PER_MM * nearer).min(NEARER_MAX);
+        }
         for head in &self.heads {
             let grown = c.rect.grown(head.half_width_mm + AIR_MM);
             if !far_apart(grown, head) {
@@ -127,6 +154,15 @@ impl<'a> Around<'a> {
         }
         cost
     }
+}
+
+/// The lettered places that are not the label's own.
+fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
+    let own = match wanted.target {
+        Target::Point { at, .. } => Some(at),
+        Target::Segment { .. } | Target::Arc { .. } => None,
+    };
+    obstacles.lettered.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
 }
 
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
@@ -280,7 +316,7 @@ fn to_segment2(p: Point, a: Point, b: Point) -> f64 {
     (a + d * t - p).norm2()
 }
 
-fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {
+pub(super) fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }

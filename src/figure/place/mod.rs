@@ -16,10 +16,12 @@ mod search;
 
 pub use obstacle::{Bar, Disc, Obstacles};
 
+use std::f64::consts::TAU;
+
 use crate::geom::{Point, Vec2};
 
 use super::extent::Rect;
-use super::item::{Anchor, Colour, Item, Shape, Stroke};
+use super::item::{Anchor, Colour, Item, Piece, Shape, Stroke};
 use super::label::Label;
 use super::text;
 use candidate::Candidate;
@@ -93,6 +95,14 @@ impl LabelRequest {
         LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
     }
 
+    /// The point that it names, if it names one.
+    pub fn point(&self) -> Option<Point> {
+        match self.target {
+            Target::Point { at, .. } => Some(at),
+            Target::Segment { .. } | Target::Arc { .. } => None,
+        }
+    }
+
     /// The same with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
@@ -130,7 +140,7 @@ pub const CROWDED: f64 = cost::TOUCH;
 impl Placement {
     /// The label as an item, and its leader line before it where it has one.
     pub fn items(&self, request: &LabelRequest, class: &str, leader: Stroke) -> Vec<Item> {
-        let line = self.leader.map(|(from, to)| Item::new("leader", Shape::Line { from, to, stroke: leader }));
+        let line = self.leader.map(|(from, to)| Item::new("leader", pointer(from, to, leader)));
         let label = Shape::Label {
             at: self.at,
             label: request.label.clone(),
@@ -140,6 +150,20 @@ impl Placement {
         };
         line.into_iter().chain([Item::new(class, label)]).collect()
     }
+}
+
+/// How grey a leader line is: to be followed, and not to be taken for a line of the drawing.
+const LEADER_GREY: u8 = 140;
+/// The dot at its end (ISO 128-22: on a surface or a line without an arrowhead).
+const LEADER_DOT_MM: f64 = 0.45;
+
+/// A leader line: grey, with a dot at the thing that it names.
+fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
+    let grey = Colour::grey(LEADER_GREY);
+    let (radius_mm, from_rad) = (LEADER_DOT_MM, (from - to).angle());
+    let dot = Piece::Arc { centre: to, radius_mm, from_rad, to_rad: from_rad + TAU };
+    let start = to + Vec2::from_angle(from_rad) * radius_mm;
+    Shape::Path { start, pieces: vec![dot, Piece::Move(start), Piece::Line(from)], closed: false, stroke: Some(stroke.coloured(grey)), fill: Some(grey) }
 }
 
 /// Finds a place for every label: one placement for each request, in their order.
