@@ -106,9 +106,9 @@ impl Drawing {
         self.owners
     }
 
-    /// How many lines of what is drawn so far these items would cross.
-    pub fn crossings(&self, items: &[Item]) -> usize {
-        self.obstacles.crossed_by(&Obstacles::of(items))
+    /// How many things of what is drawn so far these items would cross, or come nearer to than `air_mm`.
+    pub fn met_by(&self, items: &[Item], air_mm: f64) -> usize {
+        self.obstacles.met_by(&Obstacles::of(items), air_mm)
     }
 
     /// The box around what is drawn so far.

@@ -127,7 +127,8 @@ fn nearest(ink: &Ink, f: &mut Faults) {
         let inset = has(&text.class, "inset");
         let own = [format!("{kind}-edge-{name}"), format!("{kind}-absolute-{name}"), format!("{kind}-inset-{name}")];
         if let Some(own) = shafts.iter().find(|l| own.contains(&l.id) && has(&l.class, "inset") == inset) {
-            let mine = apart(text, own);
+            // Its head is part of it.
+            let mine = ink.lines.iter().filter(|l| l.id == own.id).map(|l| apart(text, l)).fold(f64::INFINITY, f64::min);
             for other in shafts.iter().filter(|l| l.id != own.id && !along(own, l)) {
                 if apart(text, other) < mine - NEARER_MM {
                     f.note(5, format!("{} nearer to {}", text.id, other.id));

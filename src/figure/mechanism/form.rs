@@ -79,6 +79,9 @@ impl Draft<'_> {
         if self.is_profile(l) {
             return None;
         }
+        if let Some(swing) = self.swings().into_iter().find(|s| s.rod == l || s.block == l) {
+            return (swing.rod == l).then(|| Form { bars: vec![swing.ends], ..Form::default() });
+        }
         let drawn = |g: &GuideId| self.scene.guides[g.0].rolling.is_none() && !self.is_contact(*g);
         let own_guides: Vec<GuideId> =
             (0..self.scene.guides.len()).map(GuideId).filter(|g| self.scene.guides[g.0].on == l && drawn(g)).collect();

@@ -1,7 +1,7 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
@@ -17,6 +17,7 @@ mod parted;
 mod slides;
 mod special;
 mod supports;
+mod swings;
 mod wheels;
 
 use crate::geom::{Point, Vec2};
@@ -150,6 +151,7 @@ impl<'a> Draft<'a> {
         self.cylinders();
         self.equivalents();
         self.joints();
+        self.swinging();
         self.contacts();
         self.drivers();
         if self.constructed {
@@ -235,13 +237,17 @@ impl<'a> Draft<'a> {
 
     /// The guide whose block stands around the point.
     fn block_at(&self, p: PointId) -> Option<GuideId> {
-        self.scene.guides.iter().position(|g| g.pin == Some(p) && g.slider.is_some()).map(GuideId)
+        let block = |g: &GuideId| {
+            let guide = &self.scene.guides[g.0];
+            guide.pin == Some(p) && guide.slider.is_some() && !self.is_bore(*g)
+        };
+        (0..self.scene.guides.len()).map(GuideId).find(block)
     }
 
     /// Directions in which links leave a point (unit vectors).
     fn leaving(&self, p: PointId) -> Vec<Vec2> {
         let Some(at) = self.point(p) else { return Vec::new() };
-        let mut out = Vec::new();
+        let mut out = self.rods_leaving(p);
         for l in self.scene.carriers(p).filter(|l| *l != self.scene.ground) {
             let Some(form) = &self.forms[l.0] else { continue };
             for (a, b) in form.segments() {

@@ -16,8 +16,8 @@ const AIR_MM: f64 = 0.5;
 const PER_MM: f64 = 1.0;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
-/// The label's own line through its letters is bad, but does not mislead.
-const OWN_FACTOR: f64 = 0.5;
+/// The label's own line through its letters does not mislead, and is no easier to read.
+const OWN_FACTOR: f64 = 0.9;
 /// Each millimetre of a disc's depth and each square millimetre of a box.
 const PER_DEPTH: f64 = 2.0;
 /// Leaving the paper: worse than anything on it.
@@ -304,6 +304,20 @@ fn distance(rect: Rect, bar: &Bar) -> f64 {
     corners.into_iter().fold(by_end, |least, c| least.min(to_segment2(c, bar.from, bar.to))).sqrt()
 }
 
+/// Distance of the edges of two bars; negative where one lies on the other, of bars that cross minus infinity.
+pub(super) fn bars_apart(a: &Bar, b: &Bar) -> f64 {
+    if crosses(a.from, a.to, b.from, b.to) {
+        return f64::NEG_INFINITY;
+    }
+    let middles = [(a.from, b), (a.to, b), (b.from, a), (b.to, a)].map(|(p, bar)| to_segment(p, bar.from, bar.to));
+    middles.into_iter().fold(f64::INFINITY, f64::min) - a.half_width_mm - b.half_width_mm
+}
+
+/// Distance of a point from the edge of a bar.
+pub(super) fn to_bar(p: Point, bar: &Bar) -> f64 {
+    to_segment(p, bar.from, bar.to) - bar.half_width_mm
+}
+
 fn to_segment(p: Point, a: Point, b: Point) -> f64 {
     to_segment2(p, a, b).sqrt()
 }
@@ -316,7 +330,7 @@ fn to_segment2(p: Point, a: Point, b: Point) -> f64 {
     (a + d * t - p).norm2()
 }
 
-pub(super) fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {
+fn crosses(a: Point, b: Point, c: Point, d: Point) -> bool {
     let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }

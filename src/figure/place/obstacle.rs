@@ -58,10 +58,11 @@ impl Obstacles {
         items.iter().for_each(|item| self.add_item(item, owner));
     }
 
-    /// How many of these lines others cross.
-    pub fn crossed_by(&self, others: &Obstacles) -> usize {
-        let crossed = |bar: &&Bar| others.bars.iter().any(|o| super::cost::crosses(bar.from, bar.to, o.from, o.to));
-        self.bars.iter().filter(crossed).count()
+    /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
+    pub fn met_by(&self, others: &Obstacles, air_mm: f64) -> usize {
+        let met = |bar: &&Bar| others.bars.iter().any(|o| super::cost::bars_apart(bar, o) < air_mm);
+        let disc = |d: &&Disc| others.bars.iter().any(|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
+        self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
 
     fn add_item(&mut self, item: &Item, owner: Option<u32>) {
