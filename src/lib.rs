@@ -65,8 +65,8 @@
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
-//!   line diagrams, paths with hodographs, the sheet of many poses.
-//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
+//!   line diagrams, paths with hodographs, the sheet of many poses, the motion frame by frame.
+//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.

@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
+mod animate;
 mod args;
 mod batch;
 mod cam;
@@ -69,6 +70,7 @@ pub fn main() -> ExitCode {
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
+        Command::Animate(a) => animate::run(a),
         Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),

@@ -39,6 +39,14 @@ pub struct Diagram<N = f64> {
     pub crossed: Vec<Crossed<N>>,
 }
 
+impl Diagram {
+    /// Whether three places are in line, to a tenth of a millimetre of paper: less is no triangle.
+    pub fn in_line(&self, vertices: [VertexId; 3]) -> bool {
+        let [Some(a), Some(b), Some(c)] = vertices.map(|v| self.spots[v.0]) else { return false };
+        (b - a).unit().is_none_or(|u| u.cross(c - a).abs() < 0.1)
+    }
+}
+
 /// The end of a laid-off vector that is no vertex's image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {

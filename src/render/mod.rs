@@ -1,8 +1,10 @@
-//! Ink: numbers, SVG, PNG, PDF.
+//! Ink: numbers, SVG, PNG, PDF; moving pictures as GIF and SVG.
 
 use crate::diag::{Both, Diagnostic};
 
 pub mod dxf;
+pub mod gif;
+pub mod moving;
 pub mod number;
 pub mod pages;
 #[cfg(feature = "pdf")]
