@@ -221,8 +221,11 @@ impl<'a> Draft<'a> {
         self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
-    /// Whether a point of the ground is named by a guide: then it is shown as a dot.
+    /// Whether a point is named by a guide, or by the direction of a flat face: then it is shown as a dot.
     fn is_reference(&self, p: PointId) -> bool {
+        if self.on_face(p) {
+            return true;
+        }
         self.scene.guides.iter().any(|g| match &g.path {
             GuidePath::Line { through, .. } => *through == Through::Point(p),
             GuidePath::Arc { centre, .. } => *centre == p,

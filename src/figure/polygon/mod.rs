@@ -119,7 +119,7 @@ impl Draft<'_> {
         let (w, level) = (self.w, self.p.level);
         let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning(w.scene)? {
             Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
-            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Place(_) => None,
+            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
         });
         let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(Step::chains).map(|c| c.start);
