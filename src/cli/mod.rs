@@ -4,6 +4,7 @@
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
 mod args;
+mod attempts;
 mod batch;
 mod cam;
 mod centres;
@@ -74,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
         Command::Composite(a) => composite::run(a),
+        Command::Attempts(a) => attempts::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -16,6 +16,7 @@ use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
 use super::centres;
+use super::attempts;
 use super::composite;
 use super::item::Figure;
 use super::mechanism::Overlay;
@@ -47,6 +48,7 @@ pub const LIST: &[&Entry] = &[
     &kutzbach::ENTRY,
     &gears::ENTRY,
     &composite::ENTRY,
+    &attempts::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.
