@@ -105,7 +105,7 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize) -> Option<(Stage, (
     let mut shown = Shown::with(&wrong.1.plan, Level::Acceleration, Side::Wrong, |t| t.kind == TermKind::Coriolis)?;
     shown.framed.clear();
     shown.missing = Some(missing(scene, cam, own, &right, tangent.perp())?);
-    let stage = Stage { scene: right.0, plan: right.1.plan, construction: right.1.construction };
+    let stage = Stage { scene: right.0, worked: right.1 };
     Some((stage, wrong, shown))
 }
 

@@ -37,7 +37,7 @@ pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
 pub fn why(scene: &Scene, l: LinkId) -> Both {
     let l = scene.link_name(l);
     both!(
-        "Link {l} turns at the instant: between two of its points there is ω_{l}²·l along their line, whether or not ω_{l} changes.",
-        "构件 {l} 在该瞬时转动，其上两点之间必有沿连线的法向加速度 ω_{l}²·l，与角速度是否变化无关。"
+        "Link {l} turns at the instant: between two of its points there is $\\omega_{{{l}}}^2 l$ along their line, whether or not $\\omega_{{{l}}}$ changes.",
+        "构件 {l} 在该瞬时转动，其上两点之间必有沿连线的法向加速度 $\\omega_{{{l}}}^2 l$，与角速度是否变化无关。"
     )
 }

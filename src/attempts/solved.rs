@@ -3,8 +3,8 @@
 use super::{At, Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
 use crate::answer::Value;
 use crate::construct::pencil::Exact;
-use crate::construct::{Construction, Layout, by_hand, read};
-use crate::geom::{Vec2, cross_lines};
+use crate::construct::{Layout, Polygon, by_hand, read, scale};
+use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Level};
 use crate::plan::{Plan, Special, SpecialLine, Spot, VertexId};
 use crate::position::{Configuration, Path};
@@ -16,10 +16,8 @@ use crate::worked::Worked;
 pub struct Stage {
     /// Its scene: that of the file, but for a mistake that is another mechanism.
     pub scene: Scene,
-    /// Its equations.
-    pub plan: Plan,
-    /// Its drawing.
-    pub construction: Construction,
+    /// The same worked through: its equations and their drawing are what counts.
+    pub worked: Worked,
 }
 
 /// A question and its answers.
@@ -65,6 +63,8 @@ pub struct Attempt {
     pub gap: Gap,
 }
 
+/// Room for the polygons of a page.
+const PAGE_MM: [f64; 2] = [150.0, 150.0];
 /// Two tips nearer than this (mm of paper) are one.
 const APART_MM: f64 = 0.05;
 /// Answers nearer than this share of the largest of their kind agree.
@@ -76,8 +76,8 @@ const FAR: f64 = 1e4;
 
 /// The wrong solution of a site; `None` where it cannot be drawn in the pose, or differs in nothing.
 pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempted>) -> Option<Attempt> {
-    let (plan, at) = (&worked.plan, &worked.configuration);
-    let as_drawn = || Stage { scene: scene.clone(), plan: plan.clone(), construction: worked.construction.clone() };
+    let at = &worked.configuration;
+    let stage = |worked: Worked| Stage { scene: scene.clone(), worked };
     let (right, wrong, answers, shown): (Stage, Stage, Vec<Option<Value>>, Shown) = match changed(scene, worked, &site)? {
         Changed::Plan(wrong, shown) => {
             if !special_points_are_near(&wrong, at) {
@@ -86,21 +86,47 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
             let layout = Layout::of(&worked.construction);
             let (construction, _) = by_hand(scene, &worked.mechanism, at, &wrong, &layout, &mut Exact).ok()?;
             let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
+            let wrong = Worked { plan: wrong, construction, ..worked.clone() };
             let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
-            (as_drawn(), Stage { scene: scene.clone(), plan: wrong, construction }, answers, shown)
+            (stage(worked.clone()), stage(wrong), answers, shown)
         }
         Changed::Mechanism(right, wrong, shown) => {
             let (other, w) = *wrong;
-            let layout = Layout { chosen: w.construction.chosen.clone(), ..Layout::of(&right.construction) };
-            let (construction, _) = by_hand(&other, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Exact).ok()?;
             let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
             let answers = scene.find.iter().map(|f| of(&f.text)).collect();
-            (right, Stage { scene: other, plan: w.plan, construction }, answers, shown)
+            (right, Stage { scene: other, worked: w }, answers, shown)
         }
     };
     let rows = rows(scene, worked, &answers, said);
+    let (right, wrong) = to_one_scale(right, wrong)?;
     let gap = gap(&right, &wrong, &shown)?;
     Some(Attempt { site, said: said.cloned(), right, wrong, shown, rows, gap })
+}
+
+/// Both drawn again, to the largest scales at which they fit a page over one another.
+fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
+    let extent = |level: Level| {
+        let marks = |p: &Polygon| -> Vec<Point> {
+            let ends = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+            ends.map(|q| (q.to_vec2() * p.mu).to_point()).collect()
+        };
+        let polygons = [&right, &wrong].map(|s| s.worked.construction.polygon(level));
+        let all = polygons.into_iter().flatten().flat_map(marks).chain([Point::ORIGIN]);
+        scale::extent(all)
+    };
+    let [fixed_v, fixed_a] = [right.scene.paper.mu_v, right.scene.paper.mu_a];
+    let mu = |level: Level, fixed: Option<f64>| {
+        let size = extent(level);
+        let drawn = right.worked.construction.polygon(level)?;
+        if size == [0.0, 0.0] { Some(drawn.mu) } else { Some(fixed.unwrap_or_else(|| scale::choose_in(right.scene.paper.unit(level as usize), size, PAGE_MM))) }
+    };
+    let [mu_v, mu_a] = [mu(Level::Velocity, fixed_v), mu(Level::Acceleration, fixed_a)];
+    let again = |s: Stage| {
+        let layout = Layout { mu_v, mu_a, ..Layout::of(&s.worked.construction) };
+        let (construction, _) = by_hand(&s.scene, &s.worked.mechanism, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
+        Some(Stage { worked: Worked { construction, ..s.worked }, ..s })
+    };
+    Some((again(right)?, again(wrong)?))
 }
 
 /// What a mistake makes of a solution.
@@ -184,11 +210,11 @@ fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&A
 /// The tips furthest apart: of the vertex that the wrong step finds, where these differ.
 fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
     let of = |level: Level, v: VertexId| {
-        let vertex = right.plan.vertex(v);
+        let vertex = right.worked.plan.vertex(v);
         let same = |w: &crate::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
-        let other = VertexId(wrong.plan.vertices.iter().position(same)?);
-        let tips = [right.construction.vector(level, v)?, wrong.construction.vector(level, other)?];
-        let mu = right.construction.polygon(level)?.mu;
+        let other = VertexId(wrong.worked.plan.vertices.iter().position(same)?);
+        let tips = [right.worked.construction.vector(level, v)?, wrong.worked.construction.vector(level, other)?];
+        let mu = right.worked.construction.polygon(level)?.mu;
         let vector = tips[1] - tips[0];
         (vector.norm() > APART_MM * mu).then_some(Gap { level, right: v, wrong: other, vector })
     };
@@ -199,15 +225,15 @@ fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
             Side::Right => right,
             Side::Wrong => wrong,
         };
-        let named = stage.plan.vertex(target);
-        let meant = (0..right.plan.vertices.len()).map(VertexId).find(|v| {
-            let own = right.plan.vertex(*v);
+        let named = stage.worked.plan.vertex(target);
+        let meant = (0..right.worked.plan.vertices.len()).map(VertexId).find(|v| {
+            let own = right.worked.plan.vertex(*v);
             own.spot == named.spot && own.on == named.on
         });
         if let Some(gap) = meant.and_then(|v| of(level, v)) {
             return Some(gap);
         }
-        let all = (0..right.plan.vertices.len()).filter_map(|v| of(level, VertexId(v)));
+        let all = (0..right.worked.plan.vertices.len()).filter_map(|v| of(level, VertexId(v)));
         all.max_by(|a, b| a.vector.norm().total_cmp(&b.vector.norm()))
     })
 }

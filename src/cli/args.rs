@@ -208,6 +208,9 @@ pub struct Worksheet {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
+    /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
+    #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
+    pub find_the_mistake: Option<String>,
     #[command(flatten)]
     pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain

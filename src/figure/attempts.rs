@@ -8,17 +8,22 @@ use crate::diag::{Faults, Warned};
 use crate::geom::Point;
 use crate::plan::VertexId;
 use crate::report::attempts::{Words, gap_symbol};
-use crate::report::phrase::Phrase;
+use crate::report::phrase::{Phrase, Piece};
+use crate::scene::Scene;
+use crate::worked::Worked;
+use unicode_width::UnicodeWidthChar;
 
 use super::arrange::Tree;
 use super::drawing::{Drawing, Part};
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Colour, Dash, Figure, Item, Shape, Stroke};
 use super::label::Label;
-use super::list::{Entry, Pages, Wanted};
+use super::list::{Entry, Extras, Pages, Wanted};
 use super::place::LabelRequest;
 use super::polygon;
-use super::sheet::{Maker, of_level};
+use super::sheet::{Maker, Options, of_level};
+use super::style::Style;
+use super::text::set;
 
 /// Each wrong solution on a page.
 pub const ENTRY: Entry =
@@ -34,8 +39,8 @@ const FRAME_MM: f64 = 0.9;
 const ROW_MM: f64 = 5.8;
 /// Rows of the equation.
 const TABLE_MM: [f64; 2] = [7.0, 6.0];
-/// Characters of a line of text that fills the page: Chinese ones are twice as wide.
-const WIDE: usize = 96;
+/// A line of text is no wider.
+const PAGE_MM: f64 = 150.0;
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let all = wanted(w.scene, w.worked, false)?;
@@ -49,20 +54,19 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
         digits: w.options.digits,
     };
     let name = |k: usize| if all.len() == 1 { ENTRY.name.to_owned() } else { format!("{}-{}", ENTRY.name, k + 1) };
-    let pages = all.iter().enumerate().map(|(k, a)| (name(k), figure(w, &words, a, true))).collect();
+    let pages = all.iter().enumerate().map(|(k, a)| (name(k), figure(w, &words, a))).collect();
     Ok(Warned { value: pages, notes: Vec::new() })
 }
 
-/// The page of one wrong solution; `told`: with what is wrong in it, for a solution rather than a problem.
-pub fn figure(w: &Wanted, words: &Words, a: &Attempt, told: bool) -> Figure {
+/// The page of one wrong solution.
+fn figure(w: &Wanted, words: &Words, a: &Attempt) -> Figure {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let mut parts = vec![text(w, &[Phrase::of_words(&words.heading(a))], "heading", w.options.style.caption_mm)];
     if let Some(part) = overlay(w, &maker, words, a) {
         parts.push(part);
     }
     parts.extend(equation(w, words, a));
-    parts.push(text(w, &folded(&words.lines(a)), "line", w.options.style.small_mm));
-    let _ = told;
+    parts.push(text(w, &folded(&w.options.style, &words.lines(a)), "line", w.options.style.small_mm));
     let tree = Tree::column((0..parts.len()).map(Tree::Leaf).collect());
     tree.put(&mut parts, Point::ORIGIN);
     let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
@@ -74,7 +78,7 @@ pub fn figure(w: &Wanted, words: &Words, a: &Attempt, told: bool) -> Figure {
 /// The right polygon with the wrong one over it.
 fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part> {
     let level = a.gap.level;
-    let (right, wrong) = (a.right.construction.polygon(level)?, a.wrong.construction.polygon(level)?);
+    let (right, wrong) = (a.right.worked.construction.polygon(level)?, a.wrong.worked.construction.polygon(level)?);
     let [right_words, wrong_words] = words.writers(a);
     let mut d = polygon::drawing(&w.options.style, &right_words, right, false);
     let style = &w.options.style;
@@ -91,7 +95,8 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         let one = |a: Point, b: Point| a.distance(b) < SAME_MM;
         all.iter().any(|(a, b)| one(*a, from) && one(*b, to))
     };
-    let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).collect();
+    let whole = right.images.iter().flatten().map(|tip| (Point::ORIGIN, *tip));
+    let right_edges: Vec<(Point, Point)> = right.edges.iter().map(|e| (e.from.1, e.to.1)).chain(whole).collect();
     for e in &wrong.edges {
         let (from, to) = (e.from.1, e.to.1);
         if from.distance(to) < SAME_MM || is_there(from, to, &right_edges) || is_there(from, to, &drawn) {
@@ -105,7 +110,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
         arrow(&mut d, (Point::ORIGIN, tips[1]), &wrong_words.vector(level, a.gap.wrong));
     }
     for (v, at) in wrong.images.iter().enumerate().filter_map(|(v, at)| Some((VertexId(v), (*at)?))) {
-        if a.wrong.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM) {
+        if a.wrong.worked.plan.vertex(v).fixed || lettered.iter().any(|p| p.distance(at) < SAME_MM) {
             continue;
         }
         lettered.push(at);
@@ -201,35 +206,57 @@ fn text(w: &Wanted, lines: &[Phrase], what: &str, size_mm: f64) -> Part {
     Part::of(grid::set(&rows, 0.0))
 }
 
-/// Sentences in lines that are not wider than a page.
-fn folded(lines: &[Phrase]) -> Vec<Phrase> {
-    use unicode_width::UnicodeWidthChar;
+/// Sentences in lines that are not wider than a page: they break at spaces, between Chinese characters, and beside formulas.
+fn folded(style: &Style, lines: &[Phrase]) -> Vec<Phrase> {
+    let width = |p: &Piece| set(&Phrase::of_pieces(vec![p.clone()]).label().in_fonts(&style.fonts)).width_em * style.small_mm;
     let mut out = Vec::new();
     for line in lines {
-        let plain = line.plain();
-        let wide: usize = plain.chars().map(|c| c.width().unwrap_or(0)).sum();
-        // Formulas stay whole: only plain words are folded.
-        if wide <= WIDE || line.pieces().iter().any(|p| matches!(p, crate::report::phrase::Piece::Formula(_))) {
-            out.push(line.clone());
-            continue;
-        }
-        let (mut here, mut used, mut last_space) = (String::new(), 0, None);
-        for c in plain.chars() {
-            let width = c.width().unwrap_or(0);
-            if used + width > WIDE {
-                let rest = last_space.map_or(String::new(), |k: usize| here.split_off(k));
-                out.push(Phrase::of_words(here.trim_end()));
-                here = rest.trim_start().to_owned();
-                used = here.chars().map(|c| c.width().unwrap_or(0)).sum();
-                last_space = None;
+        let (mut here, mut used): (Vec<Piece>, f64) = (Vec::new(), 0.0);
+        for piece in line.pieces().iter().flat_map(parted) {
+            let wide = width(&piece);
+            // A stop does not begin a line.
+            let stop = matches!(&piece, Piece::Words(w) if w.starts_with(['，', '。', '；', '：', '）', '、', '.', ',', ';', ')']));
+            if used + wide > PAGE_MM && !here.is_empty() && !stop {
+                out.push(Phrase::of_pieces(std::mem::take(&mut here)));
+                used = 0.0;
             }
-            if c == ' ' {
-                last_space = Some(here.len());
-            }
-            here.push(c);
-            used += width;
+            used += wide;
+            here.push(piece);
         }
-        out.push(Phrase::of_words(here.trim_end()));
+        out.push(Phrase::of_pieces(here));
     }
     out
+}
+
+/// The pieces between which a line may break.
+fn parted(piece: &Piece) -> Vec<Piece> {
+    let Piece::Words(words) = piece else { return vec![piece.clone()] };
+    let mut out: Vec<String> = vec![String::new()];
+    for c in words.chars() {
+        let breaks = out.last().is_some_and(|w: &String| w.ends_with(' ') && c != ' ') || !c.is_ascii() && c.width() == Some(2);
+        if breaks && out.last().is_some_and(|w| !w.is_empty()) {
+            out.push(String::new());
+        }
+        if let Some(last) = out.last_mut() {
+            last.push(c);
+        }
+    }
+    out.into_iter().map(Piece::Words).collect()
+}
+
+/// The polygon of a wrong solution as its author would draw it, with nothing that tells it from a right one.
+pub fn as_printed(a: &Attempt, options: &Options) -> Option<Figure> {
+    let maker = Maker { scene: &a.wrong.scene, worked: &a.wrong.worked, options, certified: Vec::new() };
+    let level = a.gap.level;
+    let part = maker.captioned(maker.polygon(a.wrong.worked.construction.polygon(level)?), "", level);
+    let mut figure = maker.alone(part);
+    figure.desc = maker.words().polygon(level).into();
+    Some(figure)
+}
+
+/// The page of a wrong solution, for documents.
+pub fn page_of(scene: &Scene, worked: &Worked, options: &Options, a: &Attempt) -> Figure {
+    let certified = certify(scene, worked, options.digits);
+    let words = Words { scene, worked, certified: &certified, notation: &options.notation, lang: options.lang, digits: options.digits };
+    figure(&Wanted { scene, worked, options, extras: &Extras::default() }, &words, a)
 }

@@ -66,7 +66,7 @@ impl Words<'_> {
 
     /// Writers for the right and the wrong equations.
     pub fn writers<'b>(&'b self, a: &'b Attempt) -> [Writer<'b>; 2] {
-        [&a.right, &a.wrong].map(|s| Writer { scene: &s.scene, plan: &s.plan, notation: self.notation, lang: self.lang })
+        [&a.right, &a.wrong].map(|s| Writer { scene: &s.scene, plan: &s.worked.plan, notation: self.notation, lang: self.lang })
     }
 
     /// The equation in which the mistake is seen; none where it is a statement.
@@ -167,6 +167,17 @@ impl Words<'_> {
         Phrase::new(&format!("${}${colon}{}", symbol(find, self.notation), parts.join(self.tr(" · ", " · "))))
     }
 
+    /// What the wrong solution claims: what was printed, else what its equation gives.
+    pub fn claimed(&self, row: &Row) -> Option<Phrase> {
+        let find = &self.scene.find[self.worked.results[row.result].find];
+        let value = match (&row.printed, row.wrong) {
+            (Some(p), _) => self.printed(find, p),
+            (None, Some(v)) => self.plain(find, v),
+            (None, None) => return None,
+        };
+        Some(Phrase::new(&format!("${}$ = {value}", symbol(find, self.notation))))
+    }
+
     /// The gap between the tips.
     pub fn gap(&self, a: &Attempt) -> Phrase {
         let [_, wrong] = self.writers(a);
@@ -180,20 +191,21 @@ impl Words<'_> {
     }
 
     /// Why it is wrong: in the author's words if there are any.
-    pub fn why(&self, a: &Attempt) -> String {
+    pub fn why(&self, a: &Attempt) -> Phrase {
         let said = a.said.as_ref().and_then(|s| s.why.as_ref()).map(|w| w.get(self.lang).to_owned());
         let why = a.site.why(self.scene);
-        said.unwrap_or(match self.lang {
-            Lang::En => why.en,
-            Lang::Zh => why.zh,
-        })
+        match (said, self.lang) {
+            (Some(said), _) => Phrase::of_words(&said),
+            (None, Lang::En) => Phrase::new(&why.en),
+            (None, Lang::Zh) => Phrase::new(&why.zh),
+        }
     }
 
     /// All that is said below the drawing.
     pub fn lines(&self, a: &Attempt) -> Vec<Phrase> {
         let mut lines: Vec<Phrase> = a.rows.iter().map(|r| self.row(r)).collect();
         lines.push(self.gap(a));
-        lines.push(Phrase::of_words(&self.why(a)));
+        lines.push(self.why(a));
         lines
     }
 }
@@ -279,7 +291,7 @@ pub fn json(words: &Words, all: &[Attempt]) -> Json {
             "framed": framed.unwrap_or_default(),
             "gap": [a.gap.vector.x, a.gap.vector.y],
             "answers": a.rows.iter().map(row).collect::<Vec<_>>(),
-            "why": a.site.why(words.scene).en,
+            "why": Phrase::new(&a.site.why(words.scene).en).plain(),
         })
     };
     json!({"schema": "hodograph/attempts/1", "attempts": all.iter().map(one).collect::<Vec<_>>()})
