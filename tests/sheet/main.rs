@@ -3,6 +3,7 @@
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
 mod fonts;
+mod extra;
 mod legible;
 mod motion;
 mod parted;
