@@ -61,6 +61,7 @@
 //!   speeds by centres beside those of drawing and analysis.
 //! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
+//! - [`attempts`]: wrong solutions: where a known mistake can be made, and what its equations, drawn on the same board, give.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
@@ -98,6 +99,7 @@
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
+//! attempts   diag scene geom mechanism position answer plan construct accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
@@ -122,6 +124,7 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod attempts;
 pub mod cam;
 pub mod centres;
 #[cfg(feature = "cli")]

@@ -32,8 +32,14 @@ pub fn run(a: Animate) -> Run {
         Some("svg") => Format::Svg,
         Some("png") => Format::Frames,
         _ => {
-            let d = Diagnostic::error("output", both!("{path} is neither a .gif, nor a .svg, nor a .png file", "{path} 不是 .gif、.svg 或 .png 文件"));
-            let help = both!("write -o turn.gif, -o turn.svg, or -o turn.png for frames turn-001.png, …", "请写 -o turn.gif、-o turn.svg，或 -o turn.png（得到各帧 turn-001.png……）");
+            let d = Diagnostic::error(
+                "output",
+                both!("{path} is neither a .gif, nor a .svg, nor a .png file", "{path} 不是 .gif、.svg 或 .png 文件"),
+            );
+            let help = both!(
+                "write -o turn.gif, -o turn.svg, or -o turn.png for frames turn-001.png, …",
+                "请写 -o turn.gif、-o turn.svg，或 -o turn.png（得到各帧 turn-001.png……）"
+            );
             return Err(Failure::argument("-o", path, d.help(help)));
         }
     };

@@ -55,6 +55,8 @@ pub enum Command {
     Centres(Centres),
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
     Composite(Composite),
+    /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
+    Attempts(Attempts),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -208,6 +210,9 @@ pub struct Worksheet {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
+    /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
+    #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
+    pub find_the_mistake: Option<String>,
     #[command(flatten)]
     pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
@@ -399,6 +404,19 @@ pub struct Centres {
 pub struct Composite {
     #[command(flatten)]
     pub common: Common,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg")]
+pub struct Attempts {
+    #[command(flatten)]
+    pub common: Common,
+    /// All typical mistakes of the scene, though it names some
+    #[arg(long)]
+    pub all: bool,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -5,6 +5,7 @@
 
 mod animate;
 mod args;
+mod attempts;
 mod batch;
 mod cam;
 mod centres;
@@ -76,6 +77,7 @@ pub fn main() -> ExitCode {
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
         Command::Composite(a) => composite::run(a),
+        Command::Attempts(a) => attempts::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -102,7 +102,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
             }
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                let omega = self.rate(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
                 self.slide_velocity(term).perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {

@@ -4,9 +4,10 @@
 
 mod arrange;
 pub mod arrow;
+pub mod attempts;
 pub mod cam;
 mod centres;
-pub mod composite;
+mod composite;
 pub(crate) mod course;
 pub mod curves;
 pub mod drawing;

@@ -37,8 +37,16 @@ pub fn write(frames: &[String], dpi: f64, seconds: f64) -> Result<Vec<u8>, Diagn
         };
         let bytes = usize::from(w) * usize::from(h) * 3 * frames.len();
         if bytes > BYTES_MAX {
-            let message = both!("{} frames of {} by {} pixels are more than a GIF is made for", "{} 帧 {} × {} 像素超出 GIF 的用途", frames.len(), w, h);
-            return Err(fault(message).help(both!("choose a lower --dpi, fewer --frames, or .svg", "请减小 --dpi 或 --frames，或改用 .svg")));
+            let message = both!(
+                "{} frames of {} by {} pixels are more than a GIF is made for",
+                "{} 帧 {} × {} 像素超出 GIF 的用途",
+                frames.len(),
+                w,
+                h
+            );
+            return Err(
+                fault(message).help(both!("choose a lower --dpi, fewer --frames, or .svg", "请减小 --dpi 或 --frames，或改用 .svg"))
+            );
         }
         size = Some([Some(w), Some(h)]);
         pictures.push(pixmap.data().chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect::<Vec<_>>());

@@ -69,7 +69,8 @@ fn anchors(shown: &[Vec<String>]) -> Vec<Vec<usize>> {
     let mut last = vec![None; shown.len()];
     let mut out: Vec<Vec<usize>> = Vec::new();
     for e in &shown[0] {
-        let next = |(of, last): (&HashMap<&str, Vec<usize>>, &Option<usize>)| of.get(e.as_str())?.iter().copied().find(|k| Some(*k) > *last);
+        let next =
+            |(of, last): (&HashMap<&str, Vec<usize>>, &Option<usize>)| of.get(e.as_str())?.iter().copied().find(|k| Some(*k) > *last);
         let found: Option<Vec<usize>> = places.iter().zip(&last).map(next).collect();
         if let Some(found) = found {
             last = found.iter().map(|k| Some(*k)).collect();
@@ -129,7 +130,10 @@ mod tests {
         };
         let figures = [1.0, 2.0, 3.0].map(figure);
         let svg = write(&figures.iter().collect::<Vec<_>>(), 6.0).unwrap();
-        assert_eq!((svg.matches("x2=\"9\"").count(), svg.matches("<animate").count(), svg.matches("display=\"inline\"").count()), (1, 3, 1));
+        assert_eq!(
+            (svg.matches("x2=\"9\"").count(), svg.matches("<animate").count(), svg.matches("display=\"inline\"").count()),
+            (1, 3, 1)
+        );
         // Between the two that stay, as in each frame.
         let place = |what: &str| svg.find(what).unwrap();
         assert!(place("x2=\"9\"") < place("x2=\"3\"") && place("x2=\"3\"") < place("x2=\"8\""));

@@ -1,6 +1,7 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 pub mod answers;
+pub mod attempts;
 pub mod cam;
 pub mod centres;
 pub mod centres_json;

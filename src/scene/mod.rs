@@ -14,6 +14,7 @@ pub mod expr;
 mod keys;
 mod lang;
 mod law;
+mod mistake;
 pub mod model;
 mod names;
 pub mod quantity;

@@ -14,6 +14,7 @@ mod given;
 pub mod html;
 mod lines;
 pub mod markdown;
+mod mistake;
 pub mod pages;
 mod problem;
 mod results;
@@ -31,6 +32,8 @@ use crate::report::math::Math;
 use crate::report::phrase::{Phrase, tr};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
+
+pub use mistake::find_the_mistake;
 
 /// Which sides of a worksheet are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,7 +140,6 @@ pub struct Beside {
 /// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
 /// ```
 pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document {
-    let lang = options.sheet.lang;
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
     let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
@@ -148,12 +150,19 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document 
     if options.sides != Sides::Problem {
         maker.solution(&mut blocks, options.sides == Sides::Solution);
     }
+    document(scene, options, blocks)
+}
+
+/// The blocks under the scene's title.
+fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
+    let lang = options.sheet.lang;
     let title = scene.title.get(lang);
     let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
     Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 
 /// What all parts of a worksheet are made from.
+#[derive(Clone, Copy)]
 struct Maker<'a> {
     scene: &'a Scene,
     worked: &'a Worked,

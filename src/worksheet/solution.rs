@@ -127,7 +127,7 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: true, members });
     }
 
-    fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
+    pub(super) fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
         let w = self.writer();
         if let Step::Equation { target, .. } = step
             && let Some(special) = w.plan.special(*target)

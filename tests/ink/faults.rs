@@ -70,7 +70,9 @@ pub fn of(ink: &Ink) -> Faults {
         for l in drawn().filter(|l| l.width_mm < THICK_MM).filter(through) {
             f.note(7, format!("{} and {}", a.id, l.id));
         }
-        if has(&a.class, "inset") && let Some(wide) = spread(ink, a) {
+        if has(&a.class, "inset")
+            && let Some(wide) = spread(ink, a)
+        {
             f.note(4, format!("{} names places {wide:.4} mm apart", a.id));
         }
     }

@@ -15,6 +15,7 @@ use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
+use super::attempts;
 use super::centres;
 use super::composite;
 use super::item::Figure;
@@ -47,6 +48,7 @@ pub const LIST: &[&Entry] = &[
     &kutzbach::ENTRY,
     &gears::ENTRY,
     &composite::ENTRY,
+    &attempts::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

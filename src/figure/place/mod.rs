@@ -163,7 +163,13 @@ fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
     let (radius_mm, from_rad) = (LEADER_DOT_MM, (from - to).angle());
     let dot = Piece::Arc { centre: to, radius_mm, from_rad, to_rad: from_rad + TAU };
     let start = to + Vec2::from_angle(from_rad) * radius_mm;
-    Shape::Path { start, pieces: vec![dot, Piece::Move(start), Piece::Line(from)], closed: false, stroke: Some(stroke.coloured(grey)), fill: Some(grey) }
+    Shape::Path {
+        start,
+        pieces: vec![dot, Piece::Move(start), Piece::Line(from)],
+        closed: false,
+        stroke: Some(stroke.coloured(grey)),
+        fill: Some(grey),
+    }
 }
 
 /// Finds a place for every label: one placement for each request, in their order.

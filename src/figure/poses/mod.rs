@@ -122,7 +122,10 @@ impl Poses {
         let rows = &self.rows;
         let mut notes = Vec::new();
         if rows.len() < wanted.count {
-            notes.push(Diagnostic::note("poses", both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count)));
+            notes.push(Diagnostic::note(
+                "poses",
+                both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count),
+            ));
         }
         if scene.own_drivers() > 1 {
             let text = both!(

@@ -84,7 +84,7 @@ pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
     text.split_once('_').is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
-fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
+pub(super) fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let Some((symbol, rest)) = word.text.split_once('_') else {
         let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
