@@ -44,6 +44,7 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`curvature`]: how paths bend: pole, inflection circle, centres of curvature with the ruler and from accelerations; centrodes.
 //! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
@@ -83,14 +84,15 @@
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
+//! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature trains sweep effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature gears trains sweep report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite curvature sweep effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -112,6 +114,7 @@ pub mod centres;
 pub mod cli;
 pub mod composite;
 pub mod construct;
+pub mod curvature;
 pub mod diag;
 pub mod digits;
 pub mod effort;
