@@ -1,5 +1,6 @@
 //! The arguments of every command.
 
+pub use super::more::Curvature;
 use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
@@ -51,6 +52,8 @@ pub enum Command {
     Mobility(Mobility),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
+    /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary), acceleration pole, Ball's point
+    Curvature(Curvature),
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion
     Composite(Composite),
     /// Write a template's scene, with other parameters if wanted

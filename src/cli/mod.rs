@@ -8,6 +8,7 @@ mod batch;
 mod cam;
 mod centres;
 mod composite;
+mod curvature;
 mod curves;
 mod draw;
 mod files;
@@ -16,6 +17,7 @@ mod journal;
 mod lang;
 mod long;
 mod mobility;
+mod more;
 mod part;
 mod path;
 mod plan;
@@ -73,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
+        Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),

@@ -112,7 +112,7 @@ impl Places<'_> {
     /// All rays of a link; those from other links only where its own do not suffice. `behind` are the links that wait for it.
     fn rays(&self, link: LinkId, behind: &[LinkId]) -> Vec<Known> {
         let mut out = Vec::new();
-        for p in self.scene.links[link.0].points.iter().copied() {
+        for p in super::points(self.scene, link) {
             out.extend(self.crank(link, p));
         }
         for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
@@ -143,8 +143,14 @@ impl Places<'_> {
     }
 
     fn guided(&self, link: LinkId, g: GuideId, guide: &crate::scene::Guide) -> Option<Known> {
+        let path = self.at.guides[g.0]?;
+        // A line of a block that slides on a link about a fixed pin always leads through that pin.
+        if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
+            let fixed = End::At(self.point(pivot)?);
+            return Some(Known { moving: End::Infinity(direction.perp()), fixed, why: Why::Through(pivot, g) });
+        }
         let pin = guide.pin?;
-        let (place, path) = (self.point(pin)?, self.at.guides[g.0]?);
+        let place = self.point(pin)?;
         if guide.on == self.against && self.holds(link, pin) {
             return Some(match path {
                 Path::Line { direction, .. } => {

@@ -147,15 +147,30 @@ impl OfLink {
     }
 }
 
-/// The links that are seen to have a pole that moves: those that do not turn about a pin of the ground.
+/// The points of a link, and the pins of the guides in which it slides.
+pub fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
+    let mut out = scene.links[link.0].points.clone();
+    let pins = scene.guides.iter().filter(|g| g.slider == Some(link)).filter_map(|g| g.pin);
+    for p in pins {
+        if !out.contains(&p) {
+            out.push(p);
+        }
+    }
+    out
+}
+
+/// The links that are seen to have a pole that moves: those that neither turn about a pin of the ground nor slide on it. Blocks, which have
+/// one point, are among them only where there are no others.
 pub fn couplers(scene: &Scene) -> Vec<LinkId> {
     let on_ground = |p: &PointId| scene.links[scene.ground.0].points.contains(p);
-    let slides = |l: usize| scene.guides.iter().any(|g| g.slider == Some(LinkId(l)) && g.on == scene.ground);
-    let floats = |l: &usize| {
-        let points = &scene.links[*l].points;
-        *l != scene.ground.0 && !slides(*l) && points.len() > 1 && !points.iter().any(on_ground)
+    let slides = |l: LinkId| scene.guides.iter().any(|g| g.slider == Some(l) && g.on == scene.ground);
+    let floats = |l: &LinkId| {
+        let points = points(scene, *l);
+        *l != scene.ground && !slides(*l) && !points.is_empty() && !points.iter().any(on_ground)
     };
-    (0..scene.links.len()).filter(floats).map(LinkId).collect()
+    let all: Vec<LinkId> = (0..scene.links.len()).map(LinkId).filter(floats).collect();
+    let large: Vec<LinkId> = all.iter().copied().filter(|l| scene.links[l.0].points.len() > 1).collect();
+    if large.is_empty() { all } else { large }
 }
 
 /// Finds the curvature of links at the instant of a scene.
@@ -202,7 +217,7 @@ fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
     let mut out = Vec::new();
     for (rate, letters) in [(Rate::Velocity, ("omega", "v")), (Rate::Acceleration, ("alpha", "a"))] {
         out.push(find(Turning { rate, of: link, against: None }.into(), format!("{}_{name}", letters.0)));
-        for p in &scene.links[link.0].points {
+        for p in &points(scene, link) {
             let of = OnLink { point: *p, link: None };
             out.push(find(PointMotion { rate, of }.into(), format!("{}_{}", letters.1, scene.point_name(*p))));
         }
@@ -241,7 +256,7 @@ fn of_link(scene: &Scene, worked: &Worked, asked: &Asked, link: LinkId, against:
     let motion = motion(scene, worked, link, against)?;
     let places = Places { scene, at: &worked.configuration, against };
     let drawing = places.drawing_behind(link, &[]);
-    let own = &scene.links[link.0].points;
+    let own = points(scene, link);
     let wanted: Vec<PointId> = own.iter().copied().filter(|p| asked.points.is_empty() || asked.points.contains(p)).collect();
     let size = motion.size;
     let drawn = |p: PointId, at: Point| match &drawing {

@@ -6,6 +6,8 @@ pub mod centres;
 pub mod centres_json;
 pub mod composite;
 pub mod construction;
+pub mod curvature;
+pub mod curvature_json;
 pub mod diagnostics;
 pub mod drafting;
 pub mod equation;

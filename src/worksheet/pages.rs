@@ -7,7 +7,7 @@
 use std::collections::VecDeque;
 
 use super::display::built;
-use super::lines::wrapped;
+use crate::figure::lines::wrapped;
 use super::{Block, Document, Table, TableKind};
 use crate::figure::extent::{bounds, translate};
 use crate::figure::font::own::Fonts;

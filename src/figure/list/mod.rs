@@ -17,6 +17,7 @@ use crate::worked::Worked;
 
 use super::centres;
 use super::composite;
+use super::curvature;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -47,6 +48,8 @@ pub const LIST: &[&Entry] = &[
     &kutzbach::ENTRY,
     &gears::ENTRY,
     &composite::ENTRY,
+    &curvature::ENTRY,
+    &curvature::CENTRODES,
 ];
 
 /// The figure that is drawn when none is named.
