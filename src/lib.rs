@@ -45,6 +45,7 @@
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
 //! - [`curvature`]: how paths bend: pole, inflection circle, centres of curvature with the ruler and from accelerations; centrodes.
+//! - [`inversions`]: each link of a chain as ground in turn, every one a scene.
 //! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
@@ -86,13 +87,14 @@
 //! composite  diag scene geom mechanism answer worked
 //! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
+//! inversions diag scene mechanism position worked curvature sweep
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature trains sweep effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature gears trains sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature trains sweep inversions effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature gears trains sweep inversions report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite curvature sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite curvature sweep inversions effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -121,6 +123,7 @@ pub mod effort;
 pub mod figure;
 pub mod gears;
 pub mod geom;
+pub mod inversions;
 mod json;
 pub mod lesson;
 pub mod mechanism;

@@ -1,6 +1,6 @@
 //! The arguments of every command.
 
-pub use super::more::Curvature;
+pub use super::more::{Curvature, Inversions};
 use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
@@ -52,6 +52,8 @@ pub enum Command {
     Mobility(Mobility),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
+    /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully, and strokes; each a scene
+    Inversions(Inversions),
     /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary), acceleration pole, Ball's point
     Curvature(Curvature),
     /// Composite motion of a point: which moving points and frames serve and why not, and the parts of the motion

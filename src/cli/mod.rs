@@ -13,6 +13,7 @@ mod curves;
 mod draw;
 mod files;
 mod help;
+mod inversions;
 mod journal;
 mod lang;
 mod long;
@@ -75,6 +76,7 @@ pub fn main() -> ExitCode {
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
+        Command::Inversions(a) => inversions::run(a),
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),

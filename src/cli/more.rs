@@ -27,3 +27,19 @@ pub struct Curvature {
     #[arg(long, requires = "json")]
     pub centrodes: bool,
 }
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "Side by side as a figure: hodograph draw SCENE --figure inversions -o inversions.svg")]
+pub struct Inversions {
+    #[command(flatten)]
+    pub common: Common,
+    /// Write the scene of each inversion into this folder, or that of --pick to this file ending in .json
+    #[arg(short, long, value_name = "PATH")]
+    pub output: Option<String>,
+    /// The inversion with this link as ground alone; without -o its scene is printed
+    #[arg(long, value_name = "LINK")]
+    pub pick: Option<String>,
+    /// As JSON, in SI
+    #[arg(long, conflicts_with = "pick")]
+    pub json: bool,
+}

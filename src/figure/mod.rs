@@ -17,6 +17,7 @@ mod gears;
 pub mod grid;
 pub mod groups;
 pub mod hodograph;
+pub mod inversions;
 pub mod item;
 mod kutzbach;
 pub mod label;

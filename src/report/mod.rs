@@ -11,6 +11,7 @@ pub mod curvature_json;
 pub mod diagnostics;
 pub mod drafting;
 pub mod equation;
+pub mod inversions;
 pub mod limits;
 pub mod math;
 pub mod mobility;

@@ -18,6 +18,7 @@ use crate::worked::Worked;
 use super::centres;
 use super::composite;
 use super::curvature;
+use super::inversions;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -50,6 +51,7 @@ pub const LIST: &[&Entry] = &[
     &composite::ENTRY,
     &curvature::ENTRY,
     &curvature::CENTRODES,
+    &inversions::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.
