@@ -69,11 +69,18 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
     let cylinder = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Cylinder { .. }));
     if !scene.rolling.is_empty() || !scene.cams.is_empty() || cylinder {
-        let message = both!("only chains of pins and slides are inverted; this one has wheels, cams or cylinders", "只能倒置由转动副和移动副组成的运动链；该机构有齿轮、凸轮或油缸");
+        let message = both!(
+            "only chains of pins and slides are inverted; this one has wheels, cams or cylinders",
+            "只能倒置由转动副和移动副组成的运动链；该机构有齿轮、凸轮或油缸"
+        );
         faults.push(Diagnostic::error("inversion-pairs", message).help(both!("replace them by lower pairs", "请先以低副代替")));
     }
     if scene.drivers.len() != 1 {
-        let message = both!("a chain of one freedom is inverted; this one has {} drivers", "只能倒置单自由度运动链；该机构有 {} 个原动件", scene.drivers.len());
+        let message = both!(
+            "a chain of one freedom is inverted; this one has {} drivers",
+            "只能倒置单自由度运动链；该机构有 {} 个原动件",
+            scene.drivers.len()
+        );
         faults.push(Diagnostic::error("inversion-freedoms", message).help(both!("give the scene one driver", "请只给一个原动件")));
     }
     if scene.links.len() > MOST_LINKS {
@@ -89,18 +96,17 @@ fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion
         let name = scene.link_name(ground);
         Diagnostic::error("inversion", both!("no link is pinned to link {name} or slides on it", "没有构件与构件 {name} 铰接或沿其滑动"))
     };
-    let mut first: Result<Inversion, Faults> = Err(none().into());
+    let (mut first, mut why) = (None, None);
     for (name, driver) in drivers(scene, ground) {
         let text = written(scene, at, ground, driver);
-        let made = read(scene, ground, text, name);
-        match (&first, made) {
+        match read(scene, ground, text, name) {
             // The first that turns fully; else the first that moves at all.
-            (_, Ok(made)) if made.limits.range.full() && turns(&made.scene) => return Ok(made),
-            (Err(_), made) => first = made,
-            (Ok(_), _) => {}
+            Ok(made) if made.limits.range.full() && turns(&made.scene) => return Ok(made),
+            Ok(made) => first = first.or(Some(made)),
+            Err(faults) => why = why.or(Some(faults)),
         }
     }
-    first
+    first.ok_or_else(|| why.unwrap_or_else(|| none().into()))
 }
 
 fn turns(scene: &Scene) -> bool {
@@ -131,9 +137,11 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
         DriverKind::Turn { link, .. } => Some(link),
         DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
     };
+    let guided = |l: LinkId| scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
+    let has_angle = |l: LinkId| scene.links[l.0].points.len() > 1 || guided(l);
     let mut links: Vec<LinkId> = (0..scene.links.len())
         .map(LinkId)
-        .filter(|l| *l != ground && points(scene, *l).iter().any(|p| own.contains(p)) && scene.links[l.0].points.len() > 1)
+        .filter(|l| *l != ground && points(scene, *l).iter().any(|p| own.contains(p)) && has_angle(*l))
         .collect();
     links.sort_by_key(|l| Some(*l) != own_driver);
     let turn = |l: &LinkId| (scene.link_name(*l).to_owned(), json!({"link": scene.link_name(*l), "omega": format!("{rate:?} rad/s")}));
@@ -152,7 +160,8 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
 /// The file of an inversion: all places as they are in the pose.
 fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> String {
     let name = |p: &PointId| scene.point_name(*p).to_owned();
-    let place = |p: PointId| at.points[p.0].map(|at| (scene.point_name(p).to_owned(), json!([format!("{:?} m", at.x), format!("{:?} m", at.y)])));
+    let place =
+        |p: PointId| at.points[p.0].map(|at| (scene.point_name(p).to_owned(), json!([format!("{:?} m", at.x), format!("{:?} m", at.y)])));
     let mut links = Map::new();
     for l in (0..scene.links.len()).map(LinkId) {
         let own = if l == ground { points(scene, l) } else { scene.links[l.0].points.clone() };
@@ -174,7 +183,14 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
         out["guides"] = Json::Array(guides);
     }
     out["driver"] = driver;
-    format!("{out:#}\n")
+    lines(&out)
+}
+
+/// A scene as people write it: a line for each key.
+fn lines(scene: &Json) -> String {
+    let line = |(key, value): (&String, &Json)| format!("  {}: {value}", json!(key));
+    let all: Vec<String> = scene.as_object().into_iter().flatten().map(line).collect();
+    format!("{{\n{}\n}}\n", all.join(",\n"))
 }
 
 /// A guide as it is written with another ground. A block that has become the ground carries it: what was its guide slides.

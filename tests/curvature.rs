@@ -226,7 +226,13 @@ fn curvature_is_that_of_the_path() {
                 let asked = Asked { links: vec![of.link], ..Asked::default() };
                 curvature(&scene, &asked).ok()?.value.list.first()?.drawn().map(|d| d.pole)
             };
-            if !(0..7).all(|i| drawn(i).is_some_and(|p| { all[i] = p; true })) || pole.pole.distance(Point::ORIGIN) > 0.5 {
+            if !(0..7).all(|i| {
+                drawn(i).is_some_and(|p| {
+                    all[i] = p;
+                    true
+                })
+            }) || pole.pole.distance(Point::ORIGIN) > 0.5
+            {
                 continue;
             }
             let (u, _) = derivatives(all, step);
@@ -256,7 +262,9 @@ fn balls_point_runs_straight_to_the_third_order() {
         }
         [linkage.lengths[4], linkage.lengths[5]] = [local.x, local.y];
         let places = |h: f64| [-1.0, 1.0].map(|s| linkage.place("E", angle + s * h));
-        let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) = (linkage.place("E", angle), places(4.0), places(2.0)) else { continue };
+        let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) = (linkage.place("E", angle), places(4.0), places(2.0)) else {
+            continue;
+        };
         // The even part of the way across the tangent: of the second order where the path bends, of the fourth here.
         let t = (b2 - b1).unit().unwrap();
         let across = |p: Point, q: Point| (t.cross(p - middle) + t.cross(q - middle)).abs();

@@ -45,7 +45,14 @@ fn solved(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand, sol
     let system = System::new(scene, at, &layout).ok()?;
     let left = system.rows.iter().map(|row| -motion.residual(&row.relation, 3));
     let terms = system.solve(&DVector::from_iterator(system.rows.len(), left))? * 6.0;
-    Some(layout.links.iter().enumerate().map(|(i, l)| (*l, (Vec2::new(terms[3 * i], terms[3 * i + 1]) * (1.0 / layout.scale), terms[3 * i + 2]))).collect())
+    Some(
+        layout
+            .links
+            .iter()
+            .enumerate()
+            .map(|(i, l)| (*l, (Vec2::new(terms[3 * i], terms[3 * i + 1]) * (1.0 / layout.scale), terms[3 * i + 2])))
+            .collect(),
+    )
 }
 
 /// The rates of a level of a layout's unknowns, from a solution; `None` where it does not hold them.

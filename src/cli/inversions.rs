@@ -20,7 +20,10 @@ pub fn run(a: args::Inversions) -> Run {
     if let Some(name) = &a.pick {
         let known = || all.iter().map(|i| i.scene.link_name(i.scene.ground));
         let Some(picked) = all.iter().find(|i| i.scene.link_name(i.scene.ground) == name) else {
-            let d = Diagnostic::error("unknown-link", both!("there is no inversion with link `{name}` as ground", "没有以构件 `{name}` 为机架的倒置机构"));
+            let d = Diagnostic::error(
+                "unknown-link",
+                both!("there is no inversion with link `{name}` as ground", "没有以构件 `{name}` 为机架的倒置机构"),
+            );
             return Err(Failure::argument("--pick", name, d.help(suggest(name, known(), both!("the grounds are", "可为机架的构件有")))));
         };
         match &a.output {

@@ -106,7 +106,10 @@ pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, 
     let stations: Vec<Option<Station>> = sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
     if stations.iter().flatten().all(|s| s.omega == 0.0) {
         let name = scene.link_name(link);
-        let d = Diagnostic::error("no-pole", both!("link {name} does not turn: its pole lies at infinity", "构件 {name} 不转动：其瞬心在无穷远处"));
+        let d = Diagnostic::error(
+            "no-pole",
+            both!("link {name} does not turn: its pole lies at infinity", "构件 {name} 不转动：其瞬心在无穷远处"),
+        );
         return Err(d.help(both!("choose a link that turns", "请选转动的构件")).into());
     }
     Ok(Centrodes { link, against, stations, closed: sweep.full })

@@ -135,7 +135,8 @@ impl Places<'_> {
         let others = self.scene.carriers(p).filter(|l| *l != link && *l != self.against);
         let pivot = |l: LinkId| Some((l, self.scene.links[l.0].points.iter().copied().find(|q| *q != p && self.holds(self.against, *q))?));
         let (by, about) = others.filter_map(pivot).next()?;
-        let changes = |d: &crate::scene::Driver| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if [a, b] == [p, about] || [b, a] == [p, about]);
+        let changes =
+            |d: &crate::scene::Driver| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if [a, b] == [p, about] || [b, a] == [p, about]);
         if self.scene.drivers.iter().any(changes) {
             return None;
         }

@@ -20,13 +20,13 @@ pub mod motion;
 pub mod plane;
 
 use crate::analytic::third;
+use crate::answer::{Source, Value};
 use crate::centres::moving_at_all;
 use crate::diag::{Diagnostic, Faults, Severity, Warned, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::scene::quantity::{PointMotion, Rate, Turning};
 use crate::scene::{Asked as Question, Find, LinkId, OnLink, PointId, Scene};
-use crate::answer::{Source, Value};
 use crate::worked::{Scope, Worked, work};
 use drawing::{Drawing, Traced, traced};
 use known::Places;
@@ -228,11 +228,10 @@ fn questions(scene: &Scene, link: LinkId) -> Vec<Find> {
 /// The motion of a link as another sees it, at the first place that is known of it.
 pub fn motion(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId) -> Option<Motion> {
     let Worked { solution, configuration, mechanism, demand, .. } = worked;
-    let at = scene.links[link.0]
-        .points
-        .iter()
-        .find_map(|p| configuration.points[p.0])
-        .or_else(|| scene.guides.iter().filter(|g| g.slider == Some(link) || g.on == link).find_map(|g| configuration.points[g.pin?.0]))?;
+    let at =
+        scene.links[link.0].points.iter().find_map(|p| configuration.points[p.0]).or_else(|| {
+            scene.guides.iter().filter(|g| g.slider == Some(link) || g.on == link).find_map(|g| configuration.points[g.pin?.0])
+        })?;
     let of = |level, l| solution.of_link(level, l, at);
     let turning = |level, l| if l == scene.ground { Some(0.0) } else { solution.turning(level, l) };
     let (omega, frame) = (turning(Level::Velocity, link)?, turning(Level::Velocity, against)?);

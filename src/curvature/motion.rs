@@ -131,7 +131,14 @@ impl Motion {
         }
         let acceleration_pole = pole + a.divide_by(Vec2::new(omega * omega, -self.alpha));
         let bresse = (self.alpha.abs() > NONE * omega * omega).then(|| a.perp() * (1.0 / self.alpha));
-        State::Turning(Turning { pole, normal, pole_velocity: a.perp() * (1.0 / omega), acceleration_pole, bresse, ball: self.ball(pole, a) })
+        State::Turning(Turning {
+            pole,
+            normal,
+            pole_velocity: a.perp() * (1.0 / omega),
+            acceleration_pole,
+            bresse,
+            ball: self.ball(pole, a),
+        })
     }
 
     /// The crossing, other than P, of the inflection circle with v × d³z/dt³ = 0, which is a circle through P too: w·(3α a_P − ω j_P) = 0.

@@ -14,7 +14,10 @@ use super::mechanism;
 use super::sheet::Maker;
 
 /// All inversions.
-pub const ENTRY: Entry = Entry { name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw };
+pub const ENTRY: Entry =
+    Entry {
+        name: "inversions", about: ["Each link of the chain as ground in turn", "机构的倒置：依次以各构件为机架"], draw
+    };
 
 /// Between drawings.
 const GAP_MM: f64 = 14.0;

@@ -159,14 +159,23 @@ impl Words<'_> {
                 });
             }
             State::Turning(p) if p.stands() => out.push(match lang {
-                Lang::En => format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it"),
+                Lang::En => {
+                    format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")
+                }
                 Lang::Zh => format!("该瞬时 ${pole}$ 不动：拐点圆缩为一点，各点轨迹的曲率中心都是它"),
             }),
             State::Turning(_) => {}
         }
         out.extend(self.not_drawn(of));
         if self.found.at_rest {
-            out.push(tr(lang, "all drivers rest: values that depend on the rate are for one unit of it", "原动件均静止：与速度有关的值按单位速度给出").to_owned());
+            out.push(
+                tr(
+                    lang,
+                    "all drivers rest: values that depend on the rate are for one unit of it",
+                    "原动件均静止：与速度有关的值按单位速度给出",
+                )
+                .to_owned(),
+            );
         }
         out.iter().map(|s| Phrase::new(s)).collect()
     }
@@ -185,10 +194,20 @@ impl Words<'_> {
                 Lang::Zh => format!("两条极射线平行：纸上没有交点 ${pole}$"),
             }),
             Drawing::OneLine(_) => Some(
-                tr(lang, "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis", "两条极射线重合（死点）：不能定出瞬心；所给为解析值").to_owned(),
+                tr(
+                    lang,
+                    "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis",
+                    "两条极射线重合（死点）：不能定出瞬心；所给为解析值",
+                )
+                .to_owned(),
             ),
             Drawing::NoRays => Some(
-                tr(lang, "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis", "已知轨迹曲率中心的点少于两个：不作图；所给为解析值").to_owned(),
+                tr(
+                    lang,
+                    "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis",
+                    "已知轨迹曲率中心的点少于两个：不作图；所给为解析值",
+                )
+                .to_owned(),
             ),
         }
     }
@@ -210,12 +229,27 @@ impl Words<'_> {
         }
         let letter = |l: &str| self.letter(l, of);
         row(letter("J"), ["inflection pole", "拐点极"], place(drawn.map(|d| d.pole + d.normal)), self.place(pole.inflection_pole()));
-        row(letter("d"), ["inflection circle", "拐点圆直径"], drawn.map_or_else(none, |d| self.length(d.normal.norm())), self.length(pole.diameter()));
+        row(
+            letter("d"),
+            ["inflection circle", "拐点圆直径"],
+            drawn.map_or_else(none, |d| self.length(d.normal.norm())),
+            self.length(pole.diameter()),
+        );
         let tangent = |u: Vec2| format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS));
         row("t".into(), ["pole tangent", "瞬心切线"], drawn.map_or_else(none, |d| tangent(d.normal.perp())), tangent(pole.normal.perp()));
         row(letter("U"), ["Ball's point", "鲍尔点"], place(drawn.and_then(|d| d.ball)), place(pole.ball));
-        row(letter("u"), ["pole velocity", "瞬心移动速度"], drawn.and_then(|d| d.pole_velocity).map_or_else(none, |u| self.velocity(u)), self.velocity(pole.pole_velocity));
-        row(letter("K"), ["acceleration pole", "加速度瞬心"], place(drawn.and_then(|d| d.acceleration_pole)), self.place(pole.acceleration_pole));
+        row(
+            letter("u"),
+            ["pole velocity", "瞬心移动速度"],
+            drawn.and_then(|d| d.pole_velocity).map_or_else(none, |u| self.velocity(u)),
+            self.velocity(pole.pole_velocity),
+        );
+        row(
+            letter("K"),
+            ["acceleration pole", "加速度瞬心"],
+            place(drawn.and_then(|d| d.acceleration_pole)),
+            self.place(pole.acceleration_pole),
+        );
         let bresse = pole.bresse.map_or_else(|| tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(), |d| self.length(d.norm()));
         row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], none(), bresse);
         rows
@@ -223,16 +257,24 @@ impl Words<'_> {
 
     /// The points: symbol, radius and centre by drawing and by analysis.
     fn points(&self, of: &OfLink) -> Vec<Vec<String>> {
-        of.points.iter().map(|p| {
-            let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
-            let (radius, centre) = self.bend(p);
-            let drawn = match drawn {
-                Some(End::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
-                Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
-                None => "–".to_owned(),
-            };
-            vec![format!("ρ_{name}"), tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(), drawn, format!("{radius}  {centre}")]
-        }).collect()
+        of.points
+            .iter()
+            .map(|p| {
+                let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
+                let (radius, centre) = self.bend(p);
+                let drawn = match drawn {
+                    Some(End::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
+                    Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
+                    None => "–".to_owned(),
+                };
+                vec![
+                    format!("ρ_{name}"),
+                    tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(),
+                    drawn,
+                    format!("{radius}  {centre}"),
+                ]
+            })
+            .collect()
     }
 
     /// The results below a figure: `d_2 = 2523 mm`, radii of the asked points.
@@ -312,16 +354,30 @@ impl Words<'_> {
     fn ray(&self, k: &Known) -> String {
         let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
         match (k.why, lang) {
-            (Why::Crank(_, _, by), Lang::En) => format!("${moving}$ runs on a circle about ${fixed}$ (link {}): ray ${fixed}{moving}$", self.scene().link_name(by)),
-            (Why::Crank(_, _, by), Lang::Zh) => format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：射线 ${fixed}{moving}$", self.scene().link_name(by)),
-            (Why::Straight(..), Lang::En) => format!("${moving}$ runs straight: the ray is square to its guide, the centre lies at infinity"),
+            (Why::Crank(_, _, by), Lang::En) => {
+                format!("${moving}$ runs on a circle about ${fixed}$ (link {}): ray ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Crank(_, _, by), Lang::Zh) => {
+                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：射线 ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Straight(..), Lang::En) => {
+                format!("${moving}$ runs straight: the ray is square to its guide, the centre lies at infinity")
+            }
             (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
             (Why::Arc(..), Lang::En) => format!("${moving}$ runs in an arc about ${fixed}$: ray ${fixed}{moving}$"),
             (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：射线 ${fixed}{moving}$"),
-            (Why::Through(..), Lang::En) => format!("a line of the link along its guide always leads through ${fixed}$: ray square to it through ${fixed}$, the moving point lies at infinity"),
+            (Why::Through(..), Lang::En) => format!(
+                "a line of the link along its guide always leads through ${fixed}$: ray square to it through ${fixed}$, the moving point lies at infinity"
+            ),
             (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
-            (Why::Borrowed(_, of), Lang::En) => format!("${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: ray ${fixed}{moving}$", self.scene().link_name(of)),
-            (Why::Borrowed(_, of), Lang::Zh) => format!("${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：射线 ${fixed}{moving}$", self.scene().link_name(of)),
+            (Why::Borrowed(_, of), Lang::En) => format!(
+                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: ray ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+            (Why::Borrowed(_, of), Lang::Zh) => format!(
+                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：射线 ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
         }
     }
 
@@ -340,9 +396,16 @@ impl Words<'_> {
         let [b, c] = &rays.known;
         if let Some(q) = rays.collineation {
             let (moving, fixed) = ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
-            let at = if q.at().is_none() { tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）") } else { "" };
+            let at = if q.at().is_none() {
+                tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）")
+            } else {
+                ""
+            };
             out.push(match lang {
-                Lang::En => format!("${}{}$ and ${}{}$ cross in $Q${at}; ${pole}Q$ is the collineation axis (Bobillier)", moving.0, moving.1, fixed.0, fixed.1),
+                Lang::En => format!(
+                    "${}{}$ and ${}{}$ cross in $Q${at}; ${pole}Q$ is the collineation axis (Bobillier)",
+                    moving.0, moving.1, fixed.0, fixed.1
+                ),
                 Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 $Q${at}；${pole}Q$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
             });
         }
@@ -352,17 +415,25 @@ impl Words<'_> {
             out.push(match (rays.how[k], lang) {
                 (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
                 (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
-                (How::Collineation(End::Infinity(_)), Lang::En) => format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ in ${j}$"),
+                (How::Collineation(End::Infinity(_)), Lang::En) => {
+                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ in ${j}$")
+                }
                 (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
                 (How::Collineation(End::At(_)), _) => {
                     let (q, a) = (format!("Q_{{{}}}", 2 - k), self.fixed(other));
                     match lang {
-                        Lang::En => format!("the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"),
+                        Lang::En => format!(
+                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"
+                        ),
                         Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
                     }
                 }
-                (How::Proportion, Lang::En) => format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own)),
-                (How::Proportion, Lang::Zh) => format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own)),
+                (How::Proportion, Lang::En) => {
+                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                }
+                (How::Proportion, Lang::Zh) => {
+                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                }
             });
         }
         let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
@@ -379,8 +450,12 @@ impl Words<'_> {
     fn of_rolling(&self, of: &OfLink, _: &Rolled) -> Vec<String> {
         let (pole, j) = (self.pole(of), self.letter("J", of));
         vec![match self.lang {
-            Lang::En => format!("the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"),
-            Lang::Zh => format!("构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"),
+            Lang::En => format!(
+                "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
+            ),
+            Lang::Zh => format!(
+                "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
+            ),
         }]
     }
 
@@ -397,8 +472,12 @@ impl Words<'_> {
         Some(match (drawn.centre, lang) {
             (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
             (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
-            (End::At(_), Lang::En) => format!("perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in $H$; the parallel to ${pole}{j}$ through $H$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"),
-            (End::At(_), Lang::Zh) => format!("过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 $H$；过 $H$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"),
+            (End::At(_), Lang::En) => format!(
+                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in $H$; the parallel to ${pole}{j}$ through $H$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
+            ),
+            (End::At(_), Lang::Zh) => format!(
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 $H$；过 $H$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+            ),
         })
     }
 }

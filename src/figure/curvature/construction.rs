@@ -87,9 +87,10 @@ fn part(w: &Wanted, words: &Words, of: &OfLink) -> Part {
     let d = mechanism::numbered(&w.options.style, w.scene, w.worked, &w.options.notation);
     let lines = d.bounds();
     let reach = lines.grown(REACH_MM);
-    let near = places(of).into_iter().map(to_paper).filter(|p| {
-        (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y)
-    });
+    let near = places(of)
+        .into_iter()
+        .map(to_paper)
+        .filter(|p| (reach.min.x..=reach.max.x).contains(&p.x) && (reach.min.y..=reach.max.y).contains(&p.y));
     let window = near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM);
     let board = Board::new(&w.options.style, d, window);
     let mut over = Over { w, words, of, to_paper: &to_paper, board, thin: w.options.style.thin.coloured(LINES) };
@@ -176,7 +177,8 @@ impl Over<'_, '_> {
         for k in [0, 1] {
             let known = &rays.known[k];
             let straight = self.at(rays.straight[k]);
-            let on: Vec<Point> = [known.moving, known.fixed].into_iter().filter_map(End::at).map(|p| self.at(p)).chain([pole, straight]).collect();
+            let on: Vec<Point> =
+                [known.moving, known.fixed].into_iter().filter_map(End::at).map(|p| self.at(p)).chain([pole, straight]).collect();
             self.chain("ray", &on);
             if !stands {
                 let cut = self.board.cut(straight, j);
@@ -185,7 +187,10 @@ impl Over<'_, '_> {
                     self.spot(&self.words.straight(known), straight);
                 }
             }
-            if known.why.moving().is_some() && known.why.fixed().is_none() && let (End::At(c), Some(p)) = (known.fixed, known.why.moving()) {
+            if known.why.moving().is_some()
+                && known.why.fixed().is_none()
+                && let (End::At(c), Some(p)) = (known.fixed, known.why.moving())
+            {
                 self.spot(&self.words.centre(p), self.at(c));
             }
         }
@@ -199,7 +204,8 @@ impl Over<'_, '_> {
             }
             self.spot("Q", q);
         }
-        let helpers: Vec<Point> = rays.how.iter().filter_map(|h| if let How::Collineation(End::At(q)) = h { Some(self.at(*q)) } else { None }).collect();
+        let helpers: Vec<Point> =
+            rays.how.iter().filter_map(|h| if let How::Collineation(End::At(q)) = h { Some(self.at(*q)) } else { None }).collect();
         let axis: Vec<Point> = q.at().map(|q| self.at(q)).into_iter().chain(helpers.iter().copied()).chain([pole]).collect();
         self.chain("axis", &axis);
         for k in [0, 1] {
@@ -241,7 +247,11 @@ impl Over<'_, '_> {
         let arc = self.board.circle("inflection-circle", "curvature inflection", at + normal * 0.5, normal.norm() / 2.0, circle);
         if let Some((from, to)) = arc {
             let label = Label::math(self.words.letter("w", self.of));
-            self.board.d.label("inflection-circle", "curvature", LabelRequest::along(label, style.small_mm, from, to, circle.width_mm).optional(true));
+            self.board.d.label(
+                "inflection-circle",
+                "curvature",
+                LabelRequest::along(label, style.small_mm, from, to, circle.width_mm).optional(true),
+            );
         }
         if let Some(d) = pole.bresse {
             let d = d * (1.0 / mu);
@@ -287,7 +297,11 @@ impl Over<'_, '_> {
         let shape = Shape::Arrow { from: at, to, stroke: style.vector, head: style.head };
         let owner = self.board.d.shape("pole-velocity", "curvature pole-velocity", shape);
         let label = Label::math(self.words.letter("u", self.of));
-        self.board.d.label("pole-velocity", "curvature", LabelRequest::along(label, style.small_mm, at, to, style.vector.width_mm / 2.0).owned(owner));
+        self.board.d.label(
+            "pole-velocity",
+            "curvature",
+            LabelRequest::along(label, style.small_mm, at, to, style.vector.width_mm / 2.0).owned(owner),
+        );
     }
 
     /// The centres of the points' paths, with the lines that find them.

@@ -20,8 +20,11 @@ pub const ENTRY: Entry = Entry {
     draw,
 };
 /// The paths of the pole.
-pub const CENTRODES: Entry =
-    Entry { name: "centrodes", about: ["The paths of the pole in the fixed and the moving plane", "瞬心线（定瞬心线和动瞬心线）"], draw: paths };
+pub const CENTRODES: Entry = Entry {
+    name: "centrodes",
+    about: ["The paths of the pole in the fixed and the moving plane", "瞬心线（定瞬心线和动瞬心线）"],
+    draw: paths,
+};
 
 /// Pages of one scene: a mechanism of more couplers names those that matter by `--path`.
 const MOST: usize = 6;

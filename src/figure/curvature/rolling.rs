@@ -40,10 +40,8 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
     let mut board = Board::new(style, d, window);
-    let kinds: [(&str, fn(&Station) -> Vec2, Stroke); 2] = [
-        ("fixed", |s| s.fixed, style.vector),
-        ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed)),
-    ];
+    let kinds: [(&str, fn(&Station) -> Vec2, Stroke); 2] =
+        [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
     for (name, over, stroke) in kinds {
         let stations: Vec<Option<(Vec2, f64)>> = paths.stations.iter().map(|s| s.as_ref().map(|s| (over(s), s.omega))).collect();
         let runs = runs(&stations, paths.closed, window, &to_paper);
@@ -52,10 +50,16 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
             let middle = points.len() / 3;
             let near = points.get(middle).copied().zip(points.get(middle + 1).copied());
             let mut owner = 0;
-            board.d.behind(|d| owner = d.shape(name, "centrode", Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None }));
+            board
+                .d
+                .behind(|d| owner = d.shape(name, "centrode", Shape::Polyline { points, closed: false, stroke: Some(stroke), fill: None }));
             if let (Some((from, to)), true) = (near, Some(k) == longest) {
                 let symbol = if name == "fixed" { "p" } else { "p'" };
-                board.d.label(name, "centrode", LabelRequest::along(Label::math(symbol), style.label_mm, from, to, stroke.width_mm / 2.0).owned(owner));
+                board.d.label(
+                    name,
+                    "centrode",
+                    LabelRequest::along(Label::math(symbol), style.label_mm, from, to, stroke.width_mm / 2.0).owned(owner),
+                );
             }
         }
     }
@@ -99,7 +103,9 @@ fn runs(stations: &[Option<(Vec2, f64)>], closed: bool, window: Rect, to_paper: 
         for part in 0..PARTS {
             let t = [part, part + 1].map(|p| p as f64 / PARTS as f64);
             let [p, q] = t.map(|t| (a.0 * (1.0 - t) + b.0 * t, a.1 * (1.0 - t) + b.1 * t));
-            let place = |(over, omega): (Vec2, f64)| Some(to_paper((over * (1.0 / omega)).to_point())).filter(|p| p.x.is_finite() && p.y.is_finite());
+            let place = |(over, omega): (Vec2, f64)| {
+                Some(to_paper((over * (1.0 / omega)).to_point())).filter(|p| p.x.is_finite() && p.y.is_finite())
+            };
             // Through infinity: the one branch ends at the edge, the other begins there.
             let through = p.1 * q.1 <= 0.0;
             let (from, to) = (place(p), place(q));

@@ -47,8 +47,7 @@ pub enum OfPole {
 
 /// Lines of the table.
 const PATHS: [OfPath; 2] = [OfPath::Radius, OfPath::Centre];
-const POLES: [OfPole; 5] =
-    [OfPole::InflectionPole, OfPole::Diameter, OfPole::AccelerationPole, OfPole::PoleVelocity, OfPole::InLink];
+const POLES: [OfPole; 5] = [OfPole::InflectionPole, OfPole::Diameter, OfPole::AccelerationPole, OfPole::PoleVelocity, OfPole::InLink];
 
 /// What rounding leaves of a difference of two numbers, as a part of the larger one.
 const ROUNDING: f64 = 1e-13;
@@ -58,9 +57,11 @@ impl Quantity for Curvature {
         Entry::new("rho", "rho_E", Kind::Length, Form::Scalar, ["radius of curvature of the path", "轨迹曲率半径"])
             .printed("\\rho", Over::Nothing)
             .at_level(Level::Acceleration),
-        Entry::new("O", "O_E", Kind::Length, Form::Point, ["centre of curvature of the path", "轨迹曲率中心"]).at_level(Level::Acceleration),
+        Entry::new("O", "O_E", Kind::Length, Form::Point, ["centre of curvature of the path", "轨迹曲率中心"])
+            .at_level(Level::Acceleration),
         Entry::new("J", "J_2", Kind::Length, Form::Point, ["inflection pole", "拐点极"]).at_level(Level::Acceleration),
-        Entry::new("d", "d_2", Kind::Length, Form::Scalar, ["diameter of the inflection circle", "拐点圆直径"]).at_level(Level::Acceleration),
+        Entry::new("d", "d_2", Kind::Length, Form::Scalar, ["diameter of the inflection circle", "拐点圆直径"])
+            .at_level(Level::Acceleration),
         Entry::new("K", "K_2", Kind::Length, Form::Point, ["acceleration pole", "加速度瞬心"]).at_level(Level::Acceleration),
         Entry::new("u", "u_2", Kind::Velocity, Form::Vector, ["pole velocity", "瞬心移动速度"]).at_level(Level::Acceleration),
         Entry::new("p", "p_2", Kind::Length, Form::Point, ["pole in the axes of the link", "瞬心在构件坐标系中的位置"])
