@@ -22,6 +22,7 @@ mod plan;
 mod spool;
 mod stop;
 mod sweep;
+mod synth;
 mod tables;
 mod target;
 mod template;
@@ -74,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
         Command::Composite(a) => composite::run(a),
+        Command::Synth(a) => synth::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),
