@@ -21,6 +21,7 @@ pub mod candidate;
 pub(crate) mod form;
 pub mod fourbar;
 pub mod judge;
+pub mod limits;
 mod order;
 pub mod time_ratio;
 
@@ -61,7 +62,7 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&time_ratio::KIND];
+pub const KINDS: &[&KindOfTask] = &[&time_ratio::KIND, &limits::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];

@@ -289,24 +289,9 @@ impl CrankRocker {
         numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
         numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
-        let remarks = vec![slow_stroke(limit(0).0, limit(1).0, heading.omega)];
+        let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
         Draft { which: l.which.clone(), scene: four.scene(heading), numbers, wanted: wanted.into(), demands, ordered: false, remarks }
     }
-}
-
-/// Which stroke is the slow one, for the sense in which the crank turns.
-fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
-    let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
-    let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
-    let sense = if omega < 0.0 { both!("clockwise", "顺时针") } else { both!("counter-clockwise", "逆时针") };
-    Diagnostic::note(
-        "slow-stroke",
-        both!(
-            "with the crank turning {} the stroke from C{from} to C{to} is the slow one",
-            "曲柄{}转动时，由 C{from} 到 C{to} 为慢行程",
-            sense
-        ),
-    )
 }
 
 /// The linkages of given θ and swing, the rocker 1; β = ∠C₁C₂A tells them apart.

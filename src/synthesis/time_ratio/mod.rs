@@ -3,28 +3,32 @@
 //! θ = 180°(K − 1)/(K + 1) is the crank angle between the limit positions 极位夹角. A file for each linkage.
 
 mod crank_rocker;
+mod slider_crank;
+mod slotted;
 
 use super::form::Form;
 use super::{KindOfTask, Wish};
 use crate::diag::{Diagnostic, both};
+pub(super) use slider_crank::sketch;
 use std::f64::consts::PI;
 
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
     name: "time-ratio",
     what: ["linkages with a quick return, from the time ratio K", "按行程速度变化系数 K 设计"],
-    keys: &["linkage", "K", "theta", "rocker", "frame", "limit", "swing", "best", "line", "stroke", "offset", "crank", "link"],
+    keys: &["linkage", "K", "theta", "rocker", "frame", "limit", "swing", "best", "line", "stroke", "offset", "crank", "rod", "link"],
     read,
 };
 
 /// The linkages.
-const LINKAGES: [&str; 1] = ["crank-rocker"];
+const LINKAGES: [&str; 5] = ["crank-rocker", "slider-crank", "slotted-lever", "whitworth", "shaper"];
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"crank-rocker\"")?;
     match form.choice("linkage", &LINKAGES)? {
         "crank-rocker" => crank_rocker::read(form),
-        _ => None,
+        "slider-crank" => slider_crank::read(form),
+        slotted => slotted::read(form, slotted),
     }
 }
 
@@ -71,4 +75,19 @@ impl Ratio {
         let message = both!("K is below one: taken as 1/K, the slow stroke is the other one", "K 小于 1：按 1/K 计算，慢行程为另一行程");
         self.turned.then(|| Diagnostic::note("K-below-one", message)).into_iter().collect()
     }
+}
+
+/// Which stroke is the slow one, for the sense in which the crank turns.
+pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
+    let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
+    let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
+    let sense = if omega < 0.0 { both!("clockwise", "顺时针") } else { both!("counter-clockwise", "逆时针") };
+    Diagnostic::note(
+        "slow-stroke",
+        both!(
+            "with the crank turning {} the stroke from C{from} to C{to} is the slow one",
+            "曲柄{}转动时，由 C{from} 到 C{to} 为慢行程",
+            sense
+        ),
+    )
 }
