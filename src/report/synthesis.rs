@@ -12,6 +12,9 @@ use serde_json::{Value as Json, json};
 /// The table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
+    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect::<Vec<_>>().chunks(6) {
+        out += &format!("{}\n", line.join("   "));
+    }
     for (k, c) in design.candidates.iter().enumerate() {
         out += &format!("\n{}. {}\n", k + 1, lang.of(&c.draft.which));
         let numbers: Vec<String> = c.draft.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect();
@@ -99,14 +102,18 @@ pub fn json(task: &Task, design: &Design) -> Json {
     json!({
         "synthesis": task.kind,
         "title": {"en": task.heading.title.en, "zh": task.heading.title.zh},
+        "numbers": named(&design.numbers),
         "candidates": design.candidates.iter().map(candidate).collect::<Vec<_>>(),
         "notes": design.notes.iter().map(note).collect::<Vec<_>>(),
     })
 }
 
+fn named(numbers: &[Number]) -> Json {
+    Json::Object(numbers.iter().map(|n| (n.name.clone(), json!(n.value))).collect())
+}
+
 fn candidate(c: &Candidate) -> Json {
     let j = &c.judged;
-    let numbers: serde_json::Map<String, Json> = c.draft.numbers.iter().map(|n| (n.name.clone(), json!(n.value))).collect();
     let positions: Vec<Json> = c
         .draft
         .wanted
@@ -115,7 +122,7 @@ fn candidate(c: &Candidate) -> Json {
         .collect();
     json!({
         "which": both(&c.draft.which),
-        "numbers": numbers,
+        "numbers": named(&c.draft.numbers),
         "wanted": positions,
         "off": j.off_m,
         "size": j.size_m,

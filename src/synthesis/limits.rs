@@ -7,8 +7,8 @@
 use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use super::form::Form;
 use super::fourbar::{Heading, headed, omega};
-use super::{KindOfTask, Wish};
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use super::{Found, KindOfTask, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use serde_json::{Value as Json, json};
@@ -120,7 +120,7 @@ impl Wish for Press {
         both!("Press with a stroke of {}", "行程为 {} 的压床机构", metres(self.stroke))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Warned<Vec<Draft>>, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let Some(de) = self.de() else {
             let message = both!("the link EF does not reach the ram's line in one of the limits", "在某一极限位置上 EF 不能到达滑块导路");
             let help = both!("take \"x2\" nearer to E, or a greater \"EF/DE\"", "请使 \"x2\" 更接近 E，或增大 \"EF/DE\"");
@@ -161,6 +161,6 @@ impl Wish for Press {
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
         let draft =
             Draft { which: both!("the only solution", "唯一解"), scene, numbers, wanted, demands, ordered: false, remarks: Vec::new() };
-        Ok(Warned { value: vec![draft], notes: Vec::new() })
+        Ok(Found { drafts: vec![draft], ..Found::default() })
     }
 }

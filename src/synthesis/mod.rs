@@ -17,12 +17,14 @@
 //! assert!(hodograph::scene::read(best.scene_text()).is_ok());
 //! ```
 
+pub mod body;
 pub mod candidate;
 pub(crate) mod form;
 pub mod fourbar;
 pub mod judge;
 pub mod limits;
 mod order;
+mod poly;
 pub mod time_ratio;
 
 pub use candidate::{Candidate, Draft, Number, Wanted};
@@ -47,7 +49,18 @@ pub trait Wish: Debug + Send + Sync {
     ///
     /// # Errors
     /// There is none: which root is not real, and the nearest wish that has one.
-    fn solve(&self, heading: &Heading) -> Result<Warned<Vec<Draft>>, Faults>;
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
+}
+
+/// What a kind of task finds.
+#[derive(Clone, Debug, Default)]
+pub struct Found {
+    /// All designs.
+    pub drafts: Vec<Draft>,
+    /// Numbers of the task as a whole, such as precision points and poles.
+    pub numbers: Vec<Number>,
+    /// What is to be said of it as a whole.
+    pub notes: Vec<Diagnostic>,
 }
 
 /// A kind of task: one file in this room.
@@ -62,7 +75,7 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&time_ratio::KIND, &limits::KIND];
+pub const KINDS: &[&KindOfTask] = &[&time_ratio::KIND, &limits::KIND, &body::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
@@ -88,6 +101,8 @@ pub struct Task {
 pub struct Design {
     /// All solutions, the best first: without defect, with a crank that turns fully, the greatest least transmission angle, the smallest.
     pub candidates: Vec<Candidate>,
+    /// Numbers of the task as a whole, such as precision points and poles.
+    pub numbers: Vec<Number>,
     /// What is to be said of the task as a whole.
     pub notes: Vec<Diagnostic>,
 }
@@ -169,7 +184,7 @@ fn kind_of(root: &Node, faults: &mut Faults) -> Option<&'static KindOfTask> {
 /// # Errors
 /// There is no solution: which root is not real, and the nearest wish that has one.
 pub fn solve(task: &Task) -> Result<Design, Faults> {
-    let Warned { value: drafts, notes } = task.wish.solve(&task.heading)?;
+    let Found { drafts, numbers, notes } = task.wish.solve(&task.heading)?;
     let mut candidates = Vec::new();
     for draft in drafts {
         candidates.push(judge::judge(draft, task.transmission)?);
@@ -179,5 +194,5 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
         let gamma = |c: &Candidate| c.judged.transmission.map_or(0.0, |t| t.0);
         key(a).cmp(&key(b)).then(gamma(b).total_cmp(&gamma(a))).then(a.judged.size_m.total_cmp(&b.judged.size_m))
     });
-    Ok(Design { candidates, notes })
+    Ok(Design { candidates, numbers, notes })
 }

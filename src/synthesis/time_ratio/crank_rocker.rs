@@ -7,14 +7,14 @@
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
 use super::Ratio;
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use crate::number::{Dd, Real};
-use crate::synthesis::Wish;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
+use crate::synthesis::{Found, Wish};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ impl Wish for CrankRocker {
         both!("Crank-rocker with time ratio {}", "行程速度变化系数为 {} 的曲柄摇杆机构", significant(self.ratio.k, 4))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Warned<Vec<Draft>>, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
             Way::Limit { frame, angle } => self.by_limit(frame, angle)?,
@@ -108,7 +108,7 @@ impl Wish for CrankRocker {
             }
         };
         let drafts = found.iter().map(|l| self.draft(l, heading)).collect();
-        Ok(Warned { value: drafts, notes })
+        Ok(Found { drafts, notes, ..Found::default() })
     }
 }
 

@@ -5,13 +5,13 @@
 //! 2a² = H²/2 − He tan(θ/2), 2b² = H²/2 + He cot(θ/2). Without a quick return e = 0 and a = H/2.
 
 use super::Ratio;
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::Point;
-use crate::synthesis::Wish;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
+use crate::synthesis::{Found, Wish};
 use serde_json::{Value as Json, json};
 
 #[derive(Clone, Debug)]
@@ -58,9 +58,9 @@ impl Wish for SliderCrank {
         both!("Slider-crank with time ratio {}", "行程速度变化系数为 {} 的偏置曲柄滑块机构", significant(self.ratio.k, 4))
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Warned<Vec<Draft>>, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let [a, b, e] = self.lengths()?;
-        Ok(Warned { value: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes() })
+        Ok(Found { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..Found::default() })
     }
 }
 

@@ -7,13 +7,13 @@
 
 use super::Ratio;
 use super::slider_crank::sketch;
-use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
-use crate::synthesis::Wish;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
+use crate::synthesis::{Found, Wish};
 use serde_json::{Map, Value as Json, json};
 use std::f64::consts::PI;
 
@@ -105,13 +105,13 @@ impl Wish for Slotted {
         }
     }
 
-    fn solve(&self, heading: &Heading) -> Result<Warned<Vec<Draft>>, Faults> {
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let draft = match self.kind {
             Kind::Lever { lever } => self.lever(lever, heading),
             Kind::Shaper { stroke, link } => self.shaper(stroke, link, heading)?,
             Kind::Whitworth { stroke, link } => self.whitworth(stroke, link, heading)?,
         };
-        Ok(Warned { value: vec![draft], notes: self.notes.clone() })
+        Ok(Found { drafts: vec![draft], notes: self.notes.clone(), ..Found::default() })
     }
 }
 
