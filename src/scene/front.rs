@@ -4,12 +4,14 @@
 //! the same table, and a fault is told with its place in the same words.
 
 use super::decode;
+use super::eval::{NoValue, Value, evaluate};
+use super::expr::Expr;
 use super::model::{Lang, Localized, Paper};
 use super::raw::{RawQuantity, RawScene};
 use super::resolve;
-use super::units::Wanted;
+use super::units::{Dim, Wanted};
 use super::values::Values;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Diagnostic, Faults, both};
 use crate::json::Node;
 use crate::json::fields::What;
 
@@ -65,8 +67,45 @@ impl<'a> Front<'a> {
         self.values.pure_number(&quantity, faults)
     }
 
+    /// A function of a variable, such as `ln(x)`.
+    pub fn curve(&self, node: &Node, variable: &str, what: impl Into<What>, faults: &mut Faults) -> Option<Curve> {
+        let quantity = decode::quantity(node, what, faults)?;
+        self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
+    }
+
     /// Warnings about parameters that nothing uses; to be asked when everything has been read.
     pub fn unused(&self) -> Vec<Diagnostic> {
         self.values.unused(&self.raw.parameters)
+    }
+}
+
+/// A function of one variable, a pure number of a pure number.
+#[derive(Clone, Debug)]
+pub(crate) struct Curve {
+    pub(super) expr: Expr,
+    pub(super) variable: String,
+    pub(super) parameters: Vec<(String, Value)>,
+}
+
+impl Curve {
+    /// Its value.
+    ///
+    /// # Errors
+    /// Where the expression has none, and where it is no pure number.
+    pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
+        let variable = Value { number: x, dim: Dim::NUMBER, degrees: false };
+        let lookup = |name: &str| match name == self.variable {
+            true => Some(variable),
+            false => self.parameters.iter().find(|(n, _)| n == name).map(|(_, v)| *v),
+        };
+        match evaluate(&self.expr, &lookup) {
+            Ok(value) if value.dim == Dim::NUMBER => Ok(value.number),
+            Ok(value) => {
+                let message = both!("a function of numbers is wanted, this is {}", "此处需要数值函数，现为{}", value.dim.describe());
+                Err(Diagnostic::error("dimension", message))
+            }
+            Err(NoValue::Fault(d)) => Err(Diagnostic { span: None, ..d }),
+            Err(NoValue::Reported) => Err(Diagnostic::error("expression", both!("the function has no value", "函数无值"))),
+        }
     }
 }

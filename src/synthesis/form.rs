@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::geom::Point;
 use crate::json::fields::{Fields, list, suggest, word, wrong};
 use crate::json::{Kind, Node, Word};
-use crate::scene::front::Front;
+use crate::scene::front::{Curve, Front};
 use crate::scene::units::Wanted;
 use std::cell::RefCell;
 
@@ -103,6 +103,11 @@ impl<'a> Form<'a> {
     /// A number of any value.
     pub fn number_of(&self, node: &Node, key: &str) -> Option<f64> {
         self.front.number(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+    }
+
+    /// A function of a variable.
+    pub fn curve(&self, key: &str, variable: &str) -> Option<Curve> {
+        self.front.curve(self.node(key)?, variable, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
     /// A rate of turning (rad/s).

@@ -21,6 +21,7 @@ pub mod body;
 pub mod candidate;
 pub(crate) mod form;
 pub mod fourbar;
+pub mod function;
 pub mod judge;
 pub mod limits;
 mod order;
@@ -75,7 +76,7 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&time_ratio::KIND, &limits::KIND, &body::KIND];
+pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];

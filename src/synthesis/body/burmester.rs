@@ -215,10 +215,10 @@ impl Frame {
             let step = jacobian.lu().solve(&rest)?;
             x -= step;
             let now = step.norm() / (1.0 + x.norm());
-            if now <= 1e-15 || (now < 1e-11 && now >= size) {
+            let before = std::mem::replace(&mut size, now);
+            if now <= 1e-15 || (now < 1e-11 && now >= before) {
                 break;
             }
-            size = now;
         }
         // A pole solves three of the equations; there the steps do not die away.
         (size < 1e-8).then(|| Pair { pin: self.outward(Vec2::new(x[2], x[3])), centre: self.outward(Vec2::new(x[0], x[1])) })
