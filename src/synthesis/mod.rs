@@ -25,6 +25,7 @@ pub mod function;
 pub mod judge;
 pub mod limits;
 mod order;
+pub mod path;
 mod poly;
 pub mod time_ratio;
 
@@ -76,7 +77,7 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND];
+pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];

@@ -118,7 +118,8 @@ pub fn exact(start: [Option<f64>; 2], steps: &Steps) -> Vec<Generator> {
         for phi in grid(start[1]) {
             let Some(g) = linear([alpha, phi], steps) else { continue };
             let Some(g) = newton(g, &free, steps) else { continue };
-            let upright = g.upright();
+            // With given starting angles a negative arm stays as it is: its sign is told.
+            let upright = if free.is_empty() { g } else { g.upright() };
             let same = |f: &Generator| (0..2).all(|i| libm::sin((f.start[i] - upright.start[i]) / 2.0).abs() < 1e-7);
             if !found.iter().any(same) {
                 found.push(upright);

@@ -122,7 +122,14 @@ fn of_curve(form: &Form) -> Option<Read> {
     let curve = f.curve("y", "x");
     let end = |key: &str| f.number_of(f.need(key, "1")?, key);
     let (from, to) = (end("from"), end("to"));
-    let n = if form.has("points") { form.count("points", 3, 60) } else { Some(3) };
+    let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
+    let n = if fit_five {
+        Some(5)
+    } else if form.has("points") {
+        form.count("points", 3, 60)
+    } else {
+        Some(3)
+    };
     let scale = |key: &str| {
         form.need(key, "{\"from\": \"86 deg\", \"swing\": \"60 deg\"}")?;
         let inner = form.inner(key, &["from", "swing"])?;
