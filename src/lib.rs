@@ -51,6 +51,7 @@
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
+//! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
 //!   line diagrams, paths with hodographs, the sheet of many poses.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
@@ -85,16 +86,17 @@
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
-//! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
+//! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! inversions diag scene mechanism position worked curvature sweep
+//! synthesis  diag json digits number scene geom mechanism position sweep
 //! effort     mechanism plan construct accuracy worked figure*
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature trains sweep inversions effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite curvature gears trains sweep inversions report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite curvature sweep inversions effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep curvature inversions synthesis effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -135,6 +137,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod synthesis;
 pub mod trains;
 pub mod trig;
 pub mod worked;

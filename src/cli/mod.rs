@@ -25,6 +25,7 @@ mod plan;
 mod spool;
 mod stop;
 mod sweep;
+mod synth;
 mod tables;
 mod target;
 mod template;
@@ -79,6 +80,7 @@ pub fn main() -> ExitCode {
         Command::Inversions(a) => inversions::run(a),
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
+        Command::Synth(a) => synth::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

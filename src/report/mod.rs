@@ -20,5 +20,6 @@ pub mod plan;
 pub mod plan_json;
 pub mod price;
 pub mod statement;
+pub mod synthesis;
 pub mod table;
 pub mod trains;
