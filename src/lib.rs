@@ -59,12 +59,15 @@
 //! - [`worked`]: the whole way as one call, each stage's result kept.
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
+//! - [`curvature`]: how paths bend: pole, inflection circle, centres of curvature with the ruler and from accelerations; centrodes.
+//! - [`inversions`]: each link of a chain as ground in turn, every one a scene.
 //! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`attempts`]: wrong solutions: where a known mistake can be made, and what its equations, drawn on the same board, give.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
+//! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
 //!   line diagrams, paths with hodographs, the sheet of many poses, the motion frame by frame.
 //! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
@@ -101,13 +104,16 @@
 //! composite  diag scene geom mechanism answer worked
 //! attempts   diag scene geom mechanism position answer plan construct accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
+//! curvature  diag scene geom mechanism position answer analytic worked centres sweep
+//! inversions diag scene mechanism position worked curvature sweep
+//! synthesis  diag json digits number scene geom mechanism position sweep
 //! effort     mechanism plan construct accuracy worked
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep report
+//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis attempts effort figure* render*
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions attempts report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep curvature inversions synthesis effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -131,12 +137,14 @@ pub mod centres;
 pub mod cli;
 pub mod composite;
 pub mod construct;
+pub mod curvature;
 pub mod diag;
 pub mod digits;
 pub mod effort;
 pub mod figure;
 pub mod gears;
 pub mod geom;
+pub mod inversions;
 mod json;
 pub mod lesson;
 pub mod mechanism;
@@ -148,6 +156,7 @@ pub mod render;
 pub mod report;
 pub mod scene;
 pub mod sweep;
+pub mod synthesis;
 pub mod trains;
 pub mod trig;
 pub mod worked;

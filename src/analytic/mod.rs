@@ -19,11 +19,13 @@ mod rows;
 mod series;
 mod singular;
 mod staged;
+mod third;
 mod words;
 
 pub use fork::Decided;
 pub use pose::{Near, Refused, SingularKind, Singularity};
 pub use singular::Why;
+pub use third::third;
 
 use crate::answer::Source;
 use crate::diag::{Both, Diagnostic, Faults, both};

@@ -27,7 +27,7 @@ enum Held {
 /// The unknowns of one level: the links and pins that the demand reaches there.
 pub(super) struct Layout {
     pub links: Vec<LinkId>,
-    bare: Vec<PointId>,
+    pub bare: Vec<PointId>,
     pub unknowns: usize,
     /// For each link of the scene its place among the unknown ones.
     index: Vec<Option<usize>>,
@@ -35,7 +35,7 @@ pub(super) struct Layout {
     pub second: bool,
     pub origins: Vec<Option<Point>>,
     /// 1 / (power of two near the mechanism's size).
-    scale: f64,
+    pub scale: f64,
     /// What is opened because it only repeats what the others fix; of a link with the two pins by which it is known.
     opened: Vec<(Opened, Option<(PointId, PointId)>)>,
     /// For each guide whether it holds: one between gears may only say what other pairs say.

@@ -133,9 +133,9 @@ pub fn velocity(point: PointId) -> Asked {
     PointMotion { rate: Rate::Velocity, of: OnLink { point, link: None } }.into()
 }
 
-/// The scene with the velocities of all links and points asked for; and whether its drivers are at rest. A centre does not depend on
-/// how fast one driver goes, but velocities that are all zero tell nothing of it.
-fn asking_all(scene: &Scene) -> (Scene, bool) {
+/// The scene with drivers that go; and whether all of them rest in the file, so that they are given one unit. Where a centre lies, and how a
+/// path bends, does not depend on how fast one driver goes, but velocities that are all zero tell nothing of it.
+pub fn moving_at_all(scene: &Scene) -> (Scene, bool) {
     let mut asking = scene.clone();
     let at_rest = scene.drivers.iter().all(|d| d.rate.value == 0.0);
     if at_rest {
@@ -148,6 +148,12 @@ fn asking_all(scene: &Scene) -> (Scene, bool) {
             };
         }
     }
+    (asking, at_rest)
+}
+
+/// The scene with the velocities of all links and points asked for; and whether its drivers are at rest.
+fn asking_all(scene: &Scene) -> (Scene, bool) {
+    let (mut asking, at_rest) = moving_at_all(scene);
     let moving = |l: &LinkId| *l != scene.ground;
     let turnings = (0..scene.links.len()).map(LinkId).filter(moving).map(|l| (omega(l, None), format!("omega_{}", scene.link_name(l))));
     let on_ground = |p: PointId| scene.links[scene.ground.0].points.contains(&p);

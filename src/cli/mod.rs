@@ -10,20 +10,24 @@ mod batch;
 mod cam;
 mod centres;
 mod composite;
+mod curvature;
 mod curves;
 mod draw;
 mod files;
 mod help;
+mod inversions;
 mod journal;
 mod lang;
 mod long;
 mod mobility;
+mod more;
 mod part;
 mod path;
 mod plan;
 mod spool;
 mod stop;
 mod sweep;
+mod synth;
 mod tables;
 mod target;
 mod template;
@@ -76,8 +80,11 @@ pub fn main() -> ExitCode {
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
         Command::Centres(a) => centres::run(a),
+        Command::Inversions(a) => inversions::run(a),
+        Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::Attempts(a) => attempts::run(a),
+        Command::Synth(a) => synth::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -18,6 +18,12 @@ pub struct Words {
     pub centres: &'static str,
     /// Caption of the circle diagram.
     pub circle_diagram: &'static str,
+    /// Caption of the construction of the inflection circle.
+    pub curvature: &'static str,
+    /// Caption of the paths of a pole.
+    pub centrodes: &'static str,
+    /// What their lines are, in the fixed and in the moving plane.
+    pub fixed_moving: &'static str,
     /// Caption of the parts of an acceleration at the moving point.
     pub composite_acceleration: &'static str,
     /// Heading of the velocity equations.
@@ -105,6 +111,9 @@ const EN: Words = Words {
     acceleration_polygon: "Acceleration polygon",
     centres: "Instantaneous centres",
     circle_diagram: "Circle diagram",
+    curvature: "Pole, inflection circle, centres of curvature",
+    centrodes: "Centrodes",
+    fixed_moving: "solid: fixed; dashed: moving with the link",
     composite_acceleration: "Acceleration of the moving point and its parts",
     velocities: "Velocities",
     accelerations: "Accelerations",
@@ -153,6 +162,9 @@ const ZH: Words = Words {
     acceleration_polygon: "加速度多边形",
     centres: "速度瞬心",
     circle_diagram: "点元图（点元法）",
+    curvature: "瞬心、拐点圆与曲率中心",
+    centrodes: "瞬心线",
+    fixed_moving: "实线：定瞬心线；虚线：动瞬心线",
     composite_acceleration: "动点的加速度及其各分量",
     velocities: "速度分析",
     accelerations: "加速度分析",

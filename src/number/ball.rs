@@ -311,6 +311,24 @@ impl<M: Middle> Real for Ball<M> {
         Self::elementary(mid, 2.0 * change * mid.approx().abs())
     }
 
+    fn ln(self) -> Self {
+        let room = self.mid.approx() - self.radius;
+        let mid = self.mid.ln();
+        if room.is_nan() || room <= 0.0 || !mid.is_decided() {
+            return Self::undecided();
+        }
+        Self::elementary(mid, self.radius / room)
+    }
+
+    fn exp(self) -> Self {
+        let mid = self.mid.exp();
+        if !mid.is_decided() || !(self.radius < 0.1) {
+            return Self::undecided();
+        }
+        // e^r − 1 < 2r there.
+        Self::elementary(mid, 2.0 * self.radius * mid.approx())
+    }
+
     fn pi() -> Self {
         Self::rounded(M::pi(), 0.0)
     }

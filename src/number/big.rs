@@ -250,6 +250,18 @@ impl Real for Big {
             .unwrap_or_else(|| self.binary(exponent, |x, y, _| (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.powf(y))))
     }
 
+    fn ln(self) -> Big {
+        self.binary(self, |x, _, _| (x.sign() == dashu_base::Sign::Positive && !is_zero(x)).then(|| x.ln()))
+    }
+
+    fn exp(self) -> Big {
+        // Beyond this the result is no quantity of a mechanism, and its exponent no small number.
+        if self.approx().abs() > 700.0 {
+            return UNDECIDED;
+        }
+        self.binary(self, |x, _, _| Some(x.exp()))
+    }
+
     fn pi() -> Big {
         REGION.with_borrow_mut(|r| {
             let bits = r.bits;

@@ -223,6 +223,15 @@ impl Real for Dd {
         super::whole_power(self, exponent).unwrap_or(Dd::of(f64::NAN, f64::NAN))
     }
 
+    // As with broken powers: who needs the digits climbs on.
+    fn ln(self) -> Dd {
+        Dd::of(f64::NAN, f64::NAN)
+    }
+
+    fn exp(self) -> Dd {
+        Dd::of(f64::NAN, f64::NAN)
+    }
+
     fn pi() -> Dd {
         PI
     }

@@ -59,6 +59,14 @@ impl Real for f64 {
         libm::pow(self, exponent)
     }
 
+    fn ln(self) -> f64 {
+        libm::log(self)
+    }
+
+    fn exp(self) -> f64 {
+        libm::exp(self)
+    }
+
     fn pi() -> f64 {
         std::f64::consts::PI
     }
@@ -116,6 +124,14 @@ impl Real for f32 {
 
     fn pow(self, exponent: f32) -> f32 {
         libm::powf(self, exponent)
+    }
+
+    fn ln(self) -> f32 {
+        libm::logf(self)
+    }
+
+    fn exp(self) -> f32 {
+        libm::expf(self)
     }
 
     fn pi() -> f32 {

@@ -102,6 +102,12 @@ pub trait Real: Ring + Debug + PartialEq + Div<Output = Self> {
     /// `self` to the power of `exponent`.
     fn pow(self, exponent: Self) -> Self;
 
+    /// The natural logarithm; undecided where it is not surely greater than zero.
+    fn ln(self) -> Self;
+
+    /// e to this power.
+    fn exp(self) -> Self;
+
     /// π.
     fn pi() -> Self;
 }

@@ -218,7 +218,7 @@ impl<'a> Words<'a> {
     }
 }
 
-fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
+pub(super) fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     match kind {
         Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
         Grashof::RockerCrank => tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）"),

@@ -119,6 +119,28 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     Some(raw)
 }
 
+/// The keys that a scene shares with other files; all others are left to who reads those.
+pub(super) fn front(root: &Node, faults: &mut Faults) -> RawScene {
+    let mut raw = RawScene::default();
+    let get = |key: &str| match &root.kind {
+        Kind::Object(members) => members.iter().find(|(k, _)| k.text == key).map(|(_, node)| node),
+        Kind::Text(_) | Kind::Number(_) | Kind::Bool(_) | Kind::Null | Kind::Array(_) => None,
+    };
+    raw.title = get("title").and_then(|node| localized(node, "\"title\"", MAX_TITLE, faults));
+    for (key, node) in entries(get("parameters"), "\"parameters\"", faults) {
+        raw.parameters.extend(quantity(node, both!("parameter `{}`", "参数 `{}`", key.text), faults).map(|q| (key.clone(), q)));
+    }
+    for (key, node) in entries(get("units"), "\"units\"", faults) {
+        raw.units.extend(word(node, both!("unit of `{}`", "`{}` 的单位", key.text), faults).map(|w| (key.clone(), w)));
+    }
+    if let Some(node) = get("paper") {
+        raw.paper = paper(node, faults);
+    }
+    raw.language = get("language").and_then(|n| word(n, "\"language\"", faults));
+    raw.notation = get("notation").and_then(|n| word(n, "\"notation\"", faults));
+    raw
+}
+
 /// The members of an optional object, within the limit.
 fn entries<'a>(node: Option<&'a Node>, what: impl Into<What>, faults: &mut Faults) -> &'a [(Word, Node)] {
     let what = what.into();

@@ -241,6 +241,18 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
             }
             Value::number(s / c)
         }
+        Function::Ln | Function::Log10 => {
+            wants(Dim::NUMBER, f.name())?;
+            if a.number.approx() <= 0.0 {
+                return Err(both!("{} has no value at {}", "{} 在 {} 处无值", f.name(), a.number.approx()));
+            }
+            let ln = a.number.ln();
+            Value::number(if f == Function::Ln { ln } else { ln / N::from_f64(10.0).ln() })
+        }
+        Function::Exp => {
+            wants(Dim::NUMBER, "exp")?;
+            Value::number(a.number.exp())
+        }
         Function::Asin => inverse("asin", trig::asin, &|x| rad(x.atan2(leg(x))))?,
         Function::Acos => inverse("acos", trig::acos, &|x| rad(leg(x).atan2(x)))?,
         Function::Atan => inverse("atan", trig::atan, &|x| rad(x.atan2(N::from_f64(1.0))))?,
@@ -313,6 +325,8 @@ mod tests {
             ("pi rad/2", std::f64::consts::FRAC_PI_2, "an angle"),
             ("atan(1) + 15 deg", radians(60.0), "an angle"),
             ("tan(45 deg)", 1.0, "a pure number"),
+            ("ln(exp(k))", 2.0, "a pure number"),
+            ("log10(1000) - 3", 0.0, "a pure number"),
             ("60 s + 1 min", 120.0, "a time"),
         ] {
             let v = value(text).unwrap_or_else(|e| panic!("{text}: {e}"));
@@ -370,6 +384,8 @@ mod tests {
             ("sin(30)", "sin wants an angle, this is a pure number: write `deg` or `rad` after it"),
             ("sin(r)", "sin wants an angle, this is a length"),
             ("asin(2)", "asin has no value at 2"),
+            ("ln(-1)", "ln has no value at -1"),
+            ("exp(r)", "exp wants a pure number, this is a length"),
             ("asin(phi)", "asin wants a pure number, this is an angle"),
             ("tan(90 deg)", "tan of a right angle"),
             ("sqrt(-1)", "sqrt of the negative value -1"),

@@ -84,6 +84,12 @@ pub enum Function {
     Atan,
     /// Absolute value.
     Abs,
+    /// Natural logarithm.
+    Ln,
+    /// Logarithm to the base ten.
+    Log10,
+    /// e to a power.
+    Exp,
 }
 
 impl Function {
@@ -93,7 +99,7 @@ impl Function {
     }
 }
 
-const FUNCTIONS: [(&str, Function); 8] = [
+const FUNCTIONS: [(&str, Function); 11] = [
     ("sqrt", Function::Sqrt),
     ("sin", Function::Sin),
     ("cos", Function::Cos),
@@ -102,6 +108,9 @@ const FUNCTIONS: [(&str, Function); 8] = [
     ("acos", Function::Acos),
     ("atan", Function::Atan),
     ("abs", Function::Abs),
+    ("ln", Function::Ln),
+    ("log10", Function::Log10),
+    ("exp", Function::Exp),
 ];
 
 /// Units that a parameter may hide: `h` is the usual letter of a height, and no quantity of a mechanism is given per hour.

@@ -53,6 +53,9 @@ pub(super) fn derivative(e: &Expr) -> Result<Option<String>, NoDerivative> {
                 Function::Asin => format!("((1 rad)*{d}/sqrt(1-{u}^2))"),
                 Function::Acos => format!("(-(1 rad)*{d}/sqrt(1-{u}^2))"),
                 Function::Atan => format!("((1 rad)*{d}/(1+{u}^2))"),
+                Function::Ln => format!("({d}/{u})"),
+                Function::Log10 => format!("({d}/({u}*ln(10)))"),
+                Function::Exp => format!("(exp({u})*{d})"),
                 Function::Abs => return Err(NoDerivative::Corner),
             })
         }

@@ -11,6 +11,7 @@ pub mod edit;
 pub mod eval;
 pub mod exact;
 pub mod expr;
+pub(crate) mod front;
 mod keys;
 mod lang;
 mod law;

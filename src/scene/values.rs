@@ -143,6 +143,18 @@ impl<'a> Values<'a> {
         self.known.get(name).copied().flatten().map(|k| k.value.dim)
     }
 
+    /// A function of one variable, over the parameters: the text is read now, its values later.
+    pub fn curve(&self, quantity: &RawQuantity, variable: &str) -> Result<super::front::Curve, Diagnostic> {
+        let mut names = self.names.clone();
+        names.push(variable);
+        let expr = expr::parse(&quantity.text, &names).map_err(|d| self.locate(quantity, d))?;
+        let known = |name: &&str| Some(((*name).to_owned(), self.known.get(*name).copied().flatten()?.value));
+        let used = |name: &&str| quantity.text.contains(*name);
+        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        let parameters = self.names.iter().filter(|n| **n != variable).filter_map(|n| known(n)).collect();
+        Ok(super::front::Curve { expr, variable: variable.to_owned(), parameters })
+    }
+
     /// Whether a parameter is called so.
     pub fn has_name(&self, name: &str) -> bool {
         self.names.contains(&name)

@@ -12,7 +12,6 @@ mod cams;
 mod display;
 mod given;
 pub mod html;
-mod lines;
 pub mod markdown;
 mod mistake;
 pub mod pages;

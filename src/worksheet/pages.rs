@@ -7,13 +7,13 @@
 use std::collections::VecDeque;
 
 use super::display::built;
-use super::lines::wrapped;
 use super::{Block, Document, Table, TableKind};
 use crate::figure::extent::{bounds, translate};
 use crate::figure::font::own::Fonts;
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
+use crate::figure::lines::wrapped;
 use crate::figure::text;
 use crate::geom::{Point, Vec2};
 use crate::render::pages::{Kind, Page, Part};

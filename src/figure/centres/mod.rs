@@ -5,7 +5,7 @@
 
 mod circle;
 mod diagram;
-mod rays;
+pub(super) mod rays;
 
 use crate::centres::{Centres, Pair, centres};
 use crate::diag::{Faults, Warned};

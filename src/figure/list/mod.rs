@@ -18,6 +18,8 @@ use crate::worked::Worked;
 use super::attempts;
 use super::centres;
 use super::composite;
+use super::curvature;
+use super::inversions;
 use super::item::Figure;
 use super::mechanism::Overlay;
 use super::sheet::Options;
@@ -49,6 +51,9 @@ pub const LIST: &[&Entry] = &[
     &gears::ENTRY,
     &composite::ENTRY,
     &attempts::ENTRY,
+    &curvature::ENTRY,
+    &curvature::CENTRODES,
+    &inversions::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

@@ -11,6 +11,7 @@
 mod cam;
 mod centre;
 pub mod composite;
+pub mod curvature;
 mod entry;
 mod frame;
 mod joined;
@@ -30,6 +31,7 @@ mod value;
 pub use cam::CamQuantity;
 pub use centre::InstantCentre;
 pub use composite::Composite;
+pub use curvature::Curvature;
 pub use entry::{Entry, Form, Of, Over};
 pub(crate) use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
@@ -161,6 +163,8 @@ families! {
     Turning,
     /// `x_E`, `phi_3`, `l_AB`: where things are.
     Place,
+    /// `rho_E`, `J_2`, `K_2`: how paths bend, and what belongs to the pole of a link.
+    Curvature,
     /// `s_3`, `pressure_3`, `rho_2/3`: of a cam and its follower.
     CamQuantity,
     /// `P_24`: the instantaneous centre of two links.

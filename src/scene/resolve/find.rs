@@ -254,6 +254,11 @@ impl Question<'_> {
         self.c.point_name(p)
     }
 
+    /// The ground.
+    pub fn ground(&self) -> LinkId {
+        self.c.ground
+    }
+
     /// Whether it is the ground.
     pub fn is_ground(&self, link: LinkId) -> bool {
         link == self.c.ground

@@ -106,6 +106,13 @@ fn zero(span: Span) -> Given {
     Given { value: 0.0, radius: 0.0, text: "0".to_owned(), span }
 }
 
+/// Title, language and paper of a file that is no scene.
+pub(super) fn front(raw: &RawScene, values: &Values, faults: &mut Faults) -> (Option<Localized>, Option<Lang>, Paper) {
+    let paper = paper::paper(raw, values, &Default::default(), faults);
+    paper::notation(raw, faults);
+    (localized(&raw.title), paper::language(raw, faults), paper)
+}
+
 /// Resolves a whole scene. The result means something only where no error has been added to `faults`.
 pub(super) fn resolve(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> {
     let mut found = Faults::default();

@@ -8,9 +8,9 @@ use std::collections::VecDeque;
 use icu_segmenter::LineSegmenter;
 use icu_segmenter::options::LineBreakOptions;
 
-use crate::figure::font::own::Fonts;
-use crate::figure::label::Label;
-use crate::figure::text;
+use super::font::own::Fonts;
+use super::label::Label;
+use super::text;
 use crate::report::phrase::{Phrase, Piece};
 
 /// Whether a break would part a number from its unit, or from what it counts.
@@ -20,7 +20,7 @@ fn parts_a_number(text: &str, at: usize) -> bool {
 
 /// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
 /// breaks anywhere; a formula that is, sticks out.
-pub(super) fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
+pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
     // A formula is one thing among the words; before its relations it may break too.
     const THING: char = '\u{FFFC}';
     let mut plain = String::new();

@@ -1,0 +1,84 @@
+//! The command `curvature`: pole, inflection circle and centres of curvature of a link's paths, by drawing and by analysis.
+
+use super::draw::points_named;
+use super::{Failure, Input, Run, Told, args, choices, files};
+use crate::curvature::{Asked, centrodes, couplers, curvature};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::json::fields::suggest;
+use crate::report::{curvature as report, curvature_json};
+use crate::scene::{LinkId, Scene, edit};
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Curvature) -> Run {
+    // Where a path bends does not depend on how fast the driver goes.
+    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    let asked = asked(&input.scene, &a)?;
+    let Warned { value, notes } = curvature(&input.scene, &asked).map_err(|f| input.failed(f))?;
+    input.notes.extend(notes);
+    if a.json {
+        let mut paths = Vec::new();
+        for of in value.list.iter().filter(|_| a.centrodes) {
+            let path = centrodes::centrodes(&value.scene, &value.worked, of.link, value.against, centrodes::STEPS);
+            paths.push(path.map_err(|f| input.failed(f))?);
+        }
+        files::print(&format!("{:#}\n", curvature_json::json(&value, &paths, &input.notes)))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    files::print(&report::text(&value, a.steps, lang))?;
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The links and points of the command line; all that are not there at once.
+fn asked(scene: &Scene, a: &args::Curvature) -> Result<Asked, Failure> {
+    let (links, points) = (links_named(scene, &a.link, "--link"), points_named(scene, &a.point, "--point"));
+    let against: Vec<String> = a.against.iter().cloned().collect();
+    let against = links_named(scene, &against, "--against").map(|all| all.first().copied());
+    let (links, points, against) = match (links, points, against) {
+        (Ok(links), Ok(points), Ok(against)) => (links, points, against),
+        (links, points, against) => {
+            return Err(Failure::Input([links.err(), points.err(), against.err()].into_iter().flatten().collect()));
+        }
+    };
+    let frame = against.unwrap_or(scene.ground);
+    if links.contains(&frame) {
+        let name = scene.link_name(frame);
+        let message = both!("link {name} does not move, seen from itself", "构件 {name} 相对自身不动");
+        let d = Diagnostic::error("link", message).help(both!("name a moving link", "请写活动构件"));
+        return Err(Failure::argument("--link", name, d));
+    }
+    if !links.is_empty() {
+        return Ok(Asked { links, against, points });
+    }
+    // Of a named point that link whose path it is.
+    let carries = |l: &LinkId| points.is_empty() || points.iter().any(|p| scene.links[l.0].points.contains(p));
+    let mut links: Vec<LinkId> = couplers(scene).into_iter().filter(carries).collect();
+    if links.is_empty() {
+        links.extend(points.iter().filter_map(|p| scene.mover(*p)));
+        links.dedup();
+    }
+    links.retain(|l| *l != frame);
+    Ok(Asked { links, against, points })
+}
+
+/// The links of these names.
+///
+/// # Errors
+/// `unknown-link` for each name that the scene does not have.
+fn links_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec<LinkId>, Told> {
+    let mut faults = Faults::default();
+    let mut out = Vec::new();
+    for name in names {
+        match scene.links.iter().position(|l| l.name == *name) {
+            Some(l) => out.push(LinkId(l)),
+            None => {
+                let d = Diagnostic::error("unknown-link", both!("the scene has no link `{name}`", "机构文件没有构件 `{name}`"));
+                let all = scene.links.iter().map(|l| l.name.as_str());
+                faults.push(d.help(suggest(name, all, both!("the links are", "构件有"))));
+            }
+        }
+    }
+    if faults.list.is_empty() { Ok(out) } else { Err(Told::argument(option, &names.join(","), faults)) }
+}

@@ -1,0 +1,61 @@
+//! The command `inversions`: each link of the chain as ground in turn, in words, and as scenes in files.
+
+use super::together::Together;
+use super::{Failure, Input, Run, args, choices, files};
+use crate::diag::{Diagnostic, Warned, both};
+use crate::inversions::inversions;
+use crate::json::fields::suggest;
+use crate::report::inversions as report;
+use crate::scene::edit;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Inversions) -> Run {
+    // How far links turn does not depend on how fast.
+    let mut input = Input::read_as(&a.common, edit::with_rates)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    let Warned { value: all, notes } = inversions(&input.scene).map_err(|f| input.failed(f))?;
+    input.notes.extend(notes);
+    if let Some(name) = &a.pick {
+        let known = || all.iter().map(|i| i.scene.link_name(i.scene.ground));
+        let Some(picked) = all.iter().find(|i| i.scene.link_name(i.scene.ground) == name) else {
+            let d = Diagnostic::error(
+                "unknown-link",
+                both!("there is no inversion with link `{name}` as ground", "没有以构件 `{name}` 为机架的倒置机构"),
+            );
+            return Err(Failure::argument("--pick", name, d.help(suggest(name, known(), both!("the grounds are", "可为机架的构件有")))));
+        };
+        match &a.output {
+            Some(path) => {
+                files::write(Path::new(path), picked.text.as_bytes())?;
+                files::print_names(&format!("{path}\n"))?;
+            }
+            None => {
+                files::print(&picked.text)?;
+            }
+        }
+        return Ok(ExitCode::SUCCESS);
+    }
+    if let Some(folder) = &a.output {
+        let stem = files::stem(&input.name, "scene");
+        let mut together = Together::default();
+        let mut written = String::new();
+        for i in &all {
+            let path = Path::new(folder).join(format!("{stem}-{}-fixed.json", i.scene.link_name(i.scene.ground)));
+            together.add(&path, i.text.as_bytes())?;
+            written += &format!("{}\n", path.display());
+        }
+        together.appear()?;
+        files::print_names(&written)?;
+    }
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.scene, &all, &input.notes)))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    if a.output.is_none() {
+        files::print(&report::text(&input.scene, &all, lang))?;
+    }
+    input.say_notes();
+    Ok(ExitCode::SUCCESS)
+}

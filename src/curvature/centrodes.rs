@@ -1,0 +1,116 @@
+//! Centrodes (瞬心线): the paths of a pole in the fixed and in the moving plane, through the travel of a driver.
+//!
+//! A pole may run to infinity and come back from the other side. Each is kept as it is computed, P = B + i v/ω, as a ratio whose
+//! denominator ω is kept too: between two poses in which ω changes its sign the path passes through infinity, and a figure draws it to the
+//! edge of the paper on both sides.
+
+use crate::analytic;
+use crate::answer::Source;
+use crate::diag::{Diagnostic, Faults, both};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Level, Need};
+use crate::position::Configuration;
+use crate::scene::{Given, LinkId, PointId, Scene};
+use crate::sweep::follow::Follower;
+use crate::worked::Worked;
+
+/// Positions along a centrode: a turn in half degrees, as it bends sharply where it runs through infinity.
+pub const STEPS: usize = 720;
+
+/// A pole at one position of the driver, in homogeneous coordinates: place = `over`/`omega`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Station {
+    /// How far the driver has gone from the scene's position (rad or m).
+    pub travel: f64,
+    /// ω against the other link, for one unit of the driver's rate.
+    pub omega: f64,
+    /// ω times the place in the fixed plane (from the origin, m·rad/s).
+    pub fixed: Vec2,
+    /// ω times the place in the moving plane, in the pose of the scene.
+    pub moving: Vec2,
+    /// The same in the axes of the link: from its first point, x toward its second.
+    pub own: Vec2,
+}
+
+impl Station {
+    /// The pole in the fixed plane; not finite where the link translates.
+    pub fn pole(&self) -> Point {
+        (self.fixed * (1.0 / self.omega)).to_point()
+    }
+
+    /// The pole in the axes of the link.
+    pub fn in_link(&self) -> Point {
+        (self.own * (1.0 / self.omega)).to_point()
+    }
+}
+
+/// The paths of the pole of a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Centrodes {
+    /// The link.
+    pub link: LinkId,
+    /// Against which.
+    pub against: LinkId,
+    /// In the order of the travel; `None` where no motion is determined (dead points).
+    pub stations: Vec<Option<Station>>,
+    /// Whether the last is followed by the first.
+    pub closed: bool,
+}
+
+/// Follows the pole of a link through the travel of the first driver.
+///
+/// # Errors
+/// `no-driver`, and `no-pole` where the link turns nowhere.
+pub fn centrodes(scene: &Scene, worked: &Worked, link: LinkId, against: LinkId, steps: usize) -> Result<Centrodes, Faults> {
+    if scene.drivers.is_empty() {
+        return Err(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into());
+    }
+    let mut alone = scene.clone();
+    for (d, of) in alone.drivers.iter_mut().enumerate() {
+        let rate = if d == 0 { 1.0 } else { 0.0 };
+        of.rate = Given { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
+        of.acceleration = None;
+    }
+    let mut demand = Demand::of_questions(&alone, &worked.mechanism, []);
+    let links: Vec<LinkId> = [link, against].into_iter().filter(|l| *l != scene.ground).collect();
+    for l in &links {
+        demand.add(&alone, &worked.mechanism, Need::Turning(*l), Level::Velocity);
+        for p in &scene.links[l.0].points {
+            demand.add(&alone, &worked.mechanism, Need::Point(*p, None), Level::Velocity);
+        }
+    }
+    let demand = demand.with_all_positions();
+    let follower = Follower::new(&alone, &worked.mechanism, &worked.demand, &worked.configuration, 0);
+    let sweep = follower.sweep(steps);
+    let own: Vec<PointId> = scene.links[link.0].points.clone();
+    let station = |travel: f64, at: &Configuration| {
+        let solution = analytic::solve(&alone, &worked.mechanism, at, &demand).ok().filter(|s| s.refused.is_empty())?;
+        let turning = |l: LinkId| if l == scene.ground { Some(0.0) } else { solution.turning(Level::Velocity, l) };
+        let omega = turning(link)? - turning(against)?;
+        let base = own.first().and_then(|p| at.points[p.0])?;
+        let of = |l| solution.of_link(Level::Velocity, l, base);
+        // ω (P − B) = i v in the plane; carried back into the pose of the scene by both links.
+        let arm = (of(link)? - of(against)?).perp();
+        let seen = |l: LinkId| Some((at.poses[l.0]?, worked.configuration.poses[l.0]?));
+        let carried = |l: LinkId| {
+            if l == scene.ground {
+                return Some(arm + base.to_vec2() * omega);
+            }
+            let (now, then) = seen(l)?;
+            let turn = then.axis.divide_by(now.axis);
+            Some((arm + (base - now.origin) * omega).rotate_by(turn) + then.origin.to_vec2() * omega)
+        };
+        let axis = own.get(1).and_then(|p| (at.points[p.0]? - base).unit()).or(at.poses[link.0].map(|p| p.axis))?;
+        Some(Station { travel, omega, fixed: carried(against)?, moving: carried(link)?, own: arm.divide_by(axis) })
+    };
+    let stations: Vec<Option<Station>> = sweep.poses.iter().map(|p| station(p.travel, &p.configuration)).collect();
+    if stations.iter().flatten().all(|s| s.omega == 0.0) {
+        let name = scene.link_name(link);
+        let d = Diagnostic::error(
+            "no-pole",
+            both!("link {name} does not turn: its pole lies at infinity", "构件 {name} 不转动：其瞬心在无穷远处"),
+        );
+        return Err(d.help(both!("choose a link that turns", "请选转动的构件")).into());
+    }
+    Ok(Centrodes { link, against, stations, closed: sweep.full })
+}

@@ -1,0 +1,211 @@
+//! The construction with ruler and paper, from places alone: no velocity and no acceleration is used.
+//!
+//! Two rays through points with known centres cross in P. Bobillier: Q = BC × AD, PQ is the collineation axis; the parallel to PC through A
+//! meets it in Q₁, and Q₁B meets PC in J_C, the point of the ray whose path is straight. The same for J_B. The perpendiculars to the rays
+//! there cross in J. Of any point E: the perpendicular to PE through P meets EJ in H, the parallel to PJ through H meets PE in the centre
+//! E₀, which is PE² = EE₀ · EJ_E (Euler–Savary) by similar triangles.
+//!
+//! # Source
+//! É. Bobillier, *Cours de géométrie*, 1870; F. Savary, *Leçons*, 1831; R. Beyer, *Kinematische Getriebesynthese*, §4.
+
+use super::known::{Known, Why};
+use super::plane::{End, Line, meet};
+use crate::geom::{Point, Vec2};
+use crate::scene::{PointId, RollingId};
+
+/// How the curvature of a link is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Drawing {
+    /// From two rays.
+    Rays(Box<Rays>),
+    /// Both links carry this pin: it is the pole for good.
+    Hinge(PointId),
+    /// The rays are parallel: the pole lies at infinity, the link translates at the instant.
+    Parallel([Known; 2]),
+    /// Both rays lie on one line: a dead point, at which rays find no pole.
+    OneLine([Known; 2]),
+    /// The link rolls on the other: the contact is the pole, the wheel's centre lies on the pole normal.
+    Rolling(Rolled),
+    /// Fewer than two points have a path that is known beforehand.
+    NoRays,
+}
+
+/// A wheel on its track.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rolled {
+    /// The pair.
+    pub pair: RollingId,
+    /// The contact, which is the pole.
+    pub pole: Point,
+    /// The centre of the link that is seen.
+    pub moving: End,
+    /// That of the other.
+    pub fixed: End,
+    /// J.
+    pub inflection: Point,
+}
+
+/// How the point of a ray is found whose path is straight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum How {
+    /// It is the pin of a straight guide.
+    Given,
+    /// By the collineation axis and this point on it.
+    Collineation(End),
+    /// As the fourth proportional on the ray itself: 1/PJ = 1/PB − 1/PA. The axis would be crossed too flatly.
+    Proportion,
+}
+
+/// The drawing from two rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rays {
+    /// The points and centres on them.
+    pub known: [Known; 2],
+    /// P.
+    pub pole: Point,
+    /// Q, where it is used.
+    pub collineation: Option<End>,
+    /// How J_B and J_C are found.
+    pub how: [How; 2],
+    /// Where they lie.
+    pub straight: [Point; 2],
+    /// J; the pole itself where the pole stands still.
+    pub inflection: Point,
+    size: f64,
+}
+
+/// The drawing of the centre of a point's path.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Traced {
+    /// The point.
+    pub of: PointId,
+    /// Its place.
+    pub at: Point,
+    /// J_E, the foot of J on the ray.
+    pub foot: Point,
+    /// H, on the perpendicular to the ray through P.
+    pub helper: End,
+    /// E₀.
+    pub centre: End,
+}
+
+/// A helping line that crosses the axis or the ray under less than this (sine) is not used.
+const FLAT: f64 = 1e-3;
+/// Lengths below this part of the mechanism's size are none.
+const NONE: f64 = 1e-11;
+
+impl Rays {
+    /// Draws; `None` where the rays do not cross.
+    pub fn new(known: [Known; 2], size: f64) -> Option<Rays> {
+        let rays = known.map(|k| k.ray());
+        let pole = meet(rays[0], rays[1])?.at()?;
+        let [b, c] = known;
+        let axis = meet(b.moving.join(c.moving), b.fixed.join(c.fixed)).filter(|q| q.at().is_none_or(|q| q.distance(pole) > FLAT * size));
+        let axis_line = axis.map(|q| End::At(pole).join(q));
+        let mut out = Rays { known, pole, collineation: None, how: [How::Proportion; 2], straight: [pole; 2], inflection: pole, size };
+        for k in [0, 1] {
+            let (own, other) = (known[k], known[1 - k]);
+            let drawn = axis_line.and_then(|line| out.by_collineation(line, own, other));
+            (out.how[k], out.straight[k]) = match (own.why, drawn) {
+                (Why::Straight(..), _) => (How::Given, own.moving.at()?),
+                (_, Some((helper, at))) => (How::Collineation(helper), at),
+                (_, None) => (How::Proportion, proportion(pole, rays[k].unit()?, own.moving, own.fixed)?),
+            };
+        }
+        out.collineation = axis.filter(|_| out.how.iter().any(|h| matches!(h, How::Collineation(_))));
+        let [p, q] = [0, 1].map(|k| (out.straight[k], rays[k].along.perp()));
+        out.inflection = meet(Line { through: Some(p.0), along: p.1 }, Line { through: Some(q.0), along: q.1 })?.at()?;
+        Some(out)
+    }
+
+    /// The point of a ray whose path is straight, by the axis and the other ray's point and centre.
+    fn by_collineation(&self, axis: Line, own: Known, other: Known) -> Option<(End, Point)> {
+        let ray = own.ray();
+        let parallel = other.fixed.join(End::Infinity(ray.along));
+        let helper = meet(axis, parallel)?;
+        let line = helper.join(other.moving);
+        let square = line.sine(ray).abs() > FLAT && (parallel.through.is_none() || axis.sine(parallel).abs() > FLAT);
+        // A helper far off the mechanism is on no paper.
+        let near = helper.at().is_none_or(|h| h.distance(self.pole) < 1e3 * self.size);
+        let at = meet(line, ray)?.at()?;
+        (square && near && axis.sine(ray).abs() > FLAT).then_some((helper, at))
+    }
+
+    /// PJ; zero where the pole stands still.
+    pub fn normal(&self) -> Vec2 {
+        let normal = self.inflection - self.pole;
+        if normal.norm() > NONE * self.size { normal } else { Vec2::ZERO }
+    }
+
+    /// The drawing of the centre of a point's path; `None` at the pole.
+    pub fn traced(&self, of: PointId, at: Point) -> Option<Traced> {
+        traced(self.pole, self.inflection, of, at, self.size)
+    }
+
+    /// Ball's point by the cubic of stationary curvature through the two points, whose centres last: 1/r = 1/(M sin ψ) + 1/(N cos ψ) on a
+    /// ray at ψ from the pole tangent, crossed with the inflection circle r = d sin ψ. `None` where a centre does not last, a moving
+    /// point lies at infinity or in the pole, or on the tangent or the normal.
+    pub fn ball(&self) -> Option<Point> {
+        let normal = self.normal();
+        let (d, n) = (normal.norm(), normal.unit()?);
+        let t = -n.perp();
+        let row = |k: Known| {
+            if !k.why.lasts() {
+                return None;
+            }
+            let w = k.moving.at()? - self.pole;
+            let r = w.norm();
+            if r <= NONE * self.size {
+                return None;
+            }
+            // cos ψ/M + sin ψ/N = sin ψ cos ψ / r.
+            let (c, s) = (w.dot(t) / r, w.dot(n) / r);
+            Some((Vec2::new(c, s), s * c / r))
+        };
+        let ((p, f), (q, g)) = (row(self.known[0])?, row(self.known[1])?);
+        let det = p.cross(q);
+        if det.abs() < FLAT {
+            return None;
+        }
+        let (m, k) = ((f * q.y - g * p.y) / det, (p.x * g - q.x * f) / det);
+        // (1/d − 1/M) cos ψ = sin ψ / N.
+        let along = (t * k + n * (1.0 / d - m)).unit()?;
+        Some(self.pole + along * along.dot(normal))
+    }
+}
+
+/// The point of a ray whose path is straight: 1/PJ = 1/PB − 1/PA along it, with what lies at infinity.
+pub fn proportion(pole: Point, ray: Vec2, moving: End, fixed: End) -> Option<Point> {
+    let along = |end: End| end.at().map(|p| (p - pole).dot(ray));
+    let way = match (along(moving), along(fixed)) {
+        (Some(m), Some(f)) => m * f / (f - m),
+        (Some(m), None) => m,
+        (None, Some(f)) => -f,
+        (None, None) => return None,
+    };
+    way.is_finite().then(|| pole + ray * way)
+}
+
+/// The centre of a point's path by ruler, from pole and inflection pole.
+pub fn traced(pole: Point, inflection: Point, of: PointId, at: Point, size: f64) -> Option<Traced> {
+    let ray = (at - pole).unit().filter(|_| at.distance(pole) > NONE * size)?;
+    let normal = inflection - pole;
+    let foot = pole + ray * normal.dot(ray);
+    let square = Line { through: Some(pole), along: ray.perp() };
+    if normal.norm() <= NONE * size {
+        return Some(Traced { of, at, foot, helper: End::At(pole), centre: End::At(pole) });
+    }
+    if at.distance(foot) <= NONE * at.distance(pole).max(size) {
+        return Some(Traced { of, at, foot, helper: End::Infinity(ray.perp()), centre: End::Infinity(ray) });
+    }
+    // On the pole tangent the foot is P and the centre too; J on the ray itself has no height over it to draw with.
+    let proportion = || {
+        let (e, j) = ((at - pole).dot(ray), normal.dot(ray));
+        pole + ray * (e * j / (j - e))
+    };
+    let helper = meet(End::At(at).join(End::At(inflection)), square)?;
+    let line = Line { through: Some(pole), along: ray };
+    let flat = (normal.cross(ray) / normal.norm()).abs() < FLAT || normal.dot(ray).abs() < FLAT * normal.norm();
+    let drawn = meet(helper.join(End::Infinity(normal)), line).and_then(End::at).filter(|_| !flat);
+    Some(Traced { of, at, foot, helper, centre: End::At(drawn.unwrap_or_else(proportion)) })
+}

@@ -1,0 +1,214 @@
+//! What a drawing begins with: the rays of a link, each through a point whose path has a known centre of curvature.
+//!
+//! Decided here, from topology and places alone: a pin on a crank (its path is a circle), a pin on a guide (its path is straight, the
+//! centre lies at infinity), a guide that leads through a fixed pin (the envelope is that pin, the moving point lies at infinity), and a
+//! pin on another link whose own curvature is drawn first.
+
+use super::drawing::{Drawing, Rays, Rolled};
+use super::plane::{End, Line, meet};
+use crate::geom::Point;
+use crate::position::{Configuration, Path};
+use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+
+/// Why a centre of curvature is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// The first point runs on a circle: this link carries it about the second.
+    Crank(PointId, PointId, LinkId),
+    /// The point runs on a straight guide.
+    Straight(PointId, GuideId),
+    /// The point runs in a slot that is an arc about the second.
+    Arc(PointId, PointId, GuideId),
+    /// A straight guide of the link leads through this fixed pin.
+    Through(PointId, GuideId),
+    /// The point belongs to another link too, whose curvature was drawn before.
+    Borrowed(PointId, LinkId),
+}
+
+impl Why {
+    /// The moving point, where it has a name.
+    pub fn moving(self) -> Option<PointId> {
+        match self {
+            Why::Crank(p, ..) | Why::Straight(p, _) | Why::Arc(p, ..) | Why::Borrowed(p, _) => Some(p),
+            Why::Through(..) => None,
+        }
+    }
+
+    /// The centre, where it has a name.
+    pub fn fixed(self) -> Option<PointId> {
+        match self {
+            Why::Crank(_, p, _) | Why::Arc(_, p, _) | Why::Through(p, _) => Some(p),
+            Why::Straight(..) | Why::Borrowed(..) => None,
+        }
+    }
+
+    /// Whether the centre stays the centre.
+    pub fn lasts(self) -> bool {
+        !matches!(self, Why::Borrowed(..))
+    }
+}
+
+/// A moving point and the centre of curvature of its path, on one ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// The moving point.
+    pub moving: End,
+    /// The centre.
+    pub fixed: End,
+    /// Why it is known.
+    pub why: Why,
+}
+
+impl Known {
+    /// The ray.
+    pub fn ray(&self) -> Line {
+        self.moving.join(self.fixed)
+    }
+}
+
+/// Links that are drawn before one another at most: farther than this nobody follows.
+const DEPTH: usize = 4;
+/// Rays that cross under less than this (sine) find no pole on paper.
+const CROSSING: f64 = 1e-6;
+
+/// What is known of places.
+#[derive(Clone, Copy)]
+pub struct Places<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its pose.
+    pub at: &'a Configuration,
+    /// The link from which the motion is seen.
+    pub against: LinkId,
+}
+
+impl Places<'_> {
+    fn point(&self, p: PointId) -> Option<Point> {
+        self.at.points[p.0]
+    }
+
+    fn holds(&self, link: LinkId, p: PointId) -> bool {
+        self.scene.links[link.0].points.contains(&p)
+    }
+
+    /// The pin that a link has in common with the one from which it is seen.
+    pub fn hinge(&self, link: LinkId) -> Option<PointId> {
+        self.scene.links[link.0].points.iter().copied().find(|p| self.holds(self.against, *p))
+    }
+
+    /// The drawing of a link that rolls on the one from which it is seen: the contact is the pole, and the centres lie on its normal.
+    fn rolled(&self, link: LinkId) -> Option<Rolled> {
+        let (r, pair) = self.scene.rolling.iter().enumerate().find(|(_, r)| r.other(link) == Some(self.against))?;
+        let pole = self.point(pair.at)?;
+        let own = usize::from(pair.links[1] == link);
+        let centres = pair.centres().map(|c| c.and_then(|c| self.point(c)));
+        let normal = centres.iter().flatten().find_map(|c| (*c - pole).unit())?;
+        let end = |k: usize| centres[k].map_or(End::Infinity(normal), End::At);
+        let (moving, fixed) = (end(own), end(1 - own));
+        let inflection = super::drawing::proportion(pole, normal, moving, fixed)?;
+        Some(Rolled { pair: RollingId(r), pole, moving, fixed, inflection })
+    }
+
+    /// All rays of a link; those from other links only where its own do not suffice. `behind` are the links that wait for it.
+    fn rays(&self, link: LinkId, behind: &[LinkId]) -> Vec<Known> {
+        let mut out = Vec::new();
+        for p in super::points(self.scene, link) {
+            out.extend(self.crank(link, p));
+        }
+        for (g, guide) in self.scene.guides.iter().enumerate().filter(|(_, g)| g.rolling.is_none()) {
+            out.extend(self.guided(link, GuideId(g), guide));
+        }
+        out.dedup_by(|a, b| a.why.moving().is_some() && a.why.moving() == b.why.moving());
+        if out.len() < 2 && behind.len() < DEPTH {
+            let has = |p: PointId, out: &[Known]| out.iter().any(|k| k.why.moving() == Some(p));
+            for p in self.scene.links[link.0].points.iter().copied() {
+                if !has(p, &out) {
+                    out.extend(self.borrowed(link, p, behind));
+                }
+            }
+        }
+        out
+    }
+
+    /// A pin that another link carries about a pin of the link from which the motion is seen.
+    fn crank(&self, link: LinkId, p: PointId) -> Option<Known> {
+        let others = self.scene.carriers(p).filter(|l| *l != link && *l != self.against);
+        let pivot = |l: LinkId| Some((l, self.scene.links[l.0].points.iter().copied().find(|q| *q != p && self.holds(self.against, *q))?));
+        let (by, about) = others.filter_map(pivot).next()?;
+        let changes =
+            |d: &crate::scene::Driver| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if [a, b] == [p, about] || [b, a] == [p, about]);
+        if self.scene.drivers.iter().any(changes) {
+            return None;
+        }
+        Some(Known { moving: End::At(self.point(p)?), fixed: End::At(self.point(about)?), why: Why::Crank(p, about, by) })
+    }
+
+    fn guided(&self, link: LinkId, g: GuideId, guide: &crate::scene::Guide) -> Option<Known> {
+        let path = self.at.guides[g.0]?;
+        // A line of a block that slides on a link about a fixed pin always leads through that pin.
+        if let (true, Path::Line { direction, .. }, Some(pivot)) = (guide.slider == Some(link), path, self.hinge(guide.on)) {
+            let fixed = End::At(self.point(pivot)?);
+            return Some(Known { moving: End::Infinity(direction.perp()), fixed, why: Why::Through(pivot, g) });
+        }
+        let pin = guide.pin?;
+        let place = self.point(pin)?;
+        if guide.on == self.against && self.holds(link, pin) {
+            return Some(match path {
+                Path::Line { direction, .. } => {
+                    Known { moving: End::At(place), fixed: End::Infinity(direction.perp()), why: Why::Straight(pin, g) }
+                }
+                Path::Arc { centre, .. } => {
+                    let crate::scene::GuidePath::Arc { centre: about, .. } = guide.path else { return None };
+                    Known { moving: End::At(place), fixed: End::At(centre), why: Why::Arc(pin, about, g) }
+                }
+            });
+        }
+        let Path::Line { direction, .. } = path else { return None };
+        let through = guide.on == link && self.holds(self.against, pin);
+        through.then(|| Known { moving: End::Infinity(direction.perp()), fixed: End::At(place), why: Why::Through(pin, g) })
+    }
+
+    /// A pin of another link, whose curvature is drawn first.
+    fn borrowed(&self, link: LinkId, p: PointId, behind: &[LinkId]) -> Option<Known> {
+        let behind: Vec<LinkId> = behind.iter().copied().chain([link]).collect();
+        let others = self.scene.carriers(p).filter(|l| *l != self.against && !behind.contains(l));
+        let known = |l: LinkId| {
+            let place = self.point(p)?;
+            let centre = match self.drawing_behind(l, &behind) {
+                Drawing::Rays(rays) => rays.traced(p, place)?.centre,
+                Drawing::Rolling(r) => super::drawing::traced(r.pole, r.inflection, p, place, self.at.extent())?.centre,
+                Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return None,
+            };
+            Some(Known { moving: End::At(place), fixed: centre, why: Why::Borrowed(p, l) })
+        };
+        others.filter_map(known).next()
+    }
+
+    /// The drawing of a link's curvature from its rays; `behind` are the links that wait for it.
+    pub(super) fn drawing_behind(&self, link: LinkId, behind: &[LinkId]) -> Drawing {
+        if let Some(p) = self.hinge(link) {
+            return Drawing::Hinge(p);
+        }
+        if let Some(rolled) = self.rolled(link) {
+            return Drawing::Rolling(rolled);
+        }
+        let rays = self.rays(link, behind);
+        let mut best: Option<(f64, [Known; 2])> = None;
+        for (i, a) in rays.iter().enumerate() {
+            for b in &rays[i + 1..] {
+                let sine = a.ray().sine(b.ray()).abs();
+                // Among rays that cross well enough the first two are taken, as the scene lists them.
+                if best.as_ref().is_none_or(|(s, _)| *s < 0.2 && sine > 2.0 * s) {
+                    best = Some((sine, [*a, *b]));
+                }
+            }
+        }
+        let Some((sine, pair)) = best else { return Drawing::NoRays };
+        if sine < CROSSING {
+            let [a, b] = pair.map(|k| k.ray());
+            let one = meet(a, b).is_none() || a.distance(pair[1].moving).is_some_and(|d| d < CROSSING * self.at.extent());
+            return if one { Drawing::OneLine(pair) } else { Drawing::Parallel(pair) };
+        }
+        Rays::new(pair, self.at.extent()).map_or(Drawing::NoRays, |rays| Drawing::Rays(Box::new(rays)))
+    }
+}

@@ -1,0 +1,483 @@
+//! Curvature in words: the steps of the construction, the values by drawing beside those by analysis, and what is to be said of poses in
+//! which something lies at infinity.
+
+use super::phrase::{Phrase, tr};
+use crate::curvature::drawing::{Drawing, How, Rays, Rolled};
+use crate::curvature::known::{Known, Why};
+use crate::curvature::motion::{Bend, State};
+use crate::curvature::plane::End;
+use crate::curvature::{Curvature, OfLink, OfPoint};
+use crate::digits::{direction_degrees, significant};
+use crate::geom::{Point, Vec2};
+use crate::plan::names::{name_label, point_label};
+use crate::scene::{Kind, Lang, LinkId, PointId, Scene};
+use unicode_width::UnicodeWidthStr;
+
+/// Significant digits of the table.
+const DIGITS: usize = 6;
+/// Lengths below this part of the mechanism's size are rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// A writer for one result and language.
+pub struct Words<'a> {
+    /// What is told.
+    pub found: &'a Curvature,
+    /// The language.
+    pub lang: Lang,
+}
+
+/// The report as text; with `steps` the construction too.
+pub fn text(found: &Curvature, steps: bool, lang: Lang) -> String {
+    let w = Words { found, lang };
+    let mut lines = Vec::new();
+    let title = found.scene.title.get(lang);
+    if !title.is_empty() {
+        lines.push(title.to_owned());
+    }
+    for of in &found.list {
+        lines.push(String::new());
+        lines.push(w.heading(of));
+        lines.extend(w.remarks(of).iter().map(|r| format!("  {}", r.plain())));
+        lines.extend(columns(&w.values(of)).into_iter().map(|r| format!("  {r}")));
+        lines.extend(columns(&w.points(of)).into_iter().map(|r| format!("  {r}")));
+        if let Some(apart) = of.apart() {
+            let told = tr(lang, "drawing and analysis are apart by", "作图与解析相差");
+            lines.push(format!("  {told} {apart:.1e}"));
+        }
+        if steps {
+            let steps = w.steps(of);
+            lines.extend(steps.iter().enumerate().map(|(k, s)| format!("  {}. {}", k + 1, s.plain())));
+        }
+    }
+    lines.iter().map(|l| format!("{}\n", l.trim_end())).collect()
+}
+
+/// A table with its columns below one another.
+fn columns(rows: &[Vec<String>]) -> Vec<String> {
+    let many = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..many).map(|k| rows.iter().filter_map(|r| r.get(k)).map(|c| c.width()).max().unwrap_or(0)).collect();
+    let cell = |(k, text): (usize, &String)| format!("{text}{}", " ".repeat(widths[k].saturating_sub(text.width())));
+    rows.iter().map(|row| row.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ")).collect()
+}
+
+impl Words<'_> {
+    fn scene(&self) -> &Scene {
+        &self.found.scene
+    }
+
+    /// The link with its points: `2 (BCE)`.
+    fn link(&self, link: LinkId) -> String {
+        let scene = self.scene();
+        let points: String = crate::curvature::points(scene, link).iter().map(|p| scene.point_name(*p)).collect();
+        if points.is_empty() { scene.link_name(link).to_owned() } else { format!("{} ({points})", scene.link_name(link)) }
+    }
+
+    /// `link 2 (BCE), seen from link 3`.
+    pub fn heading(&self, of: &OfLink) -> String {
+        let against = self.scene().link_name(self.found.against);
+        let seen = self.found.against != self.scene().ground;
+        match (self.lang, seen) {
+            (Lang::En, false) => format!("link {}", self.link(of.link)),
+            (Lang::En, true) => format!("link {}, seen from link {against}", self.link(of.link)),
+            (Lang::Zh, false) => format!("构件 {}", self.link(of.link)),
+            (Lang::Zh, true) => format!("构件 {} 相对构件 {against}", self.link(of.link)),
+        }
+    }
+
+    /// A letter with the link below it: `J_{2}`, `J_{2/3}`.
+    pub fn letter(&self, letter: &str, of: &OfLink) -> String {
+        let scene = self.scene();
+        let (link, against) = (scene.link_name(of.link), scene.link_name(self.found.against));
+        if self.found.against == scene.ground {
+            format!("{letter}_{{{}}}", name_label(link))
+        } else {
+            format!("{letter}_{{{}}}", name_label(&format!("{link}/{against}")))
+        }
+    }
+
+    /// The pole: `P_{24}`.
+    pub fn pole(&self, of: &OfLink) -> String {
+        let scene = self.scene();
+        let (a, b) = (of.link.min(self.found.against), of.link.max(self.found.against));
+        let names = [a, b].map(|l| scene.link_name(l));
+        let comma = if names.iter().all(|n| n.chars().count() == 1) { "" } else { "," };
+        format!("P_{{{}}}", name_label(&names.join(comma)))
+    }
+
+    /// A point alone: `B`, `O_{2}`.
+    pub fn point(&self, p: PointId) -> String {
+        point_label(self.scene().point_name(p))
+    }
+
+    /// A point below another letter: `J_{B}`, the point of a ray whose path is straight.
+    pub fn below(&self, letter: &str, p: PointId) -> String {
+        format!("{letter}_{{{}}}", name_label(self.scene().point_name(p)))
+    }
+
+    /// The centre of curvature of a point's path: `E_{0}`, `B_{2,0}`.
+    pub fn centre(&self, p: PointId) -> String {
+        let name = self.scene().point_name(p);
+        let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+        if digits.is_empty() || digits.len() == name.len() {
+            return format!("{}_{{0}}", name_label(name));
+        }
+        format!("{}_{{{digits},0}}", name_label(&name[..name.len() - digits.len()]))
+    }
+
+    fn length(&self, m: f64) -> String {
+        let scene = self.scene();
+        let (name, per_metre) = match scene.book.chosen(Kind::Length) {
+            Some(unit) => (unit.name().to_owned(), unit.of(1.0)),
+            None => (scene.length_unit.name.to_owned(), scene.length_unit.denominator / scene.length_unit.numerator),
+        };
+        let m = if m.abs() <= ROUNDING * self.found.worked.configuration.extent() { 0.0 } else { m };
+        format!("{} {name}", significant(m * per_metre, DIGITS))
+    }
+
+    fn place(&self, p: Point) -> String {
+        format!("({}, {})", self.length(p.x), self.length(p.y))
+    }
+
+    fn velocity(&self, v: Vec2) -> String {
+        let book = &self.scene().book;
+        let size = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, v.norm()), DIGITS));
+        if v == Vec2::ZERO { size } else { format!("{size} ∠ {}°", significant(direction_degrees(v.angle()), 5)) }
+    }
+
+    /// What is to be known of the pose before the values.
+    pub fn remarks(&self, of: &OfLink) -> Vec<Phrase> {
+        let lang = self.lang;
+        let pole = self.pole(of);
+        let mut out = Vec::new();
+        match of.state {
+            State::Rest => out.push(tr(lang, "the link is at rest in this pose: it has no pole", "该位置构件静止，没有瞬心").to_owned()),
+            State::Translation(v) => {
+                let direction = significant(direction_degrees(v.perp().angle()), 5);
+                out.push(match lang {
+                    Lang::En => format!("the link translates at this instant: ${pole}$ lies at infinity, toward {direction}°; points whose path is straight lie on a line, not on a circle"),
+                    Lang::Zh => format!("该瞬时构件作平动：${pole}$ 在 {direction}° 方向的无穷远处；轨迹为直的点在一条直线上，不构成圆"),
+                });
+            }
+            State::Turning(p) if p.stands() => out.push(match lang {
+                Lang::En => {
+                    format!("${pole}$ stands still at this instant: the inflection circle has shrunk to it, all paths bend about it")
+                }
+                Lang::Zh => format!("该瞬时 ${pole}$ 不动：拐点圆缩为一点，各点轨迹的曲率中心都是它"),
+            }),
+            State::Turning(_) => {}
+        }
+        out.extend(self.not_drawn(of));
+        if self.found.at_rest {
+            out.push(
+                tr(
+                    lang,
+                    "all drivers rest: values that depend on the rate are for one unit of it",
+                    "原动件均静止：与速度有关的值按单位速度给出",
+                )
+                .to_owned(),
+            );
+        }
+        out.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    /// Why there is no drawing.
+    fn not_drawn(&self, of: &OfLink) -> Option<String> {
+        let (lang, pole) = (self.lang, self.pole(of));
+        match &of.drawing {
+            Drawing::Rays(_) | Drawing::Rolling(_) => None,
+            Drawing::Hinge(p) => Some(match lang {
+                Lang::En => format!("both links carry ${}$: it is the pole for good", self.point(*p)),
+                Lang::Zh => format!("两构件在 ${}$ 铰接：它始终是瞬心", self.point(*p)),
+            }),
+            Drawing::Parallel(_) => Some(match lang {
+                Lang::En => format!("the two rays are parallel: they cross in no ${pole}$ on paper"),
+                Lang::Zh => format!("两条极射线平行：纸上没有交点 ${pole}$"),
+            }),
+            Drawing::OneLine(_) => Some(
+                tr(
+                    lang,
+                    "both rays lie on one line, a dead point: they do not tell the pole; the values are those of the analysis",
+                    "两条极射线重合（死点）：不能定出瞬心；所给为解析值",
+                )
+                .to_owned(),
+            ),
+            Drawing::NoRays => Some(
+                tr(
+                    lang,
+                    "fewer than two points have paths with a known centre: it is not drawn; the values are those of the analysis",
+                    "已知轨迹曲率中心的点少于两个：不作图；所给为解析值",
+                )
+                .to_owned(),
+            ),
+        }
+    }
+
+    /// What belongs to the pole: symbol, name, by drawing, by analysis.
+    pub fn values(&self, of: &OfLink) -> Vec<Vec<String>> {
+        let lang = self.lang;
+        let Some(pole) = of.pole() else { return Vec::new() };
+        let drawn = of.drawn();
+        let none = || "–".to_owned();
+        let place = |p: Option<Point>| p.map_or_else(none, |p| self.place(p));
+        let mut rows = vec![vec![String::new(), String::new(), tr(lang, "drawing", "作图").into(), tr(lang, "analysis", "解析").into()]];
+        let mut row = |symbol: String, name: [&'static str; 2], by_drawing: String, by_analysis: String| {
+            rows.push(vec![Phrase::new(&format!("${symbol}$")).plain(), tr(lang, name[0], name[1]).to_owned(), by_drawing, by_analysis]);
+        };
+        row(self.pole(of), ["pole", "速度瞬心"], place(drawn.map(|d| d.pole)), self.place(pole.pole));
+        if pole.stands() {
+            return rows;
+        }
+        let letter = |l: &str| self.letter(l, of);
+        row(letter("J"), ["inflection pole", "拐点极"], place(drawn.map(|d| d.pole + d.normal)), self.place(pole.inflection_pole()));
+        row(
+            letter("d"),
+            ["inflection circle", "拐点圆直径"],
+            drawn.map_or_else(none, |d| self.length(d.normal.norm())),
+            self.length(pole.diameter()),
+        );
+        let tangent = |u: Vec2| format!("{}°", significant(direction_degrees(u.angle()).rem_euclid(180.0), DIGITS));
+        row("t".into(), ["pole tangent", "瞬心切线"], drawn.map_or_else(none, |d| tangent(d.normal.perp())), tangent(pole.normal.perp()));
+        row(letter("U"), ["Ball's point", "鲍尔点"], place(drawn.and_then(|d| d.ball)), place(pole.ball));
+        row(
+            letter("u"),
+            ["pole velocity", "瞬心移动速度"],
+            drawn.and_then(|d| d.pole_velocity).map_or_else(none, |u| self.velocity(u)),
+            self.velocity(pole.pole_velocity),
+        );
+        row(
+            letter("K"),
+            ["acceleration pole", "加速度瞬心"],
+            place(drawn.and_then(|d| d.acceleration_pole)),
+            self.place(pole.acceleration_pole),
+        );
+        let bresse = pole.bresse.map_or_else(|| tr(lang, "the line PJ (α = 0)", "直线 PJ（α = 0）").to_owned(), |d| self.length(d.norm()));
+        row(letter("b"), ["Bresse's circle", "布雷斯圆直径"], none(), bresse);
+        rows
+    }
+
+    /// The points: symbol, radius and centre by drawing and by analysis.
+    fn points(&self, of: &OfLink) -> Vec<Vec<String>> {
+        of.points
+            .iter()
+            .map(|p| {
+                let (name, drawn) = (self.scene().point_name(p.point).to_owned(), p.drawn.map(|d| d.centre));
+                let (radius, centre) = self.bend(p);
+                let drawn = match drawn {
+                    Some(End::At(c)) => format!("{}  {}", self.length(c.distance(p.at)), self.place(c)),
+                    Some(End::Infinity(_)) => tr(self.lang, "∞", "∞").to_owned(),
+                    None => "–".to_owned(),
+                };
+                vec![
+                    format!("ρ_{name}"),
+                    tr(self.lang, "radius, centre", "曲率半径、中心").to_owned(),
+                    drawn,
+                    format!("{radius}  {centre}"),
+                ]
+            })
+            .collect()
+    }
+
+    /// The results below a figure: `d_2 = 2523 mm`, radii of the asked points.
+    pub fn told(&self, of: &OfLink) -> Vec<Phrase> {
+        let (scene, lang) = (self.scene(), self.lang);
+        let words = |m: f64| scene.length_words(m);
+        let mut parts = Vec::new();
+        if let Some(pole) = of.pole().filter(|p| !p.stands()) {
+            parts.push(format!("${}$ = {}", self.letter("d", of), words(pole.diameter())));
+            let book = &scene.book;
+            let u = book.text(Kind::Velocity, &significant(book.value(Kind::Velocity, pole.pole_velocity.norm()), 4));
+            parts.push(format!("${}$ = {u}", self.letter("u", of)));
+        }
+        for p in &of.points {
+            let rho = self.below("\\rho", p.point);
+            parts.push(match p.bend {
+                Bend::About(_, radius) => format!("${rho}$ = {}", words(radius)),
+                Bend::Straight => format!("${rho} = \\infty$"),
+                Bend::AtPole => format!("${rho} = 0$"),
+                Bend::Rest => continue,
+            });
+        }
+        let comma = tr(lang, ", ", "，");
+        if parts.is_empty() { Vec::new() } else { vec![Phrase::new(&parts.join(comma))] }
+    }
+
+    /// Radius and centre by analysis, in words where they are nowhere.
+    pub fn bend(&self, p: &OfPoint) -> (String, String) {
+        let lang = self.lang;
+        match p.bend {
+            Bend::About(centre, radius) => (self.length(radius), self.place(centre)),
+            Bend::Straight => ("∞".into(), tr(lang, "on the inflection circle: its path is straight", "在拐点圆上，轨迹为直").into()),
+            Bend::AtPole => ("0".into(), tr(lang, "it is the pole: its path has a cusp or stops", "即瞬心：轨迹有尖点或停止").into()),
+            Bend::Rest => ("–".into(), tr(lang, "at rest", "静止").into()),
+        }
+    }
+
+    /// The construction, step by step.
+    pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
+        let mut out = match &of.drawing {
+            Drawing::Rays(rays) => self.of_rays(of, rays),
+            Drawing::Rolling(rolled) => self.of_rolling(of, rolled),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return Vec::new(),
+        };
+        let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
+        if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
+            return out.iter().map(|s| Phrase::new(s)).collect();
+        }
+        out.push(match lang {
+            Lang::En => format!("circle over ${pole}{j}$: the inflection circle; square to it in ${pole}$ the pole tangent $t$"),
+            Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
+        });
+        out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
+        if of.read.is_some() {
+            let k = self.letter("K", of);
+            out.push(match lang {
+                Lang::En => format!("${pole}{j}$ turned in ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of ${j}$ on it is the acceleration pole ${k}$"),
+                Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
+            });
+        }
+        out.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    fn moving(&self, k: &Known) -> String {
+        k.why.moving().map_or_else(|| format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))), |p| self.point(p))
+    }
+
+    fn fixed(&self, k: &Known) -> String {
+        match (k.why.fixed(), k.why.moving()) {
+            (Some(p), _) => self.point(p),
+            (None, Some(p)) if matches!(k.fixed, End::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
+            (None, Some(p)) => self.centre(p),
+            (None, None) => String::new(),
+        }
+    }
+
+    fn ray(&self, k: &Known) -> String {
+        let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
+        match (k.why, lang) {
+            (Why::Crank(_, _, by), Lang::En) => {
+                format!("${moving}$ runs on a circle about ${fixed}$ (link {}): ray ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Crank(_, _, by), Lang::Zh) => {
+                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：射线 ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Straight(..), Lang::En) => {
+                format!("${moving}$ runs straight: the ray is square to its guide, the centre lies at infinity")
+            }
+            (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
+            (Why::Arc(..), Lang::En) => format!("${moving}$ runs in an arc about ${fixed}$: ray ${fixed}{moving}$"),
+            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：射线 ${fixed}{moving}$"),
+            (Why::Through(..), Lang::En) => format!(
+                "a line of the link along its guide always leads through ${fixed}$: ray square to it through ${fixed}$, the moving point lies at infinity"
+            ),
+            (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
+            (Why::Borrowed(_, of), Lang::En) => format!(
+                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: ray ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+            (Why::Borrowed(_, of), Lang::Zh) => format!(
+                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：射线 ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+        }
+    }
+
+    /// The point of a ray whose path is straight, by its name.
+    pub fn straight(&self, k: &Known) -> String {
+        self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
+    }
+
+    fn of_rays(&self, of: &OfLink, rays: &Rays) -> Vec<String> {
+        let (lang, pole) = (self.lang, self.pole(of));
+        let mut out: Vec<String> = rays.known.iter().map(|k| self.ray(k)).collect();
+        out.push(match lang {
+            Lang::En => format!("the rays cross in the pole ${pole}$"),
+            Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
+        });
+        let [b, c] = &rays.known;
+        if let Some(q) = rays.collineation {
+            let (moving, fixed) = ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
+            let at = if q.at().is_none() {
+                tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）")
+            } else {
+                ""
+            };
+            out.push(match lang {
+                Lang::En => format!(
+                    "${}{}$ and ${}{}$ cross in $Q${at}; ${pole}Q$ is the collineation axis (Bobillier)",
+                    moving.0, moving.1, fixed.0, fixed.1
+                ),
+                Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 $Q${at}；${pole}Q$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
+            });
+        }
+        for k in [1, 0] {
+            let (own, other) = (&rays.known[k], &rays.known[1 - k]);
+            let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
+            out.push(match (rays.how[k], lang) {
+                (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+                (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
+                (How::Collineation(End::Infinity(_)), Lang::En) => {
+                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ in ${j}$")
+                }
+                (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
+                (How::Collineation(End::At(_)), _) => {
+                    let (q, a) = (format!("Q_{{{}}}", 2 - k), self.fixed(other));
+                    match lang {
+                        Lang::En => format!(
+                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"
+                        ),
+                        Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
+                    }
+                }
+                (How::Proportion, Lang::En) => {
+                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                }
+                (How::Proportion, Lang::Zh) => {
+                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                }
+            });
+        }
+        let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
+        let stands = rays.normal() == Vec2::ZERO;
+        out.push(match (lang, stands) {
+            (Lang::En, false) => format!("the perpendiculars to the rays in ${jb}$ and ${jc}$ cross in the inflection pole ${j}$"),
+            (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
+            (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
+            (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
+        });
+        out
+    }
+
+    fn of_rolling(&self, of: &OfLink, _: &Rolled) -> Vec<String> {
+        let (pole, j) = (self.pole(of), self.letter("J", of));
+        vec![match self.lang {
+            Lang::En => format!(
+                "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
+            ),
+            Lang::Zh => format!(
+                "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
+            ),
+        }]
+    }
+
+    fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {
+        let drawn = p.drawn?;
+        let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
+        let given = match &of.drawing {
+            Drawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
+            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => false,
+        };
+        if given {
+            return None;
+        }
+        Some(match (drawn.centre, lang) {
+            (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
+            (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
+            (End::At(_), Lang::En) => format!(
+                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in $H$; the parallel to ${pole}{j}$ through $H$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
+            ),
+            (End::At(_), Lang::Zh) => format!(
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 $H$；过 $H$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+            ),
+        })
+    }
+}

@@ -1,0 +1,417 @@
+//! Function generation 按两连架杆对应位置, `"synthesis": "function"`: the output's angle as a function of the crank's.
+//!
+//! Either a function y(x) at Chebyshev's precision points x_k = (a+b)/2 − (b−a)/2 cos((2k−1)π/2n), or pairs of angles. A starting angle
+//! that is not given is an unknown. As many pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by
+//! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
+
+pub mod freudenstein;
+
+use super::body::pose::centre;
+use super::candidate::{Draft, Number, Wanted};
+use super::form::Form;
+use super::fourbar::{FourBar, Heading, named_lengths};
+use super::{Found, KindOfTask, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::{metres, significant};
+use crate::geom::{Point, Vec2};
+use crate::scene::front::Curve;
+use freudenstein::{Generator, Steps, exact, extremes, least_squares, linear, minimax};
+use std::f64::consts::PI;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "function",
+    what: ["the follower's angle as a function of the crank's", "按两连架杆的对应角位移（期望函数）设计"],
+    keys: &["function", "points", "fit", "input", "output", "pairs", "relative", "frame", "crank"],
+    read,
+};
+
+/// The frame where no size is given (m).
+const USUAL_FRAME: f64 = 0.1;
+
+#[derive(Clone, Debug)]
+struct Function {
+    target: Target,
+    steps: Steps,
+    /// Starting angles, where they are given.
+    start: [Option<f64>; 2],
+    minimax: bool,
+    frame: Option<f64>,
+    crank: Option<f64>,
+}
+
+/// What the output is to follow.
+#[derive(Clone, Debug)]
+enum Target {
+    /// Pairs of angles.
+    Pairs,
+    /// y(x) over a range, with the swings of input and output.
+    Curve { curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
+}
+
+impl Target {
+    /// The steps of input and output at x.
+    fn step(&self, x: f64) -> Option<[f64; 2]> {
+        let Target::Curve { curve, range, swings, values, .. } = self else { return None };
+        let along = (x - range[0]) / (range[1] - range[0]);
+        let up = (curve.at(x).ok()? - values[0]) / (values[1] - values[0]);
+        Some([swings[0] * along, swings[1] * up])
+    }
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let fit = if form.has("fit") { form.choice("fit", &["points", "minimax"])? } else { "points" };
+    let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
+    let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
+    let (target, steps, start) = match (form.has("function"), form.has("pairs")) {
+        (true, false) => of_curve(form)?,
+        (false, true) => of_pairs(form)?,
+        _ => {
+            let d = Diagnostic::error("missing-key", both!("one of `function` and `pairs` is given", "应给出 `function` 与 `pairs` 之一"));
+            form.fault(d.at(form.span("function")).help(both!(
+                "write \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}",
+                "请写 \"function\": {{\"y\": \"ln(x)\", \"from\": 1, \"to\": 2}}"
+            )));
+            return None;
+        }
+    };
+    let minimax = fit == "minimax";
+    if minimax && !matches!(target, Target::Curve { .. }) {
+        let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"));
+        form.fault(d.at(form.span("fit")));
+        return None;
+    }
+    let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
+    let inverted = steps.len() == 3 && start[0].is_some() && start[1].is_none() && crank.is_some() && frame.is_some();
+    if !minimax && !inverted && steps.len() < unknowns {
+        let (has, free) = (steps.len(), unknowns - 3);
+        let message = both!(
+            "{has} points are too few for {unknowns} unknowns: three lengths and {free} starting angles",
+            "{has} 个点少于 {unknowns} 个未知量：三个杆长比和 {free} 个初始角"
+        );
+        let help = both!(
+            "give a starting angle (\"from\"), more points, or crank and frame with a given \"input\"",
+            "请给出初始角 \"from\"、增加点数，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
+        );
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+        return None;
+    }
+    if let Some((i, j)) = coincide(&steps) {
+        let message = both!("the input is the same at points {i} and {j}", "第 {i} 点与第 {j} 点的输入角相同");
+        form.fault(
+            Diagnostic::error("precision-points-coincide", message)
+                .at(form.span("pairs"))
+                .help(both!("leave one of them out", "请去掉其中一个")),
+        );
+        return None;
+    }
+    Some(Box::new(Function { target, steps, start, minimax, frame, crank }))
+}
+
+fn coincide(steps: &Steps) -> Option<(usize, usize)> {
+    let pairs = (0..steps.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+    pairs.into_iter().find(|&(i, j)| libm::sin((steps[i][0] - steps[j][0]) / 2.0).abs() < 1e-12).map(|(i, j)| (i + 1, j + 1))
+}
+
+type Read = (Target, Steps, [Option<f64>; 2]);
+
+/// Precision points by Chebyshev's spacing.
+fn of_curve(form: &Form) -> Option<Read> {
+    let f = form.inner("function", &["y", "from", "to"])?;
+    f.need("y", "\"ln(x)\"")?;
+    let curve = f.curve("y", "x");
+    let end = |key: &str| f.number_of(f.need(key, "1")?, key);
+    let (from, to) = (end("from"), end("to"));
+    let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
+    let n = if fit_five {
+        Some(5)
+    } else if form.has("points") {
+        form.count("points", 3, 60)
+    } else {
+        Some(3)
+    };
+    let scale = |key: &str| {
+        form.need(key, "{\"from\": \"86 deg\", \"swing\": \"60 deg\"}")?;
+        let inner = form.inner(key, &["from", "swing"])?;
+        let swing = inner.need_angle("swing", "\"60 deg\"")?;
+        if swing == 0.0 {
+            form.fault(Diagnostic::error("out-of-range", both!("the swing of {key} is zero", "{key} 的摆角为零")).at(inner.span("swing")));
+            return None;
+        }
+        Some((if inner.has("from") { Some(inner.angle("from")?) } else { None }, swing))
+    };
+    let (input, output) = (scale("input"), scale("output"));
+    let (curve, from, to, n, input, output) = (curve?, from?, to?, n?, input?, output?);
+    if from == to {
+        form.fault(Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空")).at(f.span("to")));
+        return None;
+    }
+    let value = |x: f64| curve.at(x).map_err(|d| form.fault(d.at(f.span("y")))).ok();
+    let values = [value(from)?, value(to)?];
+    if values[0] == values[1] {
+        let message = both!("y has the same value at both ends: the output's swing has no scale", "y 在两端的值相同：输出摆角无比例");
+        form.fault(
+            Diagnostic::error("out-of-range", message)
+                .at(f.span("y"))
+                .help(both!("take a range on which y rises or falls", "请取 y 单调的范围")),
+        );
+        return None;
+    }
+    let places = chebyshev(from, to, n);
+    for x in &places {
+        value(*x)?;
+    }
+    let target = Target::Curve { curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
+    let steps = places.iter().filter_map(|x| target.step(*x)).collect();
+    Some((target, steps, [input.0, output.0]))
+}
+
+/// Precision points: the zeros of Chebyshev's polynomial over the range.
+pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
+    (1..=n).map(|k| (from + to) / 2.0 - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)).collect()
+}
+
+/// Pairs as written; the first one is the start of a side that is relative.
+fn of_pairs(form: &Form) -> Option<Read> {
+    let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 3)?;
+    let pair = |n| {
+        let [input, output] = form.several::<2>(n, "pairs", "[\"60 deg\", \"0 deg\"]")?;
+        let (input, output) = (form.angle_of(input, "pairs"), form.angle_of(output, "pairs"));
+        Some([input?, output?])
+    };
+    let pairs: Vec<Option<[f64; 2]>> = items.iter().map(pair).collect();
+    let pairs = pairs.into_iter().collect::<Option<Vec<_>>>()?;
+    let relative = if form.has("relative") { form.choice("relative", &["input", "output", "both"])? } else { "" };
+    let first = pairs[0];
+    let steps = pairs.iter().map(|p| [p[0] - first[0], p[1] - first[1]]).collect();
+    let free = [matches!(relative, "input" | "both"), matches!(relative, "output" | "both")];
+    let start = [0, 1].map(|i| if free[i] { None } else { Some(first[i]) });
+    Some((Target::Pairs, steps, start))
+}
+
+impl Wish for Function {
+    fn title(&self) -> Both {
+        both!("Function generator with {} precision points", "{} 个插值结点的函数机构", self.steps.len())
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let mut notes = Vec::new();
+        let mut numbers = Vec::new();
+        if let Target::Curve { places, .. } = &self.target {
+            numbers.extend(
+                places.iter().enumerate().map(|(k, x)| Number::ratio(&format!("x{}", k + 1), both!("precision point", "插值结点"), *x)),
+            );
+        }
+        let generators = self.generators()?;
+        let unit = self.unit(&mut notes);
+        let drafts: Vec<Draft> = generators.iter().filter_map(|(which, g)| self.draft(which, g, unit, heading)).collect();
+        if drafts.is_empty() {
+            let message = both!(
+                "the coupler's length comes out imaginary: no four-bar closes at these points",
+                "连杆长为虚数：在这些点上没有四杆机构"
+            );
+            return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+        }
+        Ok(Found { drafts, numbers, notes })
+    }
+}
+
+impl Function {
+    /// The solutions with their names.
+    fn generators(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+        if self.minimax {
+            return self.best();
+        }
+        let free = self.start.iter().filter(|s| s.is_none()).count();
+        if let (3, [Some(alpha), None], Some(a), Some(d)) = (self.steps.len(), self.start, self.crank, self.frame) {
+            return self.inverted(alpha, a / d);
+        }
+        if self.steps.len() == 3 + free {
+            let all = exact(self.start, &self.steps);
+            if all.is_empty() {
+                let message = both!("no four-bar passes through these {} pairs", "没有四杆机构通过这 {} 对角度", self.steps.len());
+                return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+            }
+            let count = all.len();
+            let named = |(k, g)| (if count == 1 { both!("the only solution", "唯一解") } else { both!("root {}", "第 {} 个根", k + 1) }, g);
+            return Ok(all.into_iter().enumerate().map(named).collect());
+        }
+        self.by_squares()
+    }
+
+    /// More pairs than unknowns: linear least squares of K, then of the angles.
+    fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+        let free = self.start.map(|s| s.is_none());
+        let grid = |given: Option<f64>| given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a]);
+        let sum = |g: &Generator| self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>();
+        let mut best: Option<(f64, Generator)> = None;
+        for alpha in grid(self.start[0]) {
+            for phi in grid(self.start[1]) {
+                let Some(g) = linear([alpha, phi], &self.steps).filter(|g| g.lengths().is_some()) else { continue };
+                let s = sum(&g).unwrap_or(f64::MAX);
+                if best.is_none_or(|b| s < b.0) {
+                    best = Some((s, g));
+                }
+            }
+        }
+        let Some((_, first)) = best else {
+            let message = both!("least squares leave no four-bar: a link would be imaginary", "最小二乘无实解：某杆长为虚数");
+            return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+        };
+        let mut all = Vec::new();
+        if free == [false; 2] {
+            all.push((both!("least squares of Freudenstein's equation", "弗洛伊登斯坦方程的最小二乘解"), first));
+        }
+        all.extend(
+            least_squares(first, free, &self.steps).map(|g| (both!("least squares of the output angles", "输出角偏差的最小二乘解"), g)),
+        );
+        Ok(all)
+    }
+
+    /// C₁ is the centre of the circle through B₁ and the others, turned back about D by the output's steps.
+    fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Faults> {
+        let d = Point::new(1.0, 0.0);
+        let back = |s: &[f64; 2]| d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d).rotate_by(Vec2::from_angle(-s[1]));
+        let b: Vec<Point> = self.steps.iter().map(back).collect();
+        let Some((c, _)) = centre(b[0], b[1], b[2]) else {
+            let message =
+                both!("B1 and the turned-back B2, B3 lie in line: C would be infinitely far", "B1 与反转后的 B2、B3 共线：C 在无穷远处");
+            return Err(Diagnostic::error("no-real-solution", message)
+                .help(both!("take another crank or starting angle", "请改变曲柄长或初始角"))
+                .into());
+        };
+        let (reach, b_len) = (c.distance(d), c.distance(b[0]));
+        let k = [1.0 / a, 1.0 / reach, (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach)];
+        Ok(vec![(both!("C1 by inversion about D", "以 D 为中心反转求得 C1"), Generator { start: [alpha, (c - d).angle()], k })])
+    }
+
+    /// The best approximation, from the five Chebyshev points.
+    fn best(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+        let Target::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
+        let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
+        let step_of = |x: f64| self.target.step(x);
+        let roots = exact([None, None], &steps);
+        let found: Vec<_> = roots.iter().filter_map(|g| minimax(*g, *range, &step_of)).collect();
+        if found.is_empty() {
+            let message = both!(
+                "no linkage through five Chebyshev points has six alternating deviations to start from",
+                "没有过五个切比雪夫结点且偏差六次交错的机构可作初值"
+            );
+            return Err(Diagnostic::error("no-real-solution", message)
+                .help(both!("leave \"fit\" out, or take other swings", "请去掉 \"fit\"，或改变摆角"))
+                .into());
+        }
+        Ok(found.into_iter().map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright())).collect())
+    }
+
+    /// Metres for a frame of 1.
+    fn unit(&self, notes: &mut Vec<Diagnostic>) -> Option<f64> {
+        match (self.frame, self.crank) {
+            (Some(frame), _) => Some(frame),
+            (None, Some(_)) => None,
+            (None, None) => {
+                let message = both!("the size is free: a frame of {} is taken", "尺寸可任取：取机架长 {}", metres(USUAL_FRAME));
+                notes.push(
+                    Diagnostic::note("free-choice", message).help(both!("give \"frame\" or \"crank\"", "可给出 \"frame\" 或 \"crank\"")),
+                );
+                Some(USUAL_FRAME)
+            }
+        }
+    }
+
+    fn nearest(&self) -> Both {
+        match self.start {
+            [Some(a), Some(p)] => both!(
+                "leave a starting angle free, or try others than {}° and {}°",
+                "请让一个初始角待定，或改变 {}° 和 {}°",
+                significant(a.to_degrees(), 4),
+                significant(p.to_degrees(), 4)
+            ),
+            _ => both!("take smaller swings, or fewer points", "请减小摆角或减少点数"),
+        }
+    }
+
+    fn draft(&self, which: &Both, g: &Generator, unit: Option<f64>, heading: &Heading) -> Option<Draft> {
+        let turned: Vec<&str> = ["AB", "DC"].into_iter().zip(g.k).filter(|(_, k)| *k < 0.0).map(|(n, _)| n).collect();
+        let raw = *g;
+        let g = g.upright();
+        let [a, b, c] = g.lengths()?;
+        let unit = unit.unwrap_or_else(|| self.crank.unwrap_or(USUAL_FRAME) / a);
+        let d = Point::new(unit, 0.0);
+        // Steps count from the upright start; whole turns do not matter.
+        let place = |s: &[f64; 2]| {
+            let psi = g.output(s[0], g.start[1] + s[1])?;
+            let (crank, follower) = (Vec2::from_angle(g.start[0] + s[0]), Vec2::from_angle(psi));
+            Some(((crank * (a * unit)).to_point(), d + follower * (c * unit)))
+        };
+        let wanted: Option<Vec<Wanted>> = self
+            .steps
+            .iter()
+            .map(|s| {
+                let (b, c) = place(s)?;
+                Some(Wanted { driver: g.start[0] + s[0], places: vec![("B".into(), b), ("C".into(), c)] })
+            })
+            .collect();
+        let wanted = wanted?;
+        let (b1, c1) = place(&self.steps[0])?;
+        let four = FourBar { a: Point::ORIGIN, b: b1, c: c1, d, e: None };
+        let mut numbers = named_lengths([a * unit, b * unit, c * unit, unit]);
+        for (i, (name, what)) in [
+            ("alpha0", both!("starting angle of the crank", "曲柄初始角")),
+            ("phi0", both!("starting angle of the follower", "从动杆初始角")),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            numbers.push(Number::angle(name, what, g.start[i]));
+        }
+        numbers.extend(
+            raw.k
+                .iter()
+                .enumerate()
+                .map(|(i, k)| Number::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
+        );
+        self.deviations(&g, &mut numbers);
+        let mut remarks = Vec::new();
+        if !turned.is_empty() {
+            let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", turned.join(", "));
+            remarks.push(Diagnostic::note("turned-arm", message));
+        }
+        Some(Draft { which: which.clone(), scene: four.scene(heading), numbers, wanted, demands: Vec::new(), ordered: true, remarks })
+    }
+
+    /// The greatest deviation and where the extremes lie; of pairs the deviations there.
+    fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) {
+        let deviation = both!("structural error", "结构误差");
+        match &self.target {
+            Target::Curve { range, .. } => {
+                let step_of = |x: f64| self.target.step(x);
+                let places = extremes(g, *range, &step_of);
+                let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
+                let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
+                if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
+                    numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
+                    numbers.push(Number::ratio("x_max", both!("where it is", "所在处"), *x));
+                }
+                for (k, (x, e)) in all.iter().enumerate() {
+                    numbers.push(Number::ratio(&format!("x_{k}"), both!("place of an extreme deviation", "偏差极值处"), *x));
+                    numbers.push(Number::angle(&format!("error_{k}"), deviation.clone(), *e));
+                }
+            }
+            Target::Pairs => {
+                let all: Vec<f64> = self.steps.iter().filter_map(|s| g.deviation(*s)).collect();
+                let rest = self.steps.iter().map(|s| g.rest(*s)).map(|r| r * r).sum::<f64>().sqrt();
+                numbers.push(Number::angle(
+                    "max_error",
+                    both!("greatest deviation at the pairs", "各对应位置的最大偏差"),
+                    all.iter().copied().fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
+                ));
+                numbers.push(Number::ratio(
+                    "residual",
+                    both!("norm of the rests of Freudenstein's equation", "弗洛伊登斯坦方程残差的范数"),
+                    rest,
+                ));
+            }
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Given limit positions, `"synthesis": "limits"`: the press 压床, a crank-rocker whose rocker DCE drives a ram through EF.
+//!
+//! The rocker's limits ψ₁, ψ₂ count from the upward vertical, clockwise. From the ram's stroke H comes DE (H = 2 DE sin((ψ₂ − ψ₁)/2)
+//! where the limits lie evenly about the horizontal; else by the secant method from there), from the ratios CE/CD and EF/DE the rest;
+//! crank and coupler are half the difference and half the sum of AC₁ and AC₂.
+
+use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
+use super::form::Form;
+use super::fourbar::{Heading, headed, omega};
+use super::{Found, KindOfTask, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::{metres, significant};
+use crate::geom::{Point, Vec2};
+use serde_json::{Value as Json, json};
+use std::f64::consts::PI;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "limits",
+    what: ["linkages by the limit positions of their rocker: the press", "按摇杆极限位置设计：压床"],
+    keys: &["linkage", "x1", "x2", "y", "angles", "stroke", "CE/CD", "EF/DE"],
+    read,
+};
+
+#[derive(Clone, Debug)]
+struct Press {
+    /// A, from D.
+    a: Point,
+    /// The ram's line, right of D.
+    x2: f64,
+    angles: [f64; 2],
+    stroke: f64,
+    ce_cd: f64,
+    ef_de: f64,
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    form.need("linkage", "\"press\"")?;
+    form.choice("linkage", &["press"])?;
+    let length = |key: &str| form.need(key, "\"50 mm\"").and_then(|n| form.length_of(n, key));
+    let (x1, x2, y) = (length("x1"), length("x2"), length("y"));
+    let stroke = form.need_size("stroke", "\"150 mm\"");
+    let angles = form.need("angles", "[\"60 deg\", \"120 deg\"]").and_then(|n| form.several::<2>(n, "angles", "[\"60 deg\", \"120 deg\"]"));
+    let angles = angles.and_then(|[p, q]| form.angle_of(p, "angles").zip(form.angle_of(q, "angles")));
+    let ratio = |key: &str| {
+        let value = form.number_of(form.need(key, "\"1/2\"")?, key)?;
+        let positive = value > 0.0;
+        if !positive {
+            form.fault(
+                Diagnostic::error("not-positive", both!("\"{key}\" must be greater than zero", "\"{key}\" 应大于零")).at(form.span(key)),
+            );
+        }
+        positive.then_some(value)
+    };
+    let (ce_cd, ef_de) = (ratio("CE/CD"), ratio("EF/DE"));
+    if let Some((p, q)) = angles.filter(|(p, q)| !(0.0 <= *p && p < q && *q <= PI)) {
+        let [p, q] = [p, q].map(|a| significant(a.to_degrees(), 4));
+        let message =
+            both!("the limits {p}° and {q}° are not two angles of 0° to 180° in order", "极限角 {p}°、{q}° 应在 0° 到 180° 之间且前小后大");
+        form.fault(Diagnostic::error("out-of-range", message).at(form.span("angles")));
+        return None;
+    }
+    let (p, q) = angles?;
+    Some(Box::new(Press { a: Point::new(x1?, -y?), x2: x2?, angles: [p, q], stroke: stroke?, ce_cd: ce_cd?, ef_de: ef_de? }))
+}
+
+/// A direction counted from the upward vertical, clockwise.
+fn from_vertical(angle: f64) -> Vec2 {
+    Vec2::new(libm::sin(angle), libm::cos(angle))
+}
+
+impl Press {
+    /// F below E for a rocker DE in a limit.
+    fn f(&self, de: f64, angle: f64) -> Option<Point> {
+        let e = from_vertical(angle) * de;
+        let (ef, aside) = (de * self.ef_de, self.x2 - e.x);
+        let down2 = (ef - aside) * (ef + aside);
+        (down2 >= 0.0).then(|| Point::new(self.x2, e.y - down2.sqrt()))
+    }
+
+    /// DE for the stroke.
+    fn de(&self) -> Option<f64> {
+        let [p, q] = self.angles;
+        let stroke = |de: f64| Some(self.f(de, p)?.y - self.f(de, q)?.y);
+        let mut x = self.stroke / (libm::cos(p) - libm::cos(q));
+        let mut y = stroke(x)? - self.stroke;
+        let mut next = x * (1.0 - y / self.stroke.max(y.abs()) - 1e-3);
+        // The secant method; four digits more in each step near the root.
+        for _ in 0..60 {
+            if y.abs() <= 1e-15 * self.stroke {
+                break;
+            }
+            let there = stroke(next)? - self.stroke;
+            let slope = (there - y) / (next - x);
+            (x, y) = (next, there);
+            if slope == 0.0 || !slope.is_finite() {
+                break;
+            }
+            next = x - y / slope;
+        }
+        (y.abs() <= 1e-12 * self.stroke).then_some(x)
+    }
+
+    fn scene(&self, [ab, bc, cd, de]: [f64; 4], driver: f64, rough: &[(&str, Point)], heading: &Heading) -> Json {
+        let mut scene = headed(heading);
+        scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C", "E"], "4": ["E", "F"], "6": ["A", "D"]}));
+        scene.insert("ground".into(), json!("6"));
+        scene.insert("points".into(), json!({"A": place(self.a), "D": [0, 0], "E": {"base": "DC", "x": mm(de), "y": 0}}));
+        scene.insert("lengths".into(), json!({"AB": mm(ab), "BC": mm(bc), "CD": mm(cd), "EF": mm(de * self.ef_de)}));
+        scene.insert("guides".into(), json!([{"pin": "F", "slider": "5", "on": "6", "through": [mm(self.x2), 0], "angle": "90 deg"}]));
+        scene.insert("driver".into(), json!({"link": "1", "angle": deg(driver), "omega": omega(heading.omega)}));
+        scene.insert("sketch".into(), super::time_ratio::sketch(rough));
+        scene.insert("find".into(), json!(["v_F", "a_F", "omega_3"]));
+        Json::Object(scene)
+    }
+}
+
+impl Wish for Press {
+    fn title(&self) -> Both {
+        both!("Press with a stroke of {}", "行程为 {} 的压床机构", metres(self.stroke))
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let Some(de) = self.de() else {
+            let message = both!("the link EF does not reach the ram's line in one of the limits", "在某一极限位置上 EF 不能到达滑块导路");
+            let help = both!("take \"x2\" nearer to E, or a greater \"EF/DE\"", "请使 \"x2\" 更接近 E，或增大 \"EF/DE\"");
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        };
+        let cd = de / (1.0 + self.ce_cd);
+        let c = self.angles.map(|a| (from_vertical(a) * cd).to_point());
+        let far = c.map(|c| self.a.distance(c));
+        let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
+        if ab <= 1e-9 * bc {
+            let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
+            let help = both!("move A with \"x1\" or \"y\"", "请用 \"x1\" 或 \"y\" 移动 A");
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        let wanted: Vec<Wanted> = (0..2)
+            .filter_map(|i| {
+                let sense = if far[i] > far[1 - i] { 1.0 } else { -1.0 };
+                let crank = (c[i] - self.a) * (sense / far[i]);
+                let places = vec![("B".into(), self.a + crank * ab), ("C".into(), c[i]), ("F".into(), self.f(de, self.angles[i])?)];
+                Some(Wanted { driver: crank.angle(), places })
+            })
+            .collect();
+        let between = (c[0] - self.a).cross(c[1] - self.a).abs();
+        let theta = libm::atan2(between, (c[0] - self.a).dot(c[1] - self.a));
+        let k = (PI + theta) / (PI - theta);
+        let numbers = vec![
+            Number::length("AB", both!("crank", "曲柄"), ab),
+            Number::length("BC", both!("coupler", "连杆"), bc),
+            Number::length("CD", both!("rocker to the coupler", "摇杆上至连杆"), cd),
+            Number::length("DE", both!("rocker", "摇杆"), de),
+            Number::length("EF", both!("link to the ram", "连接滑块的连杆"), de * self.ef_de),
+            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), theta),
+            Number::ratio("K", both!("time ratio", "行程速度变化系数"), k),
+        ];
+        let rough = [("C", c[0]), ("F", wanted.first().map_or(Point::ORIGIN, |w| w.places[2].1))];
+        let driver = wanted.first().map_or(0.0, |w| w.driver);
+        let scene = self.scene([ab, bc, cd, de], driver, &rough, heading);
+        let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
+        let draft =
+            Draft { which: both!("the only solution", "唯一解"), scene, numbers, wanted, demands, ordered: false, remarks: Vec::new() };
+        Ok(Found { drafts: vec![draft], ..Found::default() })
+    }
+}

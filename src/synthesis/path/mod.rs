@@ -1,0 +1,204 @@
+//! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
+//!
+//! Three places with A, D, crank and BE given: B_i lies on the crank's circle at BE from E_i; D, carried back with the coupler B_iE_i into
+//! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]).
+
+pub mod search;
+
+use super::body::pose::centre;
+use super::candidate::{Draft, Number, Wanted};
+use super::form::Form;
+use super::fourbar::{FourBar, Heading, meet, named_lengths};
+use super::{Found, KindOfTask, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::{metres, significant};
+use crate::geom::{Point, Vec2};
+use search::Fit;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "path",
+    what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
+    keys: &["points", "ground", "crank", "BE", "side", "seed"],
+    read,
+};
+
+#[derive(Clone, Debug)]
+enum Path {
+    Three { points: [Point; 3], a: Point, d: Point, crank: f64, be: f64, left: Option<bool> },
+    Many { points: Vec<Point>, seed: u64 },
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let points = form.points("points", "[[\"50 mm\", \"70 mm\"], ...]", 3)?;
+    for j in 1..points.len() {
+        if points[..j].contains(&points[j]) && (j + 1 < points.len() || points[j] != points[0]) {
+            let k = j + 1;
+            let d = Diagnostic::error(
+                "precision-points-coincide",
+                both!("point {k} of the path repeats an earlier one", "轨迹上第 {k} 点与前面的点重复"),
+            );
+            form.fault(d.at(form.span("points")).help(both!("leave it out", "请去掉该点")));
+            return None;
+        }
+    }
+    let given: Vec<&str> = ["ground", "crank", "BE", "side"].into_iter().filter(|k| form.has(k)).collect();
+    match <[Point; 3]>::try_from(points) {
+        Ok(points) => three(form, points),
+        Err(points) if given.is_empty() && points.len() >= 5 => {
+            let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
+            Some(Box::new(Path::Many { points, seed: seed as u64 }))
+        }
+        Err(points) => {
+            let message = match given.first() {
+                Some(key) => both!(
+                    "`{key}` is given for three points; here are {}, through which all lengths are sought",
+                    "`{key}` 只用于三个点；此处有 {} 个点，全部杆长待求",
+                    points.len()
+                ),
+                None => both!(
+                    "{} points are too few for a search and too many for the construction",
+                    "{} 个点，用于搜索太少，用于作图又太多",
+                    points.len()
+                ),
+            };
+            let help = both!(
+                "give three points with ground, crank and BE, or five and more points alone",
+                "请给三个点及 ground、crank、BE，或只给五个以上的点"
+            );
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+            None
+        }
+    }
+}
+
+fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
+    let crank = form.need_size("crank", "\"30 mm\"");
+    let be = form.need_size("BE", "\"80 mm\"");
+    form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
+    let inner = form.inner("ground", &["A", "D"])?;
+    let pivot = |key: &str| inner.point_of(inner.need(key, "[\"0 mm\", \"0 mm\"]")?, key);
+    let (a, d) = (pivot("A"), pivot("D"));
+    let left = match form.inner("side", &["B"]) {
+        Some(side) => Some(side.choice("B", &["left of AE", "right of AE"])? == "left of AE"),
+        None => None,
+    };
+    Some(Box::new(Path::Three { points, a: a?, d: d?, crank: crank?, be: be?, left }))
+}
+
+impl Wish for Path {
+    fn title(&self) -> Both {
+        match self {
+            Path::Three { .. } => both!("Four-bar whose coupler point passes three places", "连杆点通过三个位置的四杆机构"),
+            Path::Many { points, .. } => {
+                both!("Four-bar whose coupler point passes near {} places", "连杆点逼近 {} 个位置的四杆机构", points.len())
+            }
+        }
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        match self {
+            Path::Three { points, a, d, crank, be, left } => {
+                let sides: &[bool] = match left {
+                    Some(true) => &[true],
+                    Some(false) => &[false],
+                    None => &[true, false],
+                };
+                let mut drafts = Vec::new();
+                let mut faults = Faults::default();
+                for left in sides {
+                    match by_inversion(points, [*a, *d], [*crank, *be], *left, heading) {
+                        Ok(draft) => drafts.push(draft),
+                        Err(fault) => faults.push(fault),
+                    }
+                }
+                if drafts.is_empty() { Err(faults) } else { Ok(Found { drafts, ..Found::default() }) }
+            }
+            Path::Many { points, seed } => {
+                let found = search::search(points, *seed);
+                let drafts: Vec<Draft> = found.fits.iter().filter_map(|f| of_fit(points, f, heading)).collect();
+                let numbers = vec![
+                    Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
+                    Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
+                ];
+                if drafts.is_empty() {
+                    let message = both!("the search found no crank-rocker near these places", "没有找到逼近这些点的曲柄摇杆机构");
+                    let help = both!("order the points along the path, or try another \"seed\"", "请按轨迹次序排列各点，或换一个 \"seed\"");
+                    return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+                }
+                Ok(Found { drafts, numbers, notes: Vec::new() })
+            }
+        }
+    }
+}
+
+/// Three places by inversion.
+fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Diagnostic> {
+    let mut b = [Point::ORIGIN; 3];
+    for (k, at) in e.iter().enumerate() {
+        b[k] = meet(a, crank, *at, be, left).ok_or_else(|| {
+            let far = a.distance(*at);
+            let message = both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, metres(far));
+            let help = both!("BE lies from {} to {}", "BE 应在 {} 到 {} 之间", metres((far - crank).abs()), metres(far + crank));
+            Diagnostic::error("no-real-solution", message).help(help)
+        })?;
+    }
+    // The coupler's direction is that of BE.
+    let direction = |k: usize| e[k] - b[k];
+    let back = |k: usize| {
+        let local = (d - b[k]).divide_by(direction(k));
+        b[0] + local.rotate_by(direction(0))
+    };
+    let [d1, d2, d3] = [d, back(1), back(2)];
+    let Some((c, _)) = centre(d1, d2, d3) else {
+        let message =
+            both!("D, carried back into position 1, lies in line: C would be infinitely far", "D 反转到位置 1 后三点共线：C 在无穷远处");
+        return Err(
+            Diagnostic::error("no-real-solution", message).help(both!("move D, or take another crank or BE", "请移动 D，或改变曲柄、BE"))
+        );
+    };
+    let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
+    let axis = (c - b[0]) * (1.0 / (c - b[0]).norm());
+    let local = direction(0);
+    let four = FourBar { a, b: b[0], c, d, e: Some(Vec2::new(axis.dot(local), axis.cross(local))) };
+    let wanted = (0..3)
+        .map(|k| Wanted { driver: (b[k] - a).angle(), places: vec![("B".into(), b[k]), ("C".into(), carried(k)), ("E".into(), e[k])] })
+        .collect();
+    let mut numbers = named_lengths(four.lengths());
+    numbers.push(Number::length("BE", both!("B to E", "B 到 E"), be));
+    numbers.push(Number::length("CE", both!("C to E", "C 到 E"), c.distance(e[0])));
+    for (name, at) in [("B1", b[0]), ("C1", c)] {
+        numbers.push(Number::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
+        numbers.push(Number::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
+    }
+    numbers.extend(
+        b.iter().enumerate().map(|(k, b)| Number::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
+    );
+    let which = if left { both!("B left of AE", "B 在 AE 左侧") } else { both!("B right of AE", "B 在 AE 右侧") };
+    Ok(Draft { which, scene: four.scene(heading), numbers, wanted, demands: Vec::new(), ordered: true, remarks: Vec::new() })
+}
+
+/// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.
+fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
+    let l = &fit.linkage;
+    let at: Vec<search::Place> = fit.cranks.iter().map(|t| l.place(*t)).collect::<Option<_>>()?;
+    let first = at.first()?;
+    let four = FourBar { a: l.a, b: first.b, c: first.c, d: l.d(), e: Some(l.e) };
+    let wanted = fit
+        .cranks
+        .iter()
+        .zip(&at)
+        .map(|(t, p)| Wanted { driver: *t, places: vec![("B".into(), p.b), ("C".into(), p.c), ("E".into(), p.e)] })
+        .collect();
+    let far: Vec<f64> = points.iter().zip(&at).map(|(p, q)| p.distance(q.e)).collect();
+    let mut numbers = named_lengths(four.lengths());
+    numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), l.a.x));
+    numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), l.a.y));
+    numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi));
+    numbers.push(Number::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
+    numbers.push(Number::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
+    numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
+    numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
+    let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
+    Some(Draft { which, scene: four.scene(heading), numbers, wanted, demands: Vec::new(), ordered: true, remarks: Vec::new() })
+}

@@ -1,0 +1,346 @@
+//! The crank-rocker whose coupler curve passes nearest to many places: seeded differential evolution over nine dimensions and the
+//! assembly, then Gauss–Newton with the crank angles free.
+//!
+//! Differential evolution (Storn and Price, rand/1/bin) works on distances to a sampled curve; a Gauss–Newton step eliminates the crank
+//! angle of each place by projecting on the curve's normal, so that nine unknowns are left however many places there are
+//! (Levenberg's damping guards the first steps). Runs follow one another, each with a stream of its own, until the best has been found
+//! twice or the places are met; their number is bounded. Everything is sequential and by libm: the same bytes on any machine.
+
+use crate::geom::{Point, Vec2};
+use crate::synthesis::fourbar::meet;
+use nalgebra::{SMatrix, SVector};
+use rand_pcg::Pcg64;
+use rand_pcg::rand_core::{Rng, SeedableRng};
+use std::f64::consts::TAU;
+
+/// Samples of a coupler curve.
+const SAMPLES: usize = 64;
+/// Linkages in a population, and generations of a run: with these nine runs of ten end in the best optimum of a known curve.
+const POPULATION: usize = 70;
+const GENERATIONS: usize = 110;
+/// Runs at most.
+const RUNS: usize = 12;
+/// Optima that are told.
+const TOLD: usize = 3;
+
+/// A crank-rocker with its coupler point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Linkage {
+    /// Crank pivot.
+    pub a: Point,
+    /// AB, BC, CD, AD (m).
+    pub lengths: [f64; 4],
+    /// Direction of the frame from A to D (rad).
+    pub phi: f64,
+    /// E in the coupler's frame: along BC from B, and to the left.
+    pub e: Vec2,
+    /// Whether C lies left of BD.
+    pub left: bool,
+}
+
+/// Points of a position.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Pin of the crank.
+    pub b: Point,
+    /// Pin of the follower.
+    pub c: Point,
+    /// Coupler point.
+    pub e: Point,
+}
+
+/// An optimum: the linkage, the crank angles next to the places, the root mean square distance (m).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fit {
+    /// The linkage.
+    pub linkage: Linkage,
+    /// The crank's angle at each place (rad).
+    pub cranks: Vec<f64>,
+    /// Root mean square distance (m).
+    pub rms: f64,
+}
+
+/// What a search found, and what it took.
+#[derive(Clone, Debug, Default)]
+pub struct Search {
+    /// Optima, the best first.
+    pub fits: Vec<Fit>,
+    /// Positions evaluated.
+    pub evaluations: u64,
+    /// Runs.
+    pub runs: usize,
+}
+
+impl Linkage {
+    fn of(genes: &[f64; 10]) -> Linkage {
+        let [ax, ay, a, b, c, d, phi, u, v, side] = *genes;
+        Linkage { a: Point::new(ax, ay), lengths: [a, b, c, d], phi, e: Vec2::new(u, v), left: side > 0.0 }
+    }
+
+    /// Follower pivot.
+    pub fn d(&self) -> Point {
+        self.a + Vec2::from_angle(self.phi) * self.lengths[3]
+    }
+
+    /// How far it is from a crank-rocker, over its size; 0 for one.
+    fn fault(&self) -> f64 {
+        let [a, b, c, d] = self.lengths;
+        let least = b.min(c).min(d);
+        let (sum, longest) = (a + b + c + d, b.max(c).max(d));
+        let short = (a - least).max(0.0) + (2.0 * (a + longest) - sum).max(0.0);
+        let positive = (-a).max(0.0) + (-least).max(0.0);
+        (short + positive) / (a.abs() + b.abs() + c.abs() + d.abs())
+    }
+
+    /// Its points at a crank angle (rad, in the plane); `None` where it does not close.
+    pub fn place(&self, crank: f64) -> Option<Place> {
+        let [a, bc, cd, _] = self.lengths;
+        let b = self.a + Vec2::from_angle(crank) * a;
+        let c = meet(b, bc, self.d(), cd, self.left)?;
+        let axis = (c - b) * (1.0 / bc);
+        Some(Place { b, c, e: b + self.e.rotate_by(axis) })
+    }
+
+    fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
+        let mut lengths = self.lengths;
+        lengths.iter_mut().enumerate().for_each(|(i, l)| *l += by[2 + i]);
+        Linkage {
+            a: Point::new(self.a.x + by[0], self.a.y + by[1]),
+            lengths,
+            phi: self.phi + by[6],
+            e: Vec2::new(self.e.x + by[7], self.e.y + by[8]),
+            left: self.left,
+        }
+    }
+
+    /// E with its derivatives by the nine parameters and by the crank angle.
+    fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
+        let p = self.place(crank)?;
+        let [a, bc, cd, ad] = self.lengths;
+        let (w, z) = (p.c - p.b, p.c - self.d());
+        let cross = w.cross(z);
+        let (crank_way, frame_way) = (Vec2::from_angle(crank), Vec2::from_angle(self.phi));
+        let arm = p.e - p.b;
+        // For moves of B, D and of the lengths: w·(dC − dB) = b db, z·(dC − dD) = c dc.
+        let of = |db: Vec2, dd: Vec2, b: f64, c: f64, local: Vec2| {
+            let (r, s) = (w.dot(db) + bc * b, z.dot(dd) + cd * c);
+            let dc = Vec2::new(r * z.y - s * w.y, s * w.x - r * z.x) * (1.0 / cross);
+            let turn = w.cross(dc - db) / (bc * bc);
+            db + arm.perp() * turn + local.rotate_by(w * (1.0 / bc))
+        };
+        let (zero, x, y) = (Vec2::ZERO, Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0));
+        let all = [
+            of(x, x, 0.0, 0.0, zero),
+            of(y, y, 0.0, 0.0, zero),
+            of(crank_way, zero, 0.0, 0.0, zero),
+            of(zero, zero, 1.0, 0.0, zero),
+            of(zero, zero, 0.0, 1.0, zero),
+            of(zero, frame_way, 0.0, 0.0, zero),
+            of(zero, frame_way.perp() * ad, 0.0, 0.0, zero),
+            of(zero, zero, 0.0, 0.0, x),
+            of(zero, zero, 0.0, 0.0, y),
+            of(crank_way.perp() * a, zero, 0.0, 0.0, zero),
+        ];
+        Some((p.e, all))
+    }
+}
+
+/// Searches; the same seed gives the same bytes.
+pub fn search(points: &[Point], seed: u64) -> Search {
+    let mut out = Search::default();
+    let (middle, size) = extent(points);
+    for run in 0..RUNS {
+        out.runs = run + 1;
+        let mut random = Random(Pcg64::seed_from_u64(seed.wrapping_mul(1000).wrapping_add(run as u64)));
+        let ranked = evolve(points, middle, size, &mut random, &mut out.evaluations);
+        let mut met = false;
+        for genes in ranked {
+            let linkage = Linkage::of(&genes);
+            let Some(cranks) = nearest(&linkage, points, &mut out.evaluations) else { continue };
+            let Some(fit) = refine(linkage, cranks, points, &mut out.evaluations) else { continue };
+            let again = |f: &Fit| (f.rms - fit.rms).abs() <= 1e-9 * size.max(fit.rms);
+            met |= out.fits.first().is_some_and(|best| run > 0 && again(best)) || fit.rms < 1e-10 * size;
+            if !out.fits.iter().any(again) {
+                out.fits.push(fit);
+            }
+        }
+        out.fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
+        if met && run >= 1 || out.fits.first().is_some_and(|f| f.rms < 1e-10 * size) {
+            break;
+        }
+    }
+    out.fits.truncate(TOLD);
+    out
+}
+
+/// Middle and size of the places.
+fn extent(points: &[Point]) -> (Point, f64) {
+    let of = |f: fn(&Point) -> f64| {
+        let (low, high) = points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        ((low + high) / 2.0, high - low)
+    };
+    let ((x, w), (y, h)) = (of(|p| p.x), of(|p| p.y));
+    (Point::new(x, y), libm::hypot(w, h))
+}
+
+/// Numbers from 0 to 1.
+struct Random(Pcg64);
+
+impl Random {
+    fn unit(&mut self) -> f64 {
+        // 53 bits: every double between 0 and 1 in steps of 2⁻⁵³.
+        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    fn below(&mut self, n: usize) -> usize {
+        ((self.unit() * n as f64) as usize).min(n - 1)
+    }
+}
+
+/// Differential evolution; the best linkages that differ, in order.
+fn evolve(points: &[Point], middle: Point, size: f64, random: &mut Random, evaluations: &mut u64) -> Vec<[f64; 10]> {
+    let born = |random: &mut Random| {
+        let a = random.between(0.1, 0.8);
+        let rest = [random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.5, 3.0)];
+        [
+            middle.x + size * random.between(-1.5, 1.5),
+            middle.y + size * random.between(-1.5, 1.5),
+            a * size,
+            rest[0] * size,
+            rest[1] * size,
+            rest[2] * size,
+            random.between(0.0, TAU),
+            size * random.between(-2.0, 2.0),
+            size * random.between(-2.0, 2.0),
+            random.between(-1.0, 1.0),
+        ]
+    };
+    let mut all: Vec<([f64; 10], f64)> = Vec::with_capacity(POPULATION);
+    while all.len() < POPULATION {
+        let genes = born(random);
+        let cost = cost(&genes, points, size, evaluations);
+        all.push((genes, cost));
+    }
+    for _ in 0..GENERATIONS {
+        for i in 0..POPULATION {
+            let best = (0..POPULATION).min_by(|&p, &q| all[p].1.total_cmp(&all[q].1)).unwrap_or(0);
+            let [p, q, r] = [0; 3].map(|_| random.below(POPULATION));
+            let keep = random.below(10);
+            let (scale, toward) = (random.between(0.4, 0.9), if random.unit() < 0.3 { 0.5 } else { 0.0 });
+            let mut genes = all[i].0;
+            for (k, gene) in genes.iter_mut().enumerate() {
+                if k == keep || random.unit() < 0.85 {
+                    let base = all[p].0[k] + toward * (all[best].0[k] - all[p].0[k]);
+                    *gene = base + scale * (all[q].0[k] - all[r].0[k]);
+                }
+            }
+            genes[9] = genes[9].clamp(-1.0, 1.0);
+            let new = cost(&genes, points, size, evaluations);
+            if new <= all[i].1 {
+                all[i] = (genes, new);
+            }
+        }
+    }
+    all.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut out: Vec<[f64; 10]> = Vec::new();
+    for (genes, _) in all {
+        let apart = |o: &[f64; 10]| (0..9).any(|k| (o[k] - genes[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (genes[9] > 0.0);
+        if out.iter().all(apart) {
+            out.push(genes);
+        }
+        if out.len() == 6 {
+            break;
+        }
+    }
+    out
+}
+
+/// Mean square distance to the sampled curve, over the square of the size; what is no crank-rocker is worse than all that are.
+fn cost(genes: &[f64; 10], points: &[Point], size: f64, evaluations: &mut u64) -> f64 {
+    let linkage = Linkage::of(genes);
+    let fault = linkage.fault();
+    if fault > 0.0 {
+        return 1e6 * (1.0 + fault);
+    }
+    *evaluations += SAMPLES as u64;
+    let curve = sampled(&linkage);
+    if curve.len() < SAMPLES {
+        return 1e6;
+    }
+    points.iter().map(|p| curve.iter().map(|e| (*e - *p).norm2()).fold(f64::INFINITY, f64::min)).sum::<f64>()
+        / (points.len() as f64 * size * size)
+}
+
+fn sampled(linkage: &Linkage) -> Vec<Point> {
+    (0..SAMPLES).filter_map(|k| Some(linkage.place(TAU * k as f64 / SAMPLES as f64)?.e)).collect()
+}
+
+/// The crank angles next to the places, from finer samples.
+fn nearest(linkage: &Linkage, points: &[Point], evaluations: &mut u64) -> Option<Vec<f64>> {
+    const FINE: usize = 360;
+    *evaluations += FINE as u64;
+    let angle = |k: usize| TAU * k as f64 / FINE as f64;
+    let curve: Option<Vec<Point>> = (0..FINE).map(|k| Some(linkage.place(angle(k))?.e)).collect();
+    let curve = curve?;
+    let near = |p: &Point| (0..FINE).min_by(|&i, &j| (curve[i] - *p).norm2().total_cmp(&(curve[j] - *p).norm2())).map(angle);
+    points.iter().map(near).collect()
+}
+
+/// Gauss–Newton with Levenberg's damping; `None` where it leads away from crank-rockers.
+fn refine(mut linkage: Linkage, mut cranks: Vec<f64>, points: &[Point], evaluations: &mut u64) -> Option<Fit> {
+    let sum = |l: &Linkage, t: &[f64]| points.iter().zip(t).map(|(p, t)| Some((l.place(*t)?.e - *p).norm2())).sum::<Option<f64>>();
+    let mut best = sum(&linkage, &cranks)?;
+    let mut damping = 1e-3;
+    let mut still = 0;
+    for _ in 0..400 {
+        let mut normal = SMatrix::<f64, 9, 9>::zeros();
+        let mut right = SVector::<f64, 9>::zeros();
+        let rows: Option<Vec<(Point, [Vec2; 10])>> = cranks.iter().map(|t| linkage.slopes(*t)).collect();
+        let rows = rows?;
+        *evaluations += rows.len() as u64;
+        for ((e, slopes), p) in rows.iter().zip(points) {
+            let tangent = slopes[9].unit()?;
+            let row = SVector::<f64, 9>::from_fn(|k, _| tangent.cross(slopes[k]));
+            normal += row * row.transpose();
+            right += row * -tangent.cross(*e - *p);
+        }
+        let mut taken = false;
+        while damping < 1e12 {
+            let mut damped = normal;
+            for k in 0..9 {
+                damped[(k, k)] += damping * normal[(k, k)];
+            }
+            let Some(step) = damped.cholesky().map(|c| c.solve(&right)) else {
+                damping = (damping * 10.0).max(1e-15);
+                continue;
+            };
+            let next = linkage.moved(&step);
+            let turned: Vec<f64> = rows
+                .iter()
+                .zip(points)
+                .zip(&cranks)
+                .map(|(((e, s), p), t)| {
+                    let shift = (0..9).fold(*e - *p, |v, k| v + s[k] * step[k]);
+                    t - (s[9].dot(shift) / s[9].norm2()).clamp(-0.3, 0.3)
+                })
+                .collect();
+            *evaluations += points.len() as u64;
+            if let Some(there) = sum(&next, &turned).filter(|s| *s <= best && next.fault() == 0.0) {
+                let gain = best - there;
+                still = if gain <= 1e-13 * best { still + 1 } else { 0 };
+                (linkage, cranks, best, taken) = (next, turned, there, true);
+                damping = (damping * 0.1).max(1e-15);
+                break;
+            }
+            damping *= 10.0;
+        }
+        if !taken || still >= 3 {
+            break;
+        }
+    }
+    Some(Fit { linkage, cranks, rms: (best / points.len() as f64).sqrt() })
+}

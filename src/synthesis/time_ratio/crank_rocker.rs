@@ -1,0 +1,364 @@
+//! Crank-rocker with a time ratio.
+//!
+//! In its limit positions crank and coupler lie in line: AC₁ = BC + AB or BC − AB, AC₂ the other, and ∠C₁AC₂ = θ. So AB is half the
+//! difference of AC₁ and AC₂, BC half the sum. Either one limit is given (rocker, frame, the rocker's angle with the frame): C₂ is
+//! where the ray AC₁, turned by ±θ, meets the rocker's circle. Or the swing ψ: A lies on the circle through C₁, C₂ with the inscribed
+//! angle θ, and one thing is free along it: fixed by the frame's length, or the least transmission angle is made greatest
+//! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
+
+use super::Ratio;
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::{metres, significant};
+use crate::geom::{Point, Vec2};
+use crate::number::{Dd, Real};
+use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
+use crate::synthesis::form::Form;
+use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
+use crate::synthesis::{Found, Wish};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+#[derive(Clone, Debug)]
+struct CrankRocker {
+    ratio: Ratio,
+    rocker: f64,
+    way: Way,
+}
+
+/// What fixes the linkage beside K and the rocker.
+#[derive(Clone, Debug)]
+enum Way {
+    /// The frame and the angle ∠ADC₁ in one limit.
+    Limit { frame: f64, angle: f64 },
+    /// The rocker's swing and the frame.
+    Swing { swing: f64, frame: f64 },
+    /// The rocker's swing; the least transmission angle is made greatest.
+    Best { swing: f64, chosen: bool },
+}
+
+pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let ratio = Ratio::read(form);
+    let rocker = form.need_size("rocker", "\"75 mm\"");
+    let best = form.has("best").then(|| form.choice("best", &["transmission"]));
+    let way = match (form.has("limit"), form.has("swing")) {
+        (true, false) => {
+            let frame = form.need_size("frame", "\"100 mm\"");
+            within(form, "limit").zip(frame).map(|(angle, frame)| Way::Limit { frame, angle })
+        }
+        (false, true) if form.has("frame") && best.is_none() => {
+            within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| Way::Swing { swing, frame })
+        }
+        (false, true) => within(form, "swing").map(|swing| Way::Best { swing, chosen: best.is_none() }),
+        (both_given, _) => {
+            let message = match both_given {
+                true => both!("`limit` and `swing` are two ways to fix the linkage", "`limit` 与 `swing` 是两种给法，只能取一种"),
+                false => both!("neither `limit` nor `swing` is given", "`limit` 与 `swing` 均未给出"),
+            };
+            let help = both!(
+                "give \"limit\": \"45 deg\" (the rocker's angle with the frame in one limit position, with \"frame\"), or \"swing\": \"40 deg\"",
+                "请给出 \"limit\": \"45 deg\"（一极限位置上摇杆与机架的夹角，并给出 \"frame\"），或 \"swing\": \"40 deg\""
+            );
+            form.fault(Diagnostic::error("missing-key", message).at(form.span("limit")).help(help));
+            None
+        }
+    };
+    Some(Box::new(CrankRocker { ratio: ratio?, rocker: rocker?, way: way? }))
+}
+
+/// An angle between 0 and 180°, neither included.
+fn within(form: &Form, key: &str) -> Option<f64> {
+    let angle = form.need_angle(key, "\"40 deg\"")?;
+    if angle > 0.0 && angle < PI {
+        return Some(angle);
+    }
+    let d = Diagnostic::error("out-of-range", both!("`{key}` lies between 0° and 180°", "`{key}` 应在 0° 与 180° 之间"));
+    form.fault(d.at(form.span(key)));
+    None
+}
+
+/// A linkage by its limit positions, the frame along x.
+struct Limits {
+    which: Both,
+    d: Point,
+    c: [Point; 2],
+}
+
+impl Wish for CrankRocker {
+    fn title(&self) -> Both {
+        both!("Crank-rocker with time ratio {}", "行程速度变化系数为 {} 的曲柄摇杆机构", significant(self.ratio.k, 4))
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let mut notes = self.ratio.notes();
+        let found = match self.way {
+            Way::Limit { frame, angle } => self.by_limit(frame, angle)?,
+            Way::Swing { swing, frame } => self.by_frame(swing, frame)?,
+            Way::Best { swing, chosen } => {
+                if chosen {
+                    let message = both!(
+                        "A is free on the circle through C1 and C2: taken where the least transmission angle is greatest",
+                        "A 在过 C1、C2 的圆上可任取：取最小传动角最大处"
+                    );
+                    let help = both!(
+                        "fix it by \"frame\", or write \"best\": \"transmission\"",
+                        "可由 \"frame\" 确定，或写 \"best\": \"transmission\""
+                    );
+                    notes.push(Diagnostic::note("free-choice", message).help(help));
+                }
+                self.best(swing)?
+            }
+        };
+        let drafts = found.iter().map(|l| self.draft(l, heading)).collect();
+        Ok(Found { drafts, notes, ..Found::default() })
+    }
+}
+
+impl CrankRocker {
+    /// A at the origin, D on the x axis, C₁ above it; C₂ on the ray AC₁ turned by ±θ.
+    fn by_limit(&self, frame: f64, angle: f64) -> Result<Vec<Limits>, Faults> {
+        let d = Point::new(frame, 0.0);
+        let c1 = d + Vec2::from_angle(PI - angle) * self.rocker;
+        let mut found = Vec::new();
+        // With K = 1 the two rays are one.
+        let senses: &[f64] = if self.ratio.theta == 0.0 { &[1.0] } else { &[1.0, -1.0] };
+        for &sense in senses {
+            let ray = Vec2::from_angle(c1.to_vec2().angle() + sense * self.ratio.theta);
+            for (k, at) in cross_circle(Point::ORIGIN, ray, d, self.rocker).into_iter().flatten().enumerate() {
+                let c2 = Point::ORIGIN + ray * at;
+                // The ray leads away from A; with K = 1 it meets the circle in C₁ again.
+                if at > 0.0 && c2.distance(c1) > 1e-9 * self.rocker {
+                    let side = if sense > 0.0 { both!("counter-clockwise", "逆时针") } else { both!("clockwise", "顺时针") };
+                    let place = if k == 0 { both!("the nearer", "近") } else { both!("the farther", "远") };
+                    let which =
+                        both!("C2 on the ray AC1 turned {} by θ, {} crossing", "AC1 {}转 θ 所得射线与圆弧的{}交点为 C2", side, place);
+                    found.push(Limits { which, d, c: [c1, c2] });
+                }
+            }
+        }
+        if found.is_empty() {
+            return Err(self.no_second_limit(c1.to_vec2(), d).into());
+        }
+        Ok(found)
+    }
+
+    /// Neither ray meets the circle: at which K one would touch it.
+    fn no_second_limit(&self, c1: Vec2, d: Point) -> Diagnostic {
+        let frame = d.to_vec2().norm();
+        // The tangent from A to the circle makes this angle with the frame.
+        let tangent = libm::asin((self.rocker / frame).min(1.0));
+        let own = c1.angle();
+        let most = (tangent - own).max(own + tangent);
+        let k = (PI + most) / (PI - most);
+        Diagnostic::error(
+            "no-real-solution",
+            both!(
+                "the rays turned by θ = {}° miss the circle of the rocker: there is no second limit position",
+                "转过 θ = {}° 的射线与摇杆圆弧不相交：没有第二个极限位置",
+                significant(self.ratio.theta.to_degrees(), 4)
+            ),
+        )
+        .help(both!("with these data K is at most {}", "在这些数据下 K 至多为 {}", significant(k, 4)))
+    }
+
+    /// D at the origin for now: C₁ and C₂ on both sides of the upward axis.
+    fn swung(&self, swing: f64) -> [Point; 2] {
+        [1.0, -1.0].map(|s| Point::ORIGIN + Vec2::from_angle(FRAC_PI_2 + s * swing / 2.0) * self.rocker)
+    }
+
+    /// A on the circle over C₁C₂ with the inscribed angle θ, at the distance of the frame from D.
+    fn by_frame(&self, swing: f64, frame: f64) -> Result<Vec<Limits>, Faults> {
+        let c = self.swung(swing);
+        let chord = c[0].distance(c[1]);
+        let theta = self.ratio.theta;
+        let mut found = Vec::new();
+        // The centre lies on the axis of symmetry; θ = 0 makes the circle a line, the chord itself.
+        for above in [true, false] {
+            let middle = self.rocker * libm::cos(swing / 2.0);
+            let roots = if theta == 0.0 {
+                let half2 = (frame - middle) * (frame + middle);
+                (above && half2 > 0.0).then(|| Point::new(half2.sqrt(), middle))
+            } else {
+                let radius = chord / (2.0 * libm::sin(theta));
+                let rise = chord / (2.0 * libm::tan(theta));
+                let centre = middle + if above { rise } else { -rise };
+                // On both circles: x² + y² = frame², x² + (y − centre)² = radius².
+                let y = (frame * frame - radius * radius + centre * centre) / (2.0 * centre);
+                let x2 = (frame - y) * (frame + y);
+                // The arc on the far side of the chord from its centre has the angle 180° − θ.
+                let inscribed = if above { y > middle } else { y < middle };
+                (x2 > 0.0 && inscribed).then(|| Point::new(x2.sqrt(), y))
+            };
+            if let Some(a) = roots {
+                let which = match above {
+                    true => both!("A on the arc beyond C1C2", "A 在 C1C2 之外的圆弧上"),
+                    false => both!("A on the arc on the side of D", "A 在 D 一侧的圆弧上"),
+                };
+                found.push(self.laid(which, a, c));
+            }
+        }
+        if found.is_empty() {
+            let message = both!(
+                "the circle with the inscribed angle θ = {}° has no point at {} from D",
+                "圆周角为 θ = {}° 的圆上没有距 D 为 {} 的点",
+                significant(theta.to_degrees(), 4),
+                metres(frame)
+            );
+            let help = both!(
+                "leave \"frame\" out: the linkage with the best transmission angle is taken",
+                "请去掉 \"frame\"，将取传动角最好的机构"
+            );
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        Ok(found)
+    }
+
+    /// Turned and shifted so that A is the origin, D on the x axis, the rocker above.
+    fn laid(&self, which: Both, a: Point, c: [Point; 2]) -> Limits {
+        let frame = Point::ORIGIN - a;
+        let axis = frame * (1.0 / frame.norm());
+        let turned = |p: Point| Point::new(axis.dot(p - a), axis.cross(p - a));
+        let mut c = c.map(turned);
+        if c[0].y + c[1].y < 0.0 {
+            c = c.map(|p| Point::new(p.x, -p.y));
+        }
+        Limits { which, d: Point::new(frame.norm(), 0.0), c }
+    }
+
+    /// The linkage of the greatest least transmission angle.
+    fn best(&self, swing: f64) -> Result<Vec<Limits>, Faults> {
+        let theta = self.ratio.theta;
+        if theta == 0.0 {
+            let message =
+                both!("with K = 1 A lies anywhere on the line C1C2: the frame is free", "K = 1 时 A 可在 C1C2 连线上任取：机架长未定");
+            let d = Diagnostic::error("free-choice", message).help(both!("give \"frame\"", "请给出 \"frame\""));
+            return Err(d.into());
+        }
+        let family = Family { theta: Dd::from_f64(theta), swing: Dd::from_f64(swing) };
+        let (from, to) = (0.0, PI - theta);
+        const STEPS: usize = 1440;
+        let at = |i: usize| from + (to - from) * (i as f64 + 0.5) / STEPS as f64;
+        let mut best: Option<(f64, f64, bool)> = None;
+        for toward_d in [true, false] {
+            for i in 0..STEPS {
+                let worst = family.worst(Dd::from_f64(at(i)), toward_d);
+                if let Some(w) = worst.map(Real::approx).filter(|w| best.is_none_or(|b| *w < b.0)) {
+                    best = Some((w, at(i), toward_d));
+                }
+            }
+        }
+        let Some((_, beta, toward_d)) = best else {
+            // As the shortest link of a crank-rocker the crank passes the limits only for θ below 180° and swings that leave it room.
+            let message = both!(
+                "no crank-rocker has K = {} and a swing of {}°",
+                "没有行程速度变化系数为 {}、摆角为 {}° 的曲柄摇杆机构",
+                significant(self.ratio.k, 4),
+                significant(swing.to_degrees(), 4)
+            );
+            let most = (FRAC_PI_2 + swing / 2.0).min(PI);
+            let help = both!("K is below {} for this swing", "此摆角下 K 应小于 {}", significant((PI + most) / (PI - most), 4));
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        };
+        let step = (to - from) / STEPS as f64;
+        let beta = family.golden(beta - step, beta + step, toward_d).approx();
+        let a = family.place(beta, toward_d, self.rocker);
+        let which = match toward_d {
+            true => both!("greatest least transmission angle, A on the side of D", "最小传动角最大，A 在 D 一侧"),
+            false => both!("greatest least transmission angle, A beyond C1C2", "最小传动角最大，A 在 C1C2 之外"),
+        };
+        Ok(vec![self.laid(which, a, self.swung(swing))])
+    }
+
+    fn draft(&self, l: &Limits, heading: &Heading) -> Draft {
+        let far = l.c.map(|c| c.to_vec2().norm());
+        let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
+        // The farther limit has crank and coupler stretched, in the nearer one they fold.
+        let stretched = usize::from(far[1] > far[0]);
+        let sense = |i: usize| if i == stretched { 1.0 } else { -1.0 };
+        let limit = |i: usize| {
+            let direction = l.c[i].to_vec2() * (sense(i) / far[i]);
+            (direction.angle(), Point::ORIGIN + direction * ab)
+        };
+        let wanted = [0, 1].map(|i| {
+            let (driver, b) = limit(i);
+            Wanted { driver, places: vec![("B".into(), b), ("C".into(), l.c[i])] }
+        });
+        let four = FourBar { a: Point::ORIGIN, b: limit(0).1, c: l.c[0], d: l.d, e: None };
+        let swing = (l.c[0] - l.d).cross(l.c[1] - l.d).abs();
+        let swing = libm::atan2(swing, (l.c[0] - l.d).dot(l.c[1] - l.d));
+        let mut numbers = named_lengths([ab, bc, self.rocker, l.d.x]);
+        numbers.push(Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
+        numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+        numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
+        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
+        let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
+        Draft { which: l.which.clone(), scene: four.scene(heading), numbers, wanted: wanted.into(), demands, ordered: false, remarks }
+    }
+}
+
+/// The linkages of given θ and swing, the rocker 1; β = ∠C₁C₂A tells them apart.
+struct Family {
+    theta: Dd,
+    swing: Dd,
+}
+
+impl Family {
+    /// a, b, d of one.
+    fn lengths(&self, beta: Dd, toward_d: bool) -> Option<[Dd; 3]> {
+        let two = Dd::from_f64(2.0);
+        let half = self.swing / two;
+        let (sin_half, cos_half) = half.sin_cos();
+        let chord = two * sin_half;
+        let (sin_theta, _) = self.theta.sin_cos();
+        let (sin_beta, cos_beta) = beta.sin_cos();
+        let (sin_sum, _) = (beta + self.theta).sin_cos();
+        let ac1 = chord * sin_beta / sin_theta;
+        let ac2 = chord * sin_sum / sin_theta;
+        let difference = (ac2 - ac1) / two;
+        let a = if difference.approx() < 0.0 { -difference } else { difference };
+        let b = (ac1 + ac2) / two;
+        // A in axes with C₂ at the origin and C₁ along x; D below or above the middle of the chord.
+        let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
+        let down = if toward_d { y - cos_half } else { y + cos_half };
+        let d = (x * x + down * down).sqrt();
+        let crank = a.approx() < b.approx().min(1.0).min(d.approx()) && a.approx() > 1e-9;
+        let longest = b.approx().max(1.0).max(d.approx());
+        let rest = a.approx() + b.approx() + 1.0 + d.approx();
+        (crank && 2.0 * (a.approx() + longest) < rest).then_some([a, b, d])
+    }
+
+    /// The cosine of the least transmission angle.
+    fn worst(&self, beta: Dd, toward_d: bool) -> Option<Dd> {
+        let [a, b, d] = self.lengths(beta, toward_d)?;
+        let (one, two) = (Dd::from_f64(1.0), Dd::from_f64(2.0));
+        let cosine = |e: Dd| (b * b + one - e * e) / (two * b);
+        let size = |x: Dd| if x.approx() < 0.0 { -x } else { x };
+        let (near, far) = (size(cosine(d - a)), size(cosine(d + a)));
+        Some(if near.approx() > far.approx() { near } else { far })
+    }
+
+    /// Golden-section search for the least of [`Family::worst`]: in double-double numbers its flat bottom still tells 1e-15.
+    fn golden(&self, low: f64, high: f64, toward_d: bool) -> Dd {
+        let ratio = Dd::from_f64((5.0f64.sqrt() - 1.0) / 2.0);
+        let (mut low, mut high) = (Dd::from_f64(low), Dd::from_f64(high));
+        let value = |x: Dd| self.worst(x, toward_d);
+        for _ in 0..90 {
+            let (p, q) = (high - ratio * (high - low), low + ratio * (high - low));
+            let lower = match (value(p), value(q)) {
+                (Some(p), Some(q)) => (p - q).approx() < 0.0,
+                (p, _) => p.is_some(),
+            };
+            if lower { high = q } else { low = p }
+        }
+        (low + high) / Dd::from_f64(2.0)
+    }
+
+    /// A with D at the origin and the chord across the upward axis, for a rocker of a length.
+    fn place(&self, beta: f64, toward_d: bool, rocker: f64) -> Point {
+        let (theta, half) = (self.theta.approx(), self.swing.approx() / 2.0);
+        let chord = 2.0 * libm::sin(half);
+        let ac2 = chord * libm::sin(beta + theta) / libm::sin(theta);
+        // C₂ is the right end of the chord, C₁ the left.
+        let c2 = Vec2::new(libm::sin(half), libm::cos(half));
+        let y = ac2 * libm::sin(beta) * if toward_d { -1.0 } else { 1.0 };
+        ((c2 + Vec2::new(-ac2 * libm::cos(beta), y)) * rocker).to_point()
+    }
+}

@@ -1,0 +1,170 @@
+//! Offset slider-crank with a time ratio.
+//!
+//! With the stroke H, the offset e and the crank angle θ between the limits: b² − a² = He/sin θ (twice the area of A C₁ C₂ is He and
+//! AC₁·AC₂ sin θ) and a² + b² = H²/2 + He cot θ (law of cosines). Instead of e the crank or the rod may be given:
+//! 2a² = H²/2 − He tan(θ/2), 2b² = H²/2 + He cot(θ/2). Without a quick return e = 0 and a = H/2.
+
+use super::Ratio;
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::digits::{metres, significant};
+use crate::geom::Point;
+use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm};
+use crate::synthesis::form::Form;
+use crate::synthesis::fourbar::{Heading, headed, omega};
+use crate::synthesis::{Found, Wish};
+use serde_json::{Value as Json, json};
+
+#[derive(Clone, Debug)]
+struct SliderCrank {
+    ratio: Ratio,
+    stroke: f64,
+    third: Third,
+}
+
+/// What is given beside K and the stroke.
+#[derive(Clone, Copy, Debug)]
+enum Third {
+    Offset(f64),
+    Crank(f64),
+    Rod(f64),
+}
+
+pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let ratio = Ratio::read(form);
+    let stroke = form.need_size("stroke", "\"50 mm\"");
+    let given: Vec<&str> = ["offset", "crank", "rod"].into_iter().filter(|k| form.has(k)).collect();
+    let third = match given.as_slice() {
+        ["offset"] => form.length("offset").map(Third::Offset),
+        ["crank"] => form.size("crank").map(Third::Crank),
+        ["rod"] => form.size("rod").map(Third::Rod),
+        _ => {
+            let message = both!(
+                "one of `offset`, `crank`, `rod` is given beside K and the stroke",
+                "除 K 和行程外，应给出 `offset`、`crank`、`rod` 之一"
+            );
+            form.fault(
+                Diagnostic::error("missing-key", message)
+                    .at(form.span("stroke"))
+                    .help(both!("add \"offset\": \"20 mm\"", "请加上 \"offset\": \"20 mm\"")),
+            );
+            None
+        }
+    };
+    Some(Box::new(SliderCrank { ratio: ratio?, stroke: stroke?, third: third? }))
+}
+
+impl Wish for SliderCrank {
+    fn title(&self) -> Both {
+        both!("Slider-crank with time ratio {}", "行程速度变化系数为 {} 的偏置曲柄滑块机构", significant(self.ratio.k, 4))
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let [a, b, e] = self.lengths()?;
+        Ok(Found { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..Found::default() })
+    }
+}
+
+impl SliderCrank {
+    /// Crank, rod, offset.
+    fn lengths(&self) -> Result<[f64; 3], Faults> {
+        let (h, theta) = (self.stroke, self.ratio.theta);
+        if theta == 0.0 {
+            return self.centric();
+        }
+        let t = libm::tan(theta / 2.0);
+        let e = match self.third {
+            Third::Offset(e) => e,
+            Third::Crank(a) => (h * h / 2.0 - 2.0 * a * a) / (h * t),
+            Third::Rod(b) => (2.0 * b * b - h * h / 2.0) * t / h,
+        };
+        let most = h / (2.0 * t);
+        let off = e.abs();
+        let a2 = h * (h / 4.0 - off * t / 2.0);
+        if e == 0.0 || a2 <= 0.0 || matches!(self.third, Third::Crank(_) | Third::Rod(_)) && e < 0.0 {
+            let message = match self.third {
+                Third::Offset(_) if e == 0.0 => {
+                    both!("without an offset the slider has no quick return: K would be 1", "偏距为零时无急回：K 只能为 1")
+                }
+                Third::Offset(_) => {
+                    both!("with the offset {} the square of the crank comes out negative", "偏距为 {} 时曲柄长的平方为负", metres(off))
+                }
+                Third::Crank(_) | Third::Rod(_) => {
+                    both!("no offset gives this length: its value would be {}", "没有偏距能给出此长度：偏距将为 {}", metres(e))
+                }
+            };
+            let help = both!("for this stroke and K the offset is less than {}", "此行程和 K 下偏距应小于 {}", metres(most));
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        let b2 = h * (h / 4.0 + off / (2.0 * t));
+        Ok([a2.sqrt(), b2.sqrt(), e])
+    }
+
+    fn centric(&self) -> Result<[f64; 3], Faults> {
+        match self.third {
+            Third::Rod(b) if b > self.stroke / 2.0 => Ok([self.stroke / 2.0, b, 0.0]),
+            _ => {
+                let message = both!(
+                    "with K = 1 the slider-crank is centric: the crank is half the stroke, the rod is free",
+                    "K = 1 时为对心曲柄滑块机构：曲柄为行程之半，连杆长可任取"
+                );
+                let help = both!("give \"rod\", longer than {}", "请给出大于 {} 的 \"rod\"", metres(self.stroke / 2.0));
+                Err(Diagnostic::error("free-choice", message).help(help).into())
+            }
+        }
+    }
+
+    fn draft(&self, [a, b, e]: [f64; 3], heading: &Heading) -> Draft {
+        // The slider's limits: stretched, then folded.
+        let at = |reach: f64| Point::new(((reach - e.abs()) * (reach + e.abs())).sqrt(), e);
+        let wanted = [(b + a, 1.0), (b - a, -1.0)].map(|(reach, sense)| {
+            let c = at(reach);
+            let crank = c.to_vec2() * (sense / reach);
+            Wanted { driver: crank.angle(), places: vec![("B".into(), (crank * a).to_point()), ("C".into(), c)] }
+        });
+        let (off, swing) = (e.abs(), ((a + e.abs()) / b).min(1.0));
+        let numbers = vec![
+            Number::length("AB", both!("crank", "曲柄"), a),
+            Number::length("BC", both!("rod", "连杆"), b),
+            Number::length("e", both!("offset", "偏距"), off),
+            Number::length("H", both!("stroke", "行程"), self.stroke),
+            Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta),
+            Number::angle(
+                "alpha_max",
+                both!("greatest pressure angle, the crank square to the guide", "最大压力角（曲柄垂直于导路）"),
+                libm::asin(swing),
+            ),
+            Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k),
+        ];
+        let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(self.stroke)];
+        let slow = super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega);
+        let driver = wanted[0].driver;
+        Draft {
+            which: both!("the only solution", "唯一解"),
+            scene: scene([a, b, e], driver, at(b + a), heading),
+            numbers,
+            wanted: wanted.into(),
+            demands,
+            ordered: false,
+            remarks: vec![slow],
+        }
+    }
+}
+
+fn scene([a, b, e]: [f64; 3], crank: f64, c: Point, heading: &Heading) -> Json {
+    let mut scene = headed(heading);
+    scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["B", "C"], "4": ["A"]}));
+    scene.insert("ground".into(), json!("4"));
+    scene.insert("points".into(), json!({"A": [0, 0]}));
+    scene.insert("lengths".into(), json!({"AB": mm(a), "BC": mm(b)}));
+    scene.insert("guides".into(), json!([{"pin": "C", "slider": "3", "on": "4", "through": "A", "angle": "0 deg", "offset": mm(e)}]));
+    scene.insert("driver".into(), json!({"link": "1", "angle": deg(crank), "omega": omega(heading.omega)}));
+    scene.insert("sketch".into(), sketch(&[("C", c)]));
+    scene.insert("find".into(), json!(["v_C", "a_C", "omega_2"]));
+    Json::Object(scene)
+}
+
+/// Rough places that say which assembly is meant, in units of the scene's first length (mm).
+pub(in crate::synthesis) fn sketch(points: &[(&str, Point)]) -> Json {
+    let all = points.iter().map(|(name, p)| ((*name).to_owned(), json!([mm(p.x), mm(p.y)])));
+    Json::Object(all.collect())
+}

@@ -1,0 +1,354 @@
+//! Curvature: drawing with the ruler against accelerations, both against reference cases and against differences of places.
+
+use hodograph::curvature::drawing::{Drawing, How};
+use hodograph::curvature::motion::{Bend, State};
+use hodograph::curvature::{Asked, Curvature, OfLink, centrodes, couplers, curvature};
+use hodograph::geom::{Point, Vec2};
+use hodograph::mechanism::{Demand, Mechanism};
+use hodograph::position::configure;
+use hodograph::scene::{self, LinkId, PointId, Scene, templates};
+use serde_json::Value as Json;
+
+fn read(text: &str) -> Scene {
+    scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
+}
+
+fn template(name: &str, values: &[(&str, &str)]) -> Scene {
+    read(&templates::instantiate(name, values).unwrap())
+}
+
+fn all(scene: &Scene) -> Curvature {
+    let asked = Asked { links: couplers(scene), ..Asked::default() };
+    curvature(scene, &asked).unwrap_or_else(|f| panic!("{f}")).value
+}
+
+fn link(scene: &Scene, name: &str) -> LinkId {
+    LinkId(scene.links.iter().position(|l| l.name == name).unwrap())
+}
+
+fn point(scene: &Scene, name: &str) -> PointId {
+    PointId(scene.points.iter().position(|p| p.name == name).unwrap())
+}
+
+/// The cases by the ruler: no velocity enters P, J and E₀.
+#[test]
+fn cases_by_drawing() {
+    let mut values = 0;
+    for name in ["curv-fourbar", "curv-slider-crank", "curv-cardan"] {
+        let path = format!("{}/tests/cases/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        let case: Json = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+        let scene = read(&case["scene"].to_string());
+        let found = all(&scene);
+        let of = &found.list[0];
+        let drawn = of.drawn().unwrap();
+        let e = of.points.iter().find(|p| scene.point_name(p.point) == "E").unwrap();
+        let centre = e.drawn.unwrap().centre.at().unwrap();
+        let (j, k, u) = (drawn.pole + drawn.normal, drawn.acceleration_pole.unwrap(), drawn.pole_velocity.unwrap());
+        for expected in case["expect"].as_array().unwrap() {
+            let value = match expected["name"].as_str().unwrap() {
+                "P_x" => drawn.pole.x,
+                "P_y" => drawn.pole.y,
+                "J_x" => j.x,
+                "J_y" => j.y,
+                "d_inflection" => drawn.normal.norm(),
+                "K_x" => k.x,
+                "K_y" => k.y,
+                "rho_E" => centre.distance(e.at),
+                "E0_x" => centre.x,
+                "E0_y" => centre.y,
+                "u_P" => u.norm(),
+                other => panic!("{other}"),
+            };
+            let exact: f64 = expected["exact"].as_str().unwrap().parse().unwrap();
+            let size = expected["size"].as_f64().unwrap_or(exact.abs());
+            assert!((value - exact).abs() < 1e-10 * size, "{name} {}: {value}, expected {exact}", expected["name"]);
+            values += 1;
+        }
+        assert!(of.apart().unwrap() < 1e-11, "{name}: {:?}", of.apart());
+    }
+    assert_eq!(values, 33);
+}
+
+#[test]
+fn the_collineation_point_is_where_the_rod_crosses_the_ground() {
+    let found = all(&template("crank-rocker", &[("l_AB", "100"), ("l_BC", "250"), ("l_CD", "200"), ("l_AD", "300"), ("phi_1", "60")]));
+    let Drawing::Rays(rays) = &found.list[0].drawing else { panic!("two cranks are two rays") };
+    let q = rays.collineation.unwrap().at().unwrap();
+    assert!(q.distance(Point::new(-0.12348702887402354484, 0.0)) < 1e-12, "{q:?}");
+    assert!(rays.how.iter().all(|h| matches!(h, How::Collineation(_))));
+}
+
+/// Every template with a coupler, at many positions: both ways are one, and Ball's point too.
+#[test]
+fn drawing_is_analysis_everywhere() {
+    let (mut poses, mut balls, mut faults) = (0, 0, Vec::new());
+    for t in templates::list() {
+        let turns = t.parameters.iter().any(|(name, _)| name == "phi_1");
+        for k in 0..if turns { 12 } else { 1 } {
+            let angle = format!("{} deg", 7 + 30 * k);
+            let values: Vec<(&str, &str)> = if turns { vec![("phi_1", angle.as_str())] } else { Vec::new() };
+            let Ok(text) = templates::instantiate(t.name, &values) else { continue };
+            let Ok(scene) = scene::read(&text) else { continue };
+            let asked = Asked { links: couplers(&scene.value), ..Asked::default() };
+            let Ok(found) = curvature(&scene.value, &asked) else { continue };
+            for of in &found.value.list {
+                let Some(apart) = of.apart() else { continue };
+                poses += 1;
+                balls += usize::from(of.drawn().unwrap().ball.is_some() && of.pole().is_some_and(|p| p.ball.is_some()));
+                if apart.is_nan() || apart > 1e-8 {
+                    faults.push(format!("{} {values:?} link {}: {apart:e}", t.name, scene.value.link_name(of.link)));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} of {poses}:\n{}", faults.len(), faults.join("\n"));
+    assert!(poses > 200 && balls > 100, "{poses} poses, {balls} Ball's points");
+}
+
+/// Numbers that look random and repeat on every machine (xorshift64*).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self, from: f64, to: f64) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        let unit = (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64;
+        from + unit * (to - from)
+    }
+}
+
+/// A four-bar with a coupler point E; with `more` a dyad from E to a further pivot G.
+struct Linkage {
+    lengths: [f64; 6],
+    pivot: [f64; 2],
+    dyad: [f64; 2],
+    omega: f64,
+    six: bool,
+}
+
+impl Linkage {
+    fn random(r: &mut Random, six: bool) -> Linkage {
+        let ad = r.next(80.0, 120.0);
+        let ab = r.next(20.0, 45.0);
+        let lengths = [ab, r.next(80.0, 130.0), r.next(60.0, 110.0), ad, r.next(30.0, 90.0), r.next(-60.0, 60.0)];
+        let pivot = [ad + r.next(30.0, 120.0), r.next(-30.0, 60.0)];
+        Linkage { lengths, pivot, dyad: [r.next(120.0, 160.0), r.next(70.0, 130.0)], omega: r.next(2.0, 8.0), six }
+    }
+
+    /// The scene with its crank at an angle (degrees).
+    fn scene(&self, angle: f64) -> Result<Scene, String> {
+        let [ab, bc, cd, ad, x, y] = self.lengths;
+        let [gx, gy] = self.pivot;
+        let [ef, fg] = self.dyad;
+        let (links, points, lengths) = if self.six {
+            (
+                r#", "5": ["E", "F"], "6": ["F", "G"], "4": ["A", "D", "G"]"#,
+                format!(r#", "G": [{gx}, {gy}]"#),
+                format!(r#", "EF": {ef}, "FG": {fg}"#),
+            )
+        } else {
+            (r#", "4": ["A", "D"]"#, String::new(), String::new())
+        };
+        let text = format!(
+            r#"{{"units": {{"length": "mm", "angle": "deg", "omega": "rad/s"}},
+            "links": {{"1": ["A", "B"], "2": ["B", "C", "E"], "3": ["C", "D"]{links}}}, "ground": "4",
+            "points": {{"A": [0, 0], "D": [{ad}, 0], "E": {{"base": "BC", "x": {x}, "y": {y}}}{points}}},
+            "lengths": {{"AB": {ab}, "BC": {bc}, "CD": {cd}{lengths}}},
+            "side": {{"C": "left of BD"{side}}},
+            "driver": {{"link": "1", "angle": "{angle:.17} deg", "omega": {omega}}}, "find": ["v_C"]}}"#,
+            side = if self.six { r#", "F": "left of EG""# } else { "" },
+            omega = self.omega,
+        );
+        scene::read(&text).map(|s| s.value).map_err(|f| f.to_string())
+    }
+
+    /// Where a point stands with the crank at an angle, from positions alone.
+    fn place(&self, p: &str, angle: f64) -> Option<Point> {
+        let scene = self.scene(angle).ok()?;
+        let m = Mechanism::new(&scene).ok()?.value;
+        let demand = Demand::of(&scene, &m).with_all_positions();
+        configure(&scene, &m, &demand).ok()?.value.points[point(&scene, p).0]
+    }
+}
+
+/// First and second derivative by time from seven places, to the sixth order in the step.
+fn derivatives(at: [Point; 7], step: f64) -> (Vec2, Vec2) {
+    let first = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
+    let second = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
+    let sum = |c: [f64; 7], over: f64| at.iter().zip(c).fold(Vec2::ZERO, |s, (p, c)| s + (*p - at[3]) * (c / over));
+    (sum(first, 60.0 * step), sum(second, 180.0 * step * step))
+}
+
+/// The pole by places alone: where the normals to the ways of two points cross, from differences.
+fn seven(linkage: &Linkage, p: &str, angle: f64, step_deg: f64) -> Option<[Point; 7]> {
+    let mut out = [Point::ORIGIN; 7];
+    for (k, place) in out.iter_mut().enumerate() {
+        *place = linkage.place(p, angle + (k as f64 - 3.0) * step_deg)?;
+    }
+    Some(out)
+}
+
+/// Radius and centre of curvature against differences of the path; pole velocity against differences of P; on random four-bars and six-bars.
+#[test]
+fn curvature_is_that_of_the_path() {
+    let mut r = Random(20);
+    let (mut points, mut poles) = (0, 0);
+    let step_deg: f64 = 0.25;
+    for k in 0..60 {
+        let linkage = Linkage::random(&mut r, k % 2 == 1);
+        let angle = r.next(0.0, 360.0);
+        let Ok(scene) = linkage.scene(angle) else { continue };
+        let asked = Asked { links: couplers(&scene), ..Asked::default() };
+        let Ok(found) = curvature(&scene, &asked) else { continue };
+        let step = step_deg.to_radians() / linkage.omega;
+        for of in &found.value.list {
+            let Some(pole) = of.pole() else { continue };
+            assert!(of.apart().is_none_or(|a| a < 1e-9), "{k}: {:?}", of.apart());
+            for q in &of.points {
+                let Bend::About(centre, radius) = q.bend else { continue };
+                let Some(at) = seven(&linkage, scene.point_name(q.point), angle, step_deg) else { continue };
+                let (v, a) = derivatives(at, step);
+                let turn = v.cross(a);
+                if turn.abs() < 0.05 * v.norm() * a.norm() {
+                    continue;
+                }
+                let expected = v.norm().powi(3) / turn.abs();
+                assert!((radius - expected).abs() < 1e-6 * expected, "{k} {}: {radius}, by the path {expected}", scene.point_name(q.point));
+                let expected = at[3] + v.perp() * (v.norm2() / turn);
+                assert!(centre.distance(expected) < 1e-6 * radius, "{k}: {centre:?} {expected:?}");
+                points += 1;
+            }
+            // P as the drawing finds it, from places alone, at seven positions.
+            let mut all = [Point::ORIGIN; 7];
+            let drawn = |i: usize| {
+                let scene = linkage.scene(angle + (i as f64 - 3.0) * step_deg).ok()?;
+                let asked = Asked { links: vec![of.link], ..Asked::default() };
+                curvature(&scene, &asked).ok()?.value.list.first()?.drawn().map(|d| d.pole)
+            };
+            if !(0..7).all(|i| {
+                drawn(i).is_some_and(|p| {
+                    all[i] = p;
+                    true
+                })
+            }) || pole.pole.distance(Point::ORIGIN) > 0.5
+            {
+                continue;
+            }
+            let (u, _) = derivatives(all, step);
+            assert!((u - pole.pole_velocity).norm() < 1e-4 * u.norm(), "{k}: {u:?} {:?}", pole.pole_velocity);
+            poles += 1;
+        }
+    }
+    assert!(points > 80 && poles > 20, "{points} points, {poles} poles");
+}
+
+/// At Ball's point the curvature of the path is zero and stays so to the next order: it differs from a straight line by the fourth power.
+#[test]
+fn balls_point_runs_straight_to_the_third_order() {
+    let mut r = Random(7);
+    let mut seen = 0;
+    for k in 0..20 {
+        let mut linkage = Linkage::random(&mut r, false);
+        let angle = r.next(0.0, 360.0);
+        let Ok(scene) = linkage.scene(angle) else { continue };
+        let found = all(&scene);
+        let Some(ball) = found.list[0].pole().and_then(|p| p.ball) else { continue };
+        let at = &found.worked.configuration;
+        let [b, c] = ["B", "C"].map(|p| at.points[point(&scene, p).0].unwrap());
+        let local = (ball - b).divide_by((c - b).unit().unwrap()) * 1e3;
+        if local.norm() > 500.0 {
+            continue;
+        }
+        [linkage.lengths[4], linkage.lengths[5]] = [local.x, local.y];
+        let places = |h: f64| [-1.0, 1.0].map(|s| linkage.place("E", angle + s * h));
+        let (Some(middle), [Some(a1), Some(a2)], [Some(b1), Some(b2)]) = (linkage.place("E", angle), places(4.0), places(2.0)) else {
+            continue;
+        };
+        // The even part of the way across the tangent: of the second order where the path bends, of the fourth here.
+        let t = (b2 - b1).unit().unwrap();
+        let across = |p: Point, q: Point| (t.cross(p - middle) + t.cross(q - middle)).abs();
+        let (far, near) = (across(a1, a2), across(b1, b2));
+        let odd = |p: Point, q: Point| (t.cross(p - middle) - t.cross(q - middle)).abs();
+        let (of, on) = (odd(a1, a2), odd(b1, b2));
+        assert!(far < 1e-12 || far / near > 12.0, "{k}: {far:e} against {near:e}");
+        // The direction by the chord is off by the third order: what is left of it is of that order too, not of the first.
+        assert!(of < 1e-12 || on < 1e-12 || of / on > 6.0, "{k}: {of:e} against {on:e}");
+        seen += 1;
+    }
+    assert!(seen > 5, "{seen}");
+}
+
+/// The centrodes roll on one another: seen from the link they are the moving one, and they have one tangent at the pole.
+#[test]
+fn centrodes_touch_in_the_pole() {
+    for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "elliptic-trammel", "oscillating-cylinder"] {
+        let scene = template(name, &[]);
+        let found = all(&scene);
+        for of in &found.list {
+            let paths = centrodes::centrodes(&found.scene, &found.worked, of.link, found.against, 720).unwrap();
+            let pole = of.pole().unwrap();
+            let k = paths.stations.iter().position(|s| s.is_some_and(|s| s.travel == 0.0)).unwrap();
+            let at = |k: usize| paths.stations[k % paths.stations.len()].unwrap();
+            assert!(at(k).pole().distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
+            let moving = |s: centrodes::Station| (s.moving * (1.0 / s.omega)).to_point();
+            assert!(moving(at(k)).distance(pole.pole) < 1e-9 * of.motion.size, "{name}");
+            let n = paths.stations.len();
+            let (fixed, moved) = (at(k + 1).pole() - at(k + n - 1).pole(), moving(at(k + 1)) - moving(at(k + n - 1)));
+            // Equal ways: they roll without slip.
+            assert!((fixed - moved).norm() < 2e-3 * fixed.norm(), "{name}: {fixed:?} {moved:?}");
+        }
+    }
+}
+
+/// Cardan's circles: the fixed centrode of the trammel's bar is a circle about the crossing of its guides, the moving one half as large.
+#[test]
+fn cardans_centrodes_are_circles() {
+    let scene = template("elliptic-trammel", &[]);
+    let found = all(&scene);
+    let bar = found.list.iter().find(|of| scene.links[of.link.0].points.len() > 1).unwrap();
+    let paths = centrodes::centrodes(&found.scene, &found.worked, bar.link, found.against, 360).unwrap();
+    let poles: Vec<Point> = paths.stations.iter().flatten().map(|s| s.pole()).filter(|p| p.is_finite()).collect();
+    let radius = bar.pole().unwrap().diameter();
+    let centre = bar.pole().unwrap().inflection_pole();
+    assert!(poles.len() > 100 && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius));
+}
+
+/// What is said where something is nowhere.
+#[test]
+fn degenerate_poses_are_told() {
+    let state = |name: &str, values: &[(&str, &str)]| {
+        let scene = template(name, values);
+        let found = all(&scene);
+        let of: OfLink = found.list.into_iter().next().unwrap();
+        (of.state, of.drawing, of.points)
+    };
+    // A parallelogram's coupler translates.
+    let (s, drawing, _) = state("parallelogram", &[("phi_1", "70")]);
+    assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
+    // The slider-crank in its dead centre: the crosshead is the pole, its path stops.
+    let dead = read(
+        r#"{"units": {"length": "mm", "angle": "deg"}, "links": {"1": ["A", "B"], "2": ["B", "C"], "3": ["C"], "4": ["A"]}, "ground": "4",
+        "points": {"A": [0, 0]}, "lengths": {"AB": 100, "BC": 300}, "guides": [{"pin": "C", "slider": "3", "through": "A", "angle": 0}],
+        "sketch": {"C": [400, 0]}, "driver": {"link": "1", "angle": 0, "omega": "10 rad/s"}, "find": ["v_C"]}"#,
+    );
+    let of = all(&dead).list.swap_remove(0);
+    let (s, drawing, points) = (of.state, of.drawing, of.points);
+    assert!(matches!(s, State::Turning(_)), "{s:?} {drawing:?}");
+    assert!(points.iter().any(|p| p.bend == Bend::AtPole), "{points:?}");
+    // With the crank square to the guide it translates.
+    let (s, drawing, _) = state("slider-crank", &[("phi_1", "90")]);
+    assert!(matches!(s, State::Translation(_)) && matches!(drawing, Drawing::Parallel(_)), "{s:?} {drawing:?}");
+    // The crosshead of a slider-crank runs straight: its centre is nowhere.
+    let (_, _, points) = state("slider-crank", &[]);
+    assert!(points.iter().any(|p| p.bend == Bend::Straight), "{points:?}");
+    // A crank turns about its pin, for good.
+    let scene = template("crank-rocker", &[]);
+    let asked = Asked { links: vec![link(&scene, "1")], ..Asked::default() };
+    let found = curvature(&scene, &asked).unwrap().value;
+    assert!(matches!(found.list[0].drawing, Drawing::Hinge(_)) && found.list[0].pole().unwrap().stands());
+    // Seen from the crank, the rocker has its pole where the ground has that of the coupler's rays.
+    let asked = Asked { links: vec![link(&scene, "3")], against: Some(link(&scene, "1")), ..Asked::default() };
+    let found = curvature(&scene, &asked).unwrap().value;
+    assert!(found.list[0].apart().unwrap() < 1e-11, "{:?}", found.list[0].apart());
+}

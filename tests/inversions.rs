@@ -1,0 +1,96 @@
+//! Inversions: every one is a scene, its links move against one another as in the original, and types follow Grashof's rule.
+
+use hodograph::answer::Source;
+use hodograph::inversions::{Inversion, inversions};
+use hodograph::mechanism::Level;
+use hodograph::scene::{self, LinkId, Scene, templates};
+use hodograph::sweep::extreme::Grashof;
+
+fn template(name: &str, values: &[(&str, &str)]) -> Scene {
+    scene::read(templates::instantiate(name, values).unwrap()).unwrap().value
+}
+
+fn all(scene: &Scene) -> Vec<Inversion> {
+    inversions(scene).unwrap_or_else(|f| panic!("{f}")).value
+}
+
+/// Relative angular velocities are those of the scene, to a common factor: the driver's rate.
+#[test]
+fn links_move_against_one_another_as_before() {
+    let mut seen = 0;
+    for name in [
+        "crank-rocker",
+        "drag-link",
+        "slider-crank",
+        "offset-slider-crank",
+        "slotted-lever",
+        "whitworth",
+        "watt-six-bar",
+        "shaper",
+        "elliptic-trammel",
+        "oscillating-cylinder",
+        "scotch-yoke",
+    ] {
+        let scene = template(name, &[]);
+        let found = all(&scene);
+        assert!(found.len() + 1 >= scene.links.len(), "{name}: {} of {}", found.len(), scene.links.len());
+        let omegas = |i: &Inversion| -> Vec<Option<f64>> {
+            let of = |l: &scene::Link| {
+                let id = LinkId(i.scene.links.iter().position(|m| m.name == l.name)?);
+                if id == i.scene.ground { Some(0.0) } else { i.worked.solution.turning(Level::Velocity, id) }
+            };
+            scene.links.iter().map(of).collect()
+        };
+        let original = found.iter().find(|i| i.original).unwrap();
+        let base = omegas(original);
+        for i in &found {
+            let own = omegas(i);
+            let mut pairs = Vec::new();
+            for a in 0..base.len() {
+                for b in 0..a {
+                    if let (Some(p), Some(q), Some(r), Some(s)) = (base[a], base[b], own[a], own[b]) {
+                        pairs.push((p - q, r - s));
+                    }
+                }
+            }
+            let largest = pairs.iter().copied().max_by(|a, b| a.0.abs().total_cmp(&b.0.abs())).unwrap();
+            let factor = largest.1 / largest.0;
+            for (p, q) in &pairs {
+                assert!((q - p * factor).abs() < 1e-9 * largest.1.abs(), "{name} {}: {p} {q} {factor}", i.text);
+            }
+            // The file is the scene.
+            assert_eq!(scene::read(&i.text).unwrap().value.links.len(), i.scene.links.len());
+            seen += 1;
+        }
+    }
+    assert!(seen > 40, "{seen}");
+}
+
+#[test]
+fn types_follow_grashofs_rule() {
+    let kinds = |scene: &Scene| -> Vec<(String, Grashof)> {
+        all(scene).iter().map(|i| (i.scene.link_name(i.scene.ground).to_owned(), i.limits.grashof.unwrap().0)).collect()
+    };
+    // s + l < p + q: the shortest fixed gives a double crank, its neighbours crank-rockers, its opposite a double rocker.
+    let scene = template("crank-rocker", &[]);
+    for (ground, kind) in kinds(&scene) {
+        let expected = match ground.as_str() {
+            "1" => Grashof::DoubleCrank,
+            "3" => Grashof::DoubleRocker,
+            _ => Grashof::CrankRocker,
+        };
+        assert_eq!(kind, expected, "link {ground}");
+    }
+    // s + l > p + q: all are triple rockers.
+    let scene = template("crank-rocker", &[("l_BC", "190"), ("l_AD", "330"), ("l_AB", "130"), ("l_CD", "150")]);
+    assert!(kinds(&scene).iter().all(|(_, k)| *k == Grashof::TripleRocker));
+}
+
+#[test]
+fn what_cannot_be_inverted_is_told() {
+    for (name, code) in [("planetary-gear", "inversion-pairs"), ("cam-eccentric", "inversion-pairs"), ("five-bar", "inversion-freedoms")] {
+        let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
+        assert!(faults.list.iter().any(|d| d.code == code && d.help.is_some()), "{name}: {faults}");
+        assert!(faults.list.iter().all(|d| d.english_in_chinese().is_none()));
+    }
+}
