@@ -102,18 +102,18 @@
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
-//! attempts   diag scene geom mechanism position answer plan construct accuracy worked
+//! attempts   diag digits scene geom mechanism position answer plan construct worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! inversions diag scene mechanism position worked curvature sweep
-//! synthesis  diag json digits number scene geom mechanism position sweep
+//! synthesis  diag json digits number scene geom mechanism sweep
 //! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis attempts effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions attempts report
 //! render     diag geom figure
-//! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked report figure render
+//! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked attempts report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite sweep curvature inversions synthesis effort report figure render worksheet lesson
+//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite attempts sweep curvature inversions synthesis effort report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be

@@ -3,6 +3,7 @@
 use crate::diag::{Both, Diagnostic};
 
 pub mod dxf;
+#[cfg(feature = "png")]
 pub mod gif;
 pub mod moving;
 pub mod number;
