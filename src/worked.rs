@@ -3,7 +3,10 @@
 //! The arrows of the crate documentation as one call, for the command line, for tests and for callers who want it all. Each
 //! stage is public by itself as well.
 
+mod far;
 mod higher;
+
+pub use far::Far;
 
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{
@@ -19,7 +22,6 @@ use crate::mechanism::{Demand, Level, Mechanism, Need};
 use crate::plan::{self, Plan};
 use crate::position::redundant::Verdict;
 use crate::position::{self, Configuration};
-use crate::scene::quantity::Form;
 use crate::scene::{Find, LinkId, PointId, Scene};
 
 /// How much is wanted beyond the scene's questions.
@@ -51,6 +53,8 @@ pub struct Worked {
     pub results: Vec<Outcome>,
     /// The questions that have none.
     pub unanswered: Vec<Unanswered>,
+    /// The instantaneous centres asked for that lie at infinity.
+    pub at_infinity: Vec<Far>,
     /// What only repeats what the others fix, looked at in several positions; empty for [`work_placed`].
     pub redundant: Vec<position::redundant::Checked>,
     /// Crossings under less than 10°, with what helps.
@@ -285,7 +289,7 @@ fn stages(
     notes.extend(solution.notes.iter().cloned());
     notes.extend(higher::notes(scene, &mechanism, &plan));
     let blur = blur_of(&solution);
-    let (mut results, mut unanswered) = (Vec::new(), Vec::new());
+    let (mut results, mut unanswered, mut at_infinity) = (Vec::new(), Vec::new(), Vec::new());
     // The loop equations hold a driven pin by the links that it carries; where those have no motion its own group still has one.
     let beside = |find: &Find| {
         let asked = Demand::of_questions(scene, &mechanism, [find]);
@@ -300,23 +304,19 @@ fn stages(
             Some(written) => written.values[i],
             None => solution.answer(scene, &configuration, &find.what).or_else(|| beside(find)),
         };
-        let Some(computed) = computed else {
+        let Some(computed) = computed.filter(|c| !far::is_nowhere(&find.what, c, configuration.extent())) else {
             let asked = Demand::of_questions(scene, &mechanism, [find]);
             let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
                 unanswered.push(Unanswered { find: i, refused: refused.clone() });
                 continue;
             }
-            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
-            // A place that a formula of motion gives may be nowhere.
-            return Err(match find.what.entry().form {
-                Form::Point => none.help(both!(
-                    "in this pose it lies at infinity, or the links do not move; `hodograph centres` tells which",
-                    "该位置上它在无穷远处，或构件不动；详见 `hodograph centres`"
-                )),
-                Form::Scalar | Form::Vector => none,
+            if let Some(centre) = far::far(scene, &solution, &configuration, i) {
+                at_infinity.push(centre);
+                continue;
             }
-            .into());
+            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
+            return Err(none.into());
         };
         let level = find.what.level();
         let scale = match level {
@@ -365,6 +365,7 @@ fn stages(
         solution,
         results,
         unanswered,
+        at_infinity,
         redundant: Vec::new(),
         bad_angles: Vec::new(),
         drafting: None,

@@ -376,3 +376,22 @@ fn centres_that_are_no_place_are_refused() {
     told("P_2,9", slide, "no link `9`");
     told("P_13", parallel, "cannot be answered here");
 }
+
+/// A centre at infinity is an answer: its direction is that of the line of the fixed pivots, of the normal of the coupler's velocity, of the
+/// normal of the guide.
+#[test]
+fn a_centre_at_infinity_is_a_direction() {
+    let directions = |name: &str, finds: &[&str]| -> Vec<Option<f64>> {
+        let mut json: serde_json::Value = serde_json::from_str(hodograph::scene::templates::get(name).unwrap()).unwrap();
+        json["find"] = finds.to_vec().into();
+        let scene = hodograph::scene::read(json.to_string()).unwrap().value;
+        let worked = hodograph::worked::work(&scene, hodograph::worked::Scope::Questions).unwrap().value;
+        assert!(worked.unanswered.is_empty() && worked.at_infinity.len() == finds.len(), "{name}: {:?}", worked.at_infinity);
+        worked.at_infinity.iter().map(|f| f.direction_deg).collect()
+    };
+    // AD lies along x; the cranks of the parallelogram stand under 60 degrees, and the coupler's points move square to them.
+    let found = directions("parallelogram", &["P_13", "P_24"]);
+    assert!(found[0].unwrap().abs() < 1e-9 && (found[1].unwrap() - 60.0).abs() < 1e-9, "{found:?}");
+    let found = directions("offset-slider-crank", &["P_34"]);
+    assert!((found[0].unwrap() - 90.0).abs() < 1e-9, "{found:?}");
+}

@@ -9,7 +9,7 @@ use crate::mechanism::Level;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::answers::{Line, lines as by_question, reason, verdict};
+use crate::report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
 use crate::report::drafting::{self, Amount};
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::quantity::{Of, Over};
@@ -73,21 +73,13 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     for line in by_question(worked, certified) {
         let (r, c) = match line {
             Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                rows.push(told(style, notation, &scene.find[far.find], &at_infinity(far, words.lang())));
+                continue;
+            }
             Line::None(u) => {
                 let find = &scene.find[u.find];
-                let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
-                let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
-                let value = Label::text(verdict(u.refused.why, words.lang()));
-                rows.push(Row {
-                    cells: vec![
-                        cell(Label::math(symbol.as_str()), Anchor::Start, "symbol"),
-                        None,
-                        None,
-                        cell(Label::math(":"), Anchor::Middle, "is"),
-                        cell(value, Anchor::Start, "value"),
-                    ],
-                    height_mm: ROW_MM,
-                });
+                rows.push(told(style, notation, find, verdict(u.refused.why, words.lang())));
                 let why = reason(scene, u, words.lang());
                 if !lines.iter().any(|(_, _, told): &(_, _, Phrase)| *told == Phrase::new(&why)) {
                     lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&why)));
@@ -155,6 +147,9 @@ pub fn sentence(answers: &Answers) -> String {
     let each = by_question(worked, certified).into_iter().map(|line| {
         let (r, c) = match line {
             Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                return format!("{}: {}", Label::math(symbol(&scene.find[far.find], notation)).plain(), at_infinity(far, words.lang()));
+            }
             Line::None(u) => {
                 return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u.refused.why, words.lang()));
             }
@@ -166,6 +161,22 @@ pub fn sentence(answers: &Answers) -> String {
         text.split_whitespace().collect::<Vec<_>>().join(" ")
     });
     each.collect::<Vec<_>>().join("; ")
+}
+
+/// A question whose answer is words.
+fn told(style: &Style, notation: &Notation, find: &Find, words: &str) -> Row {
+    let (id, symbol) = (format!("result-{}", find.text), symbol(find, notation));
+    let cell = |text: Label, anchor, what: &str| Some(cell(style, text, anchor, format!("{id}-{what}")));
+    Row {
+        cells: vec![
+            cell(Label::math(symbol.as_str()), Anchor::Start, "symbol"),
+            None,
+            None,
+            cell(Label::math(":"), Anchor::Middle, "is"),
+            cell(Label::text(words), Anchor::Start, "value"),
+        ],
+        height_mm: ROW_MM,
+    }
 }
 
 /// The symbol of an answer: the question's, and where the drawing names the vector otherwise, as it is named there: `v_{CB} = v_C`,

@@ -13,10 +13,12 @@ use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::{Book, Find, Kind, Lang, Scene};
-use crate::worked::{Outcome, Unanswered, Worked};
+use crate::worked::{Far, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
 
+/// Digits of the direction of a point at infinity.
+const DIRECTION_DIGITS: usize = 5;
 /// Digits that text answers show unless more or fewer are asked for.
 pub const DIGITS: usize = 6;
 
@@ -28,6 +30,10 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
     for line in lines(worked, certified) {
         let (r, c) = match line {
             Line::Answer(r, c) => (r, c),
+            Line::Far(far) => {
+                rows.push([scene.find[far.find].text.clone(), at_infinity(far, lang), String::new(), String::new(), String::new()]);
+                continue;
+            }
             Line::None(u) => {
                 let value = format!("{} ({})", verdict(u.refused.why, lang), reason(scene, u, lang));
                 rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
@@ -78,14 +84,25 @@ pub enum Line<'a> {
     Answer(&'a Outcome, &'a Certified),
     /// Without an answer in the pose.
     None(&'a Unanswered),
+    /// An instantaneous centre at infinity.
+    Far(&'a Far),
 }
 
 /// All questions in their order.
 pub fn lines<'a>(worked: &'a Worked, certified: &'a [Certified]) -> Vec<Line<'a>> {
     let answered = worked.results.iter().zip(certified).map(|(r, c)| (r.find, Line::Answer(r, c)));
-    let mut all: Vec<_> = answered.chain(worked.unanswered.iter().map(|u| (u.find, Line::None(u)))).collect();
+    let none = worked.unanswered.iter().map(|u| (u.find, Line::None(u)));
+    let mut all: Vec<_> = answered.chain(none).chain(worked.at_infinity.iter().map(|f| (f.find, Line::Far(f)))).collect();
     all.sort_by_key(|(find, _)| *find);
     all.into_iter().map(|(_, line)| line).collect()
+}
+
+/// Where a centre lies that is nowhere in the plane: `at infinity, ∠ 35.00°`.
+pub fn at_infinity(far: &Far, lang: Lang) -> String {
+    match far.direction_deg {
+        Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
+        None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
+    }
 }
 
 /// What stands in the place of an answer that there is not.
@@ -248,6 +265,7 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
             let (r, c) = match line {
                 Line::Answer(r, c) => (r, c),
                 Line::None(u) => return unanswered(scene, worked, u),
+                Line::Far(far) => return far_json(scene, far),
             };
             let find = &scene.find[r.find];
             let mut answer = json!({
@@ -318,6 +336,22 @@ fn in_unit(book: &Book, find: &Find, value: Value, c: &Certified, digits: usize)
         }
     }
 }
+
+/// A centre at infinity for programs: no value, and the direction in which it lies. It has the keys of an answer.
+fn far_json(scene: &Scene, far: &Far) -> Json {
+    let find = &scene.find[far.find];
+    let mut answer = json!({"find": find.text, "unit": find.what.kind().si(), "unbounded": false, "at_infinity": true, "direction_deg": far.direction_deg});
+    for key in NO_ANSWER {
+        answer[*key] = Json::Null;
+    }
+    answer
+}
+
+/// The keys of an answer that are null where there is none.
+const NO_ANSWER: &[&str] = &[
+    "certified", "value", "in_unit", "drawing", "analysis", "longer_numbers", "measured_between", "measured_mm", "scale", "difference", "agrees",
+    "others", "why",
+];
 
 /// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.
 ///

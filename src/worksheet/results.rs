@@ -6,8 +6,7 @@ use crate::answer::Value;
 use crate::figure::label::Label;
 use crate::figure::remarks::{agreement, remarks};
 use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
-use crate::report::answers::{Line, lines, reason, verdict};
-use crate::report::drafting;
+use crate::report::answers::{Line, at_infinity, lines, reason, verdict};
 use crate::report::math::Math;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::{Find, Lang};
@@ -27,6 +26,11 @@ impl Maker<'_> {
         for line in lines(self.worked, self.certified) {
             let (r, c) = match line {
                 Line::Answer(r, c) => (r, c),
+                Line::Far(far) => {
+                    let name = math(&symbol(&scene.find[far.find], self.notation()));
+                    rows.push(vec![name, Phrase::default(), Phrase::of_words(&at_infinity(far, self.lang())), Phrase::default()]);
+                    continue;
+                }
                 Line::None(u) => {
                     let name = math(&symbol(&scene.find[u.find], self.notation()));
                     let none = Phrase::new(verdict(u.refused.why, self.lang()));

@@ -7,7 +7,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
-use crate::scene::model::{Find, GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::scene::model::{LinkId, OnLink, PointId, Scene};
 use crate::scene::resolve::Question;
 
 /// What rounding leaves of a difference of two angular velocities, as a part of the larger one.
@@ -60,23 +60,6 @@ impl Quantity for InstantCentre {
     fn needs(&self) -> Vec<(Need, Level)> {
         let moving = self.links.iter().filter_map(|(l, p)| Some((*l, (*p)?)));
         moving.flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))]).map(|need| (need, Level::Velocity)).collect()
-    }
-
-    fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {
-        let [a, b] = [self.links[0].0, self.links[1].0];
-        let slides = |g: &&crate::scene::model::Guide| {
-            matches!(g.path, GuidePath::Line { .. }) && g.slider.is_some_and(|s| [(s, g.on), (g.on, s)].contains(&(a, b)))
-        };
-        scene.guides.iter().find(slides)?;
-        let message = both!(
-            "`{}` lies at infinity, square to the guide: link {} slides along link {}",
-            "`{}` 在垂直于导路的无穷远处：构件 {} 沿构件 {} 滑动",
-            find.text,
-            scene.link_name(a),
-            scene.link_name(b)
-        );
-        let help = both!("ask for the centre of one of them with another link", "请求其中之一与其他构件的瞬心");
-        Some(Diagnostic::error("find", message).at(find.span).help(help))
     }
 
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {

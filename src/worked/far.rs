@@ -1,0 +1,53 @@
+//! Instantaneous centres that lie at infinity: an answer, told as a direction.
+
+use crate::analytic::Solution;
+use crate::answer::Value;
+use crate::digits::direction_degrees;
+use crate::geom::Vec2;
+use crate::position::Configuration;
+use crate::scene::quantity::{Asked, PointMotion, Rate, Turning};
+use crate::scene::{LinkId, OnLink, PointId, Scene};
+
+/// What rounding leaves of a relative velocity, as a part of the larger of the two.
+const ROUNDING: f64 = 1e-12;
+
+/// A centre further off than so many sizes of the mechanism is what rounding makes of one at infinity: the turnings of the links agree to all
+/// digits but the last few.
+const BEYOND: f64 = 1e12;
+
+/// Whether a centre's place is no more than rounding.
+pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
+    match (what, value) {
+        (Asked::InstantCentre(_), Value::Point(p)) => p.to_vec2().norm() > BEYOND * extent_m,
+        (_, Value::Point(_) | Value::Vector(_) | Value::Scalar(_)) => false,
+    }
+}
+
+/// A centre that is nowhere in the plane: the two links turn alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Far {
+    /// Index into the scene's `find` list.
+    pub find: usize,
+    /// The direction in which it lies (degrees from the x axis, from 0 to 180: both ends of a line are one point at infinity), square to the
+    /// relative velocity; none where the links do not move against one another, so that every point serves.
+    pub direction_deg: Option<f64>,
+}
+
+/// The centre that a question asks, if it lies at infinity.
+pub(super) fn far(scene: &Scene, solution: &Solution, at: &Configuration, find: usize) -> Option<Far> {
+    let Asked::InstantCentre(centre) = scene.find[find].what else { return None };
+    let base = centre.links.iter().find_map(|(_, p)| at.points[(*p)?.0])?;
+    let motion = |(link, point): (LinkId, Option<PointId>)| {
+        let Some(point) = point else { return Some((Vec2::ZERO, 0.0)) };
+        let of = OnLink { point, link: Some(link).filter(|l| !scene.links[l.0].points.contains(&point)) };
+        let v = solution.answer(scene, at, &PointMotion { rate: Rate::Velocity, of }.into())?;
+        let Value::Scalar(omega) = solution.answer(scene, at, &Turning { rate: Rate::Velocity, of: link, against: None }.into())? else { return None };
+        let Value::Vector(v) = v else { return None };
+        Some((v + (base - at.points[point.0]?).perp() * omega, v.norm()))
+    };
+    let ((v, a), (w, b)) = (motion(centre.links[0])?, motion(centre.links[1])?);
+    let relative = v - w;
+    let moves = relative.norm() > ROUNDING * a.max(b);
+    let square = || direction_degrees(relative.perp().angle()).rem_euclid(180.0);
+    Some(Far { find, direction_deg: moves.then(square) })
+}
