@@ -64,6 +64,8 @@ pub enum Command {
     Attempts(Attempts),
     /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
     Synth(Synth),
+    /// Readings of a statement whose figure is lost: the answers of each, and which gives what was printed
+    Readings(Readings),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -424,6 +426,15 @@ pub struct Attempts {
     /// All typical mistakes of the scene, though it names some
     #[arg(long)]
     pub all: bool,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+pub struct Readings {
+    #[command(flatten)]
+    pub common: Common,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

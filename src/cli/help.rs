@@ -272,6 +272,8 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("synth", "output", "把所选方案的机构文件写入这个文件（默认：第一个方案）"),
     ("synth", "json", "各方案为 JSON，国际单位制，附机构文件"),
     ("synth", "steps", "同时列出尺规作图步骤和图上量得的长度"),
+    ("readings", "", "原图缺失时的几种读法：各自的结果，以及哪一种得到原书所印数值"),
+    ("readings", "json", "结果为 JSON，国际单位制"),
     ("new", "", "写出模板的机构文件，可改参数"),
     ("new", "template", "模板的名称（见 `hodograph templates`）"),
     ("new", "set", "改变参数的值：NAME=VALUE；不带单位的数沿用原单位"),

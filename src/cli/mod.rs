@@ -24,6 +24,7 @@ mod more;
 mod part;
 mod path;
 mod plan;
+mod readings;
 mod spool;
 mod stop;
 mod sweep;
@@ -85,6 +86,7 @@ pub fn main() -> ExitCode {
         Command::Composite(a) => composite::run(a),
         Command::Attempts(a) => attempts::run(a),
         Command::Synth(a) => synth::run(a),
+        Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),

@@ -349,8 +349,19 @@ fn far_json(scene: &Scene, far: &Far) -> Json {
 
 /// The keys of an answer that are null where there is none.
 const NO_ANSWER: &[&str] = &[
-    "certified", "value", "in_unit", "drawing", "analysis", "longer_numbers", "measured_between", "measured_mm", "scale", "difference", "agrees",
-    "others", "why",
+    "certified",
+    "value",
+    "in_unit",
+    "drawing",
+    "analysis",
+    "longer_numbers",
+    "measured_between",
+    "measured_mm",
+    "scale",
+    "difference",
+    "agrees",
+    "others",
+    "why",
 ];
 
 /// A question without an answer for programs: no value, whether because it grows beyond bounds, and the links that lie in line.

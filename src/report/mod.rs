@@ -20,6 +20,7 @@ pub mod phrase;
 pub mod plan;
 pub mod plan_json;
 pub mod price;
+pub mod readings;
 pub mod statement;
 pub mod synthesis;
 #[cfg(feature = "tables")]

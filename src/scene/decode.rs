@@ -111,6 +111,11 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     for node in items(f.get("attempts"), "\"attempts\"", faults) {
         raw.attempts.extend(attempts::attempt(node, faults));
     }
+    for (key, node) in entries(f.get("readings"), "\"readings\"", faults) {
+        if object(node, both!("reading `{}`", "读法 `{}`", key.text), faults).is_some() {
+            raw.readings.push(key.clone());
+        }
+    }
     if let Some(node) = f.get("paper") {
         raw.paper = paper(node, faults);
     }

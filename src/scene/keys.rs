@@ -22,6 +22,7 @@ pub(super) const SCENE: &[&str] = &[
     "find",
     "composite",
     "attempts",
+    "readings",
     "paper",
     "language",
     "notation",

@@ -20,6 +20,7 @@ pub mod model;
 mod names;
 pub mod quantity;
 mod raw;
+pub mod readings;
 mod resolve;
 pub mod rolling;
 pub mod schema;

@@ -353,6 +353,8 @@ pub struct Scene {
     pub composite: Vec<Seen>,
     /// Wrong solutions that are shown beside the right one.
     pub attempts: Vec<Attempted>,
+    /// Names of other readings of a figure that is lost; see [`readings`](super::readings).
+    pub readings: Vec<String>,
     /// Language of the output unless the caller says otherwise.
     pub language: Option<Lang>,
     /// Name of the notation profile (`en`, `cn`), unless the caller says otherwise.

@@ -180,6 +180,8 @@ pub(super) struct RawScene {
     pub find: Option<Vec<Word>>,
     pub composite: Vec<RawComposite>,
     pub attempts: Vec<RawAttempt>,
+    /// Names of other readings of the figure; what they change is read by [`super::readings`].
+    pub readings: Vec<Word>,
     pub paper: RawPaper,
     pub language: Option<Word>,
     pub notation: Option<Word>,

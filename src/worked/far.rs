@@ -41,7 +41,9 @@ pub(super) fn far(scene: &Scene, solution: &Solution, at: &Configuration, find: 
         let Some(point) = point else { return Some((Vec2::ZERO, 0.0)) };
         let of = OnLink { point, link: Some(link).filter(|l| !scene.links[l.0].points.contains(&point)) };
         let v = solution.answer(scene, at, &PointMotion { rate: Rate::Velocity, of }.into())?;
-        let Value::Scalar(omega) = solution.answer(scene, at, &Turning { rate: Rate::Velocity, of: link, against: None }.into())? else { return None };
+        let Value::Scalar(omega) = solution.answer(scene, at, &Turning { rate: Rate::Velocity, of: link, against: None }.into())? else {
+            return None;
+        };
         let Value::Vector(v) = v else { return None };
         Some((v + (base - at.points[point.0]?).perp() * omega, v.norm()))
     };

@@ -108,7 +108,9 @@ impl Over<'_, '_> {
         match (c.place, from) {
             (Some(Place::Infinity(_)), _) => Label::math(format!("{symbol}^{{\\infty}}")),
             (Some(Place::At(p)), Some(from)) => {
-                Label::math(format!("{symbol}, ")).then(Label::text(self.w.scene.length_words(p.distance(from))))
+                // Air at both ends: beside the number of a link the distance would be read on.
+                let air = || Label::math("\\,\\,");
+                air().then(Label::math(format!("{symbol}, "))).then(Label::text(self.w.scene.length_words(p.distance(from)))).then(air())
             }
             (Some(Place::At(_)) | None, _) => Label::math(symbol),
         }

@@ -198,6 +198,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             find: find?,
             composite,
             attempts,
+            readings: raw.readings.iter().map(|w| w.text.clone()).collect(),
             language,
             notation,
             paper,

@@ -1,0 +1,44 @@
+//! The command `readings`: the answers of each reading of a scene whose figure is lost, and which of them gives what was printed.
+
+use super::{Input, Run, args, choices, files};
+use crate::attempts::wanted;
+use crate::diag::{Faults, both};
+use crate::report::readings as report;
+use crate::scene;
+use crate::worked::{Scope, work};
+use std::process::ExitCode;
+
+/// Runs the command.
+pub fn run(a: args::Readings) -> Run {
+    let input = Input::read(&a.common)?;
+    let (lang, _) = choices(&input.scene, &a.common);
+    let mut all = Vec::new();
+    let mut faults = Faults::default();
+    for reading in scene::readings::readings(&input.source).map_err(|f| input.failed(f))? {
+        let read = || -> Result<report::Read, Faults> {
+            let scene = scene::read(&reading.text)?.value;
+            let worked = work(&scene, Scope::Figure)?.value;
+            let named = if scene.attempts.is_empty() { Vec::new() } else { wanted(&scene, &worked, false)? };
+            Ok(report::Read { name: reading.name.clone(), scene, worked, attempts: named })
+        };
+        match read() {
+            Ok(read) => all.push(read),
+            // Their places are in a text that nobody wrote: the reading is named instead.
+            Err(f) => faults.list.extend(f.list.into_iter().map(|mut d| {
+                d.message = both!("reading `{}`: {}", "读法 `{}`：{}", reading.name, d.message);
+                d.span = None;
+                d
+            })),
+        }
+    }
+    if faults.has_errors() {
+        return Err(input.failed(faults));
+    }
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&all)))?;
+    } else {
+        files::print(&report::text(&all, lang))?;
+        input.say_notes();
+    }
+    Ok(ExitCode::SUCCESS)
+}
