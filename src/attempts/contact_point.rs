@@ -86,7 +86,7 @@ fn worked(t: Touched) -> Option<(Scene, Worked)> {
 }
 
 /// The right solution with the point of contact in it, the wrong one, and the equation with what it lacks.
-pub fn slid(scene: &Scene, at: &Configuration, index: usize) -> Option<(Stage, (Scene, Worked), Shown)> {
+pub fn slid(scene: &Scene, at: &Configuration, index: usize) -> Option<(Stage, Stage, Shown)> {
     let cam = &scene.cams[index];
     let (guide, place, tangent) = touch(scene, at, cam)?;
     let mut right = touched(scene, at, index, place)?;
@@ -104,8 +104,8 @@ pub fn slid(scene: &Scene, at: &Configuration, index: usize) -> Option<(Stage, (
     let mut shown = Shown::with(&wrong.1.plan, Level::Acceleration, Side::Wrong, |t| t.kind == TermKind::Coriolis)?;
     shown.framed.clear();
     shown.missing = Some(missing(scene, cam, own, &right, tangent.perp())?);
-    let stage = Stage { scene: right.0, worked: right.1 };
-    Some((stage, wrong, shown))
+    let stage = |(scene, worked)| Stage { scene, worked };
+    Some((stage(right), stage(wrong), shown))
 }
 
 /// a_E3 − a_E2 − a_k along the normal.

@@ -86,15 +86,16 @@ pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempte
             let layout = Layout::of(&worked.construction);
             let (construction, _) = by_hand(scene, &worked.mechanism, at, &wrong, &layout, &mut Exact).ok()?;
             let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
-            let wrong = Worked { plan: wrong, construction, ..worked.clone() };
+            let wrong = Worked { plan: *wrong, construction, ..worked.clone() };
             let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
             (stage(worked.clone()), stage(wrong), answers, shown)
         }
-        Changed::Mechanism(right, wrong, shown) => {
-            let (other, w) = *wrong;
+        Changed::Mechanism(both, shown) => {
+            let (right, wrong) = *both;
+            let (other, w) = (&wrong.scene, &wrong.worked);
             let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
             let answers = scene.find.iter().map(|f| of(&f.text)).collect();
-            (right, Stage { scene: other, worked: w }, answers, shown)
+            (right, wrong, answers, shown)
         }
     };
     let rows = rows(scene, worked, &answers, said);
@@ -136,13 +137,14 @@ fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
 
 /// What a mistake makes of a solution.
 enum Changed {
-    Plan(Plan, Shown),
-    Mechanism(Stage, Box<(Scene, Worked)>, Shown),
+    Plan(Box<Plan>, Shown),
+    /// The right solution with what the wrong one names, and the wrong one.
+    Mechanism(Box<(Stage, Stage)>, Shown),
 }
 
 fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
     let plan = &worked.plan;
-    let of_plan = |(plan, shown)| Changed::Plan(plan, shown);
+    let of_plan = |(plan, shown)| Changed::Plan(Box::new(plan), shown);
     match (site.mistake, site.at) {
         (Mistake::NoCoriolis, At::Guide(g)) => coriolis::left_out(plan, g).map(of_plan),
         (Mistake::CoriolisWrongOmega, At::GuideBy(g, l)) => coriolis::turned_by(plan, g, l).map(of_plan),
@@ -152,7 +154,7 @@ fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
         (Mistake::AccelerationByCentre, At::Link(l)) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
         (Mistake::ContactPoint, At::Cam(c)) => {
             let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c)?;
-            Some(Changed::Mechanism(right, Box::new(wrong), shown))
+            Some(Changed::Mechanism(Box::new((right, wrong)), shown))
         }
         (
             Mistake::ContactPoint

@@ -9,7 +9,7 @@ use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 fn labels(figure: &Figure) -> Vec<&str> {
-    let label = |s| if let &Shape::Label { ref label, .. } = s { Some(label.source()) } else { None };
+    let label = |s| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None };
     figure.items.iter().filter_map(|i| label(&i.shape)).collect()
 }
 

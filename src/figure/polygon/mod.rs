@@ -305,7 +305,7 @@ impl Draft<'_> {
                 d.draw("pole", "pole", sym::dot(style, l.at));
             }
             if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
-                d.label_at(&l.names[0], &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
+                d.label_at(l.names[0], &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
             }
         }
         for inset in insets {

@@ -382,10 +382,10 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
     let teeth: Vec<u32> = teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
     let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
     let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
-    let teeth = match &teeth[..] {
+    let teeth = match teeth[..] {
         // A straight contour comes first.
-        &[z] => [None, Some(z)],
-        &[y, z] => [Some(y), Some(z)],
+        [z] => [None, Some(z)],
+        [y, z] => [Some(y), Some(z)],
         _ => return Some(None),
     };
     let (pressure_angle, addendum, clearance) = (alpha?, addendum?, clearance?);
