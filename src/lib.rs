@@ -97,7 +97,7 @@
 //! construct  diag digits number scene geom mechanism position answer plan
 //! analytic   diag scene geom mechanism position answer
 //! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
-//! worked     diag scene mechanism position answer plan construct analytic accuracy
+//! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
 //! gears      geom
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked

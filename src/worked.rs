@@ -6,7 +6,7 @@
 mod far;
 mod higher;
 
-pub use far::Far;
+pub use far::{Far, Unanswered};
 
 use crate::accuracy::ladder::Rung;
 use crate::accuracy::{
@@ -90,15 +90,6 @@ impl Worked {
     pub fn by_hand(&self, scene: &Scene) -> Drafting {
         drafting(&self.drawn(scene), pencil_mm(scene))
     }
-}
-
-/// A question without an answer in the pose.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Unanswered {
-    /// Index into the scene's `find` list.
-    pub find: usize,
-    /// The part of the mechanism that has no motion, on which the question rests.
-    pub refused: Refused,
 }
 
 /// The pencil error of a scene (mm).

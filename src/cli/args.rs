@@ -1,9 +1,12 @@
 //! The arguments of every command.
 
+mod reports;
+
 pub use super::more::{Curvature, Inversions};
 use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
+pub use reports::{Attempts, Centres, Composite, Readings};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
 #[derive(Parser, Debug)]
@@ -396,48 +399,6 @@ pub struct Cam {
     /// Resolution of the PNG in dots per inch
     #[arg(long, default_value_t = 200.0, value_parser = dpi)]
     pub dpi: f64,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "The figure with the circle diagram: hodograph draw SCENE --figure centres -o centres.svg")]
-pub struct Centres {
-    #[command(flatten)]
-    pub common: Common,
-    /// As JSON, in SI
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "The figure with the parallelograms: hodograph draw SCENE --figure composite -o composite.svg")]
-pub struct Composite {
-    #[command(flatten)]
-    pub common: Common,
-    /// As JSON, in SI
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg")]
-pub struct Attempts {
-    #[command(flatten)]
-    pub common: Common,
-    /// All typical mistakes of the scene, though it names some
-    #[arg(long)]
-    pub all: bool,
-    /// As JSON, in SI
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(ClapArgs, Debug)]
-pub struct Readings {
-    #[command(flatten)]
-    pub common: Common,
-    /// As JSON, in SI
-    #[arg(long)]
-    pub json: bool,
 }
 
 #[derive(ClapArgs, Debug)]

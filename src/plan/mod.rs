@@ -16,6 +16,7 @@ pub mod names;
 pub mod notation;
 mod reduce;
 mod rest;
+mod step;
 pub mod text;
 
 pub use between::{Asking, asking};
@@ -220,29 +221,6 @@ pub enum Step {
     },
 }
 
-impl Step {
-    /// The vertex that it finds.
-    pub fn target(&self) -> VertexId {
-        match self {
-            Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
-        }
-    }
-
-    /// The chains of an equation; none of other steps.
-    pub fn chains(&self) -> &[Chain] {
-        match self {
-            Step::Equation { chains, .. } => chains,
-            Step::Image { .. } | Step::Same { .. } => &[],
-        }
-    }
-
-    /// Whether a term of the step slides along a guide.
-    pub fn slides_along(&self, guide: GuideId) -> bool {
-        let mut terms = self.chains().iter().flat_map(|c| c.known.iter().chain(&c.unknown));
-        terms.any(|t| matches!(t.by, By::Guide { guide: g, .. } if g == guide))
-    }
-}
-
 /// A vector between two images that no equation draws, and that is asked or needed for a turning: it is drawn between them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Between {
@@ -399,14 +377,6 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The link with whose turning the Coriolis acceleration at a guide is laid off: that which carries it.
-    pub fn coriolis_link(&self, scene: &Scene, guide: GuideId) -> LinkId {
-        match self.coriolis_by {
-            Some((wrong, by)) if wrong == guide => by,
-            Some(_) | None => scene.guides[guide.0].on,
-        }
-    }
-
     /// The vertex.
     pub fn vertex(&self, v: VertexId) -> &Vertex {
         &self.vertices[v.0]

@@ -1,6 +1,6 @@
-//! Instantaneous centres that lie at infinity: an answer, told as a direction.
+//! Questions whose answer is no value: those that have none in the pose, and instantaneous centres at infinity, which are told as directions.
 
-use crate::analytic::Solution;
+use crate::analytic::{Refused, Solution};
 use crate::answer::Value;
 use crate::digits::direction_degrees;
 use crate::geom::Vec2;
@@ -21,6 +21,15 @@ pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
         (Asked::InstantCentre(_), Value::Point(p)) => p.to_vec2().norm() > BEYOND * extent_m,
         (_, Value::Point(_) | Value::Vector(_) | Value::Scalar(_)) => false,
     }
+}
+
+/// A question without an answer in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unanswered {
+    /// Index into the scene's `find` list.
+    pub find: usize,
+    /// The part of the mechanism that has no motion, on which the question rests.
+    pub refused: Refused,
 }
 
 /// A centre that is nowhere in the plane: the two links turn alike.
