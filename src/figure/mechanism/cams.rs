@@ -9,6 +9,7 @@ use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::position::Path;
 use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, PointId};
@@ -172,7 +173,7 @@ impl Draft<'_> {
 
     /// The sense in which a roller turns, where it is asked for and the velocities are drawn.
     fn spin(&mut self, c: &Cam, centre: Point, radius_mm: f64) {
-        if self.worked.construction.velocity.is_none() {
+        if self.worked.construction.polygon(Level::Velocity).is_none() {
             return;
         }
         let asked = |find: usize| matches!(self.scene.find[find].what, Asked::RollerSpin(q) if q.follower == c.follower);
