@@ -174,9 +174,7 @@ impl Compiler<'_> {
                 let value = position_now(self.scene, self.at, driver);
                 let (s, c) = match &self.scene.drivers[driver].kind {
                     DriverKind::Turn { angle: Some(angle), .. } => crate::trig::sin_cos(angle.value),
-                    DriverKind::Turn { angle: None, .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => {
-                        (libm::sin(value), libm::cos(value))
-                    }
+                    _ => (libm::sin(value), libm::cos(value)),
                 };
                 let known = (self.emit_pair(P, Quarters), Quarters.eval([value, c, s]));
                 self.trains.quarters = Some(known);
