@@ -13,6 +13,11 @@ const ALPHA: f64 = -2.0;
 
 /// A scene with a cam 2 about O and a follower 3, the cam at an angle in degrees.
 fn scene(kind: &str, angle: &str) -> Scene {
+    let text = text(kind, angle);
+    scene::read(&text).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}\n{text}")).value
+}
+
+fn text(kind: &str, angle: &str) -> String {
     let translating = r#""guides": [{"pin": "B", "slider": "3", "on": "1", "through": ["6 mm", "3 mm"], "angle": "80 deg"}],"#;
     let tangent = r#""profile": [{"centre": "O", "radius": "30 mm"}, "tangent", {"centre": "Q", "radius": "14 mm"}, "tangent"]"#;
     let hollow =
@@ -59,12 +64,11 @@ fn scene(kind: &str, angle: &str) -> Scene {
     };
     let ground = if swings { r#"["O", "P"]"# } else { r#"["O"]"# };
     let pivot = if swings { r#", "P": ["95 mm", "10 mm"]"# } else { "" };
-    let text = format!(
+    format!(
         r#"{{"links": {{"1": {ground}, "2": ["O", "Q"], {links}}}, "ground": "1", "points": {{"O": [0, 0]{pivot}}}, "lengths": {{"OQ": "35 mm"{lengths}}},
         {follower} {side} "cams": [{{"cam": "2", "follower": "3", {cam}}}],
         "driver": {{"link": "2", "angle": "{angle}", "omega": "{OMEGA} rad/s", "alpha": "{ALPHA} rad/s^2"}}, "find": {find}}}"#
-    );
-    scene::read(&text).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}\n{text}")).value
+    )
 }
 
 /// Rate and acceleration of the follower by the geometry of the cam, outward.
@@ -97,6 +101,34 @@ fn agree(kind: &str, angle: f64) {
         assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} at {angle}");
     }
     assert_eq!(worked.results.len(), 2, "{kind} at {angle}");
+}
+
+/// A roller that rolls without slip: in the frame of the cam it turns by what the normal turns, less the arc that it rolled over its radius. By
+/// differences of the contact.
+#[test]
+fn rollers_spin_as_they_roll() {
+    let kinds = ["tangent", "hollow", "rocker", "law cycloidal", "swing 3-4-5"];
+    for kind in kinds {
+        for k in 0..12 {
+            let angle = format!("{:?} deg", 30.0 * k as f64 + 4.3);
+            let mut scene = scene(kind, &angle);
+            let asking = scene::read_asking(text(kind, &angle), "spin_3").unwrap_or_else(|f| panic!("{kind}: {f}")).value;
+            scene.find = asking.find;
+            let t = scene.cams[0].disc.clone().unwrap();
+            let radius = 9e-3;
+            let h = 1e-6;
+            let [low, high] = [-h, h].map(|d| t.disc.station(t.phi + d, t.side).unwrap());
+            let normal = t.disc.station(t.phi, t.side).unwrap().normal;
+            let along = -normal.perp();
+            let turned = low.normal.cross(high.normal).atan2(low.normal.dot(high.normal));
+            let rolled = (high.contact - low.contact).dot(along) / radius;
+            // Per φ, which grows with the sense of the cam; and with the cam.
+            let expected = OMEGA + (turned - rolled) / (2.0 * h) * t.disc.sense * OMEGA;
+            let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} at {angle}: {f}")).value;
+            let Value::Scalar(spin) = worked.results[0].computed else { panic!("{kind}") };
+            assert!((spin - expected).abs() < 1e-6 * expected.abs().max(1.0), "{kind} at {angle}: {spin}, by differences {expected}");
+        }
+    }
 }
 
 const PROFILES: [&str; 8] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom", "swinging flat", "swinging offset flat"];

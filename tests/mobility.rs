@@ -234,3 +234,19 @@ fn counts_are_those_of_brute_force() {
     }
     assert!(with_groups > 50, "only {with_groups} mechanisms move");
 }
+
+/// No link stands in two groups: a block belongs to the later one of the groups of its guide and its pin.
+#[test]
+fn every_link_is_in_one_group() {
+    for t in hodograph::scene::templates::list() {
+        let scene = scene::read_topology(hodograph::scene::templates::get(t.name).unwrap()).unwrap().value;
+        let (survey, checked) = mobility::surveyed(&scene);
+        let told = mobility::json(&scene, &survey, &checked);
+        for choice in told["choices"].as_array().unwrap() {
+            let groups = choice["groups"].as_array().unwrap();
+            let links: Vec<&str> = groups.iter().flat_map(|g| g["links"].as_array().unwrap()).map(|l| l.as_str().unwrap()).collect();
+            let different: std::collections::BTreeSet<&&str> = links.iter().collect();
+            assert_eq!(different.len(), links.len(), "{}: {links:?} in {}", t.name, choice["drivers"]);
+        }
+    }
+}

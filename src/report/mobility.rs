@@ -1,7 +1,7 @@
 //! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
 
 use super::phrase::tr;
-use super::plan::group_words;
+use super::plan::{group_words, links_with_blocks};
 use crate::diag::{Both, both};
 use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
 use crate::position::redundant::{Checked, Verdict, look, opened_words};
@@ -194,7 +194,8 @@ pub fn json(scene: &Scene, survey: &Survey, checked: &[Option<Checked>]) -> Json
         })
         .collect();
     let group = |choice: &ForDrivers, g: &Group| {
-        let links: Vec<&str> = g.links.iter().map(|l| choice.scene.link_name(*l)).collect();
+        let links: Vec<&str> =
+            links_with_blocks(&choice.scene, &choice.mechanism, g).into_iter().map(|l| choice.scene.link_name(l)).collect();
         let pins: Vec<&str> = g.pins.iter().map(|p| choice.scene.point_name(*p)).collect();
         json!({"class": g.class(), "kind": g.kind(), "links": links, "pins": pins})
     };

@@ -86,16 +86,22 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
     out
 }
 
-pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
-    let mut links: Vec<&str> = g.links.iter().map(|l| scene.link_name(*l)).collect();
-    // A block belongs to the group that holds its guide or its pin.
+/// The links of a group with its blocks: a block belongs to the group of its guide or of its pin, whichever is solved later.
+pub(crate) fn links_with_blocks(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group) -> Vec<LinkId> {
+    let mut links = g.links.clone();
     for l in (0..scene.links.len()).map(LinkId) {
-        if let Some(crate::mechanism::Passive::Block(guide)) = m.passive[l.0]
-            && (g.links.contains(&scene.guides[guide.0].on) || scene.guides[guide.0].pin.is_some_and(|p| g.pins.contains(&p)))
-        {
-            links.push(scene.link_name(l));
+        let Some(crate::mechanism::Passive::Block(guide)) = m.passive[l.0] else { continue };
+        let guide = &scene.guides[guide.0];
+        let holds = |h: &&crate::mechanism::Group| h.links.contains(&guide.on) || guide.pin.is_some_and(|p| h.pins.contains(&p));
+        if m.groups.iter().rev().find(holds).is_some_and(|home| home.links == g.links && home.pins == g.pins) {
+            links.push(l);
         }
     }
+    links
+}
+
+pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Group, lang: Lang) -> String {
+    let links: Vec<&str> = links_with_blocks(scene, m, g).into_iter().map(|l| scene.link_name(l)).collect();
     let at: Vec<&str> = match &g.core {
         Core::Pin { pin, .. } => vec![scene.point_name(*pin)],
         Core::Link { legs, .. } => legs.iter().filter_map(|l| Some(scene.point_name(l.line()?.pin()))).collect(),

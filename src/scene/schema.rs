@@ -29,6 +29,18 @@ mod tests {
         }
     }
 
+    /// Every quantity that can be asked for is one that the schema lets through.
+    #[test]
+    fn every_quantity_fits_the_schema() {
+        let validator = validator();
+        let mut scene: Value = serde_json::from_str(templates::get("crank-rocker").unwrap()).unwrap();
+        for entry in crate::scene::quantity::symbols() {
+            scene["find"] = serde_json::json!([entry.example]);
+            let faults: Vec<String> = validator.iter_errors(&scene).map(|e| format!("{}: {e}", e.instance_path())).collect();
+            assert!(faults.is_empty(), "{}: {faults:#?}", entry.example);
+        }
+    }
+
     #[test]
     fn the_schema_refuses_what_the_reader_refuses_by_shape() {
         let validator = validator();

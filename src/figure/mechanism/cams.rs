@@ -1,13 +1,18 @@
 //! Disc cams: the real profile with roller, edge or face of the follower, and, thin, the linkage that stands for them 高副替代机构.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
+use crate::answer::Value;
 use crate::cam::Station;
 use crate::figure::item::{Dash, Shape};
+use crate::figure::label::Label;
+use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::plan::names::name_label;
 use crate::position::Path;
-use crate::scene::{Cam, Direction, Follows, GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, PointId};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -20,6 +25,9 @@ const ROD_MM: f64 = 16.0;
 const BEYOND_MM: f64 = 7.0;
 /// A centre of curvature farther off than this part of the drawing's usual size is not drawn: the profile is nearly straight there.
 const FAR_MM: f64 = 120.0;
+/// The arrow of a roller's spin: so far outside it, and to both sides of the middle of what is free.
+const SPIN_OFF_MM: f64 = 2.0;
+const SPIN_RAD: f64 = 0.8;
 
 impl Draft<'_> {
     /// Whether a guide only stands for the contact of a cam.
@@ -148,6 +156,7 @@ impl Draft<'_> {
                 if let Some(centre) = self.point(p) {
                     let circle = Shape::Arc { centre, radius_mm: self.mm(radius), from_rad: 0.0, to_rad: TAU, stroke };
                     self.d.shape(&id, "roller", circle);
+                    self.spin(c, centre, self.mm(radius));
                 }
             }
             Follows::Arc(p, radius) => {
@@ -160,6 +169,28 @@ impl Draft<'_> {
             Follows::Face(p) => self.face(c, p, &id),
         }
         self.d.of_link(None);
+    }
+
+    /// The sense in which a roller turns, where it is asked for and the velocities are drawn.
+    fn spin(&mut self, c: &Cam, centre: Point, radius_mm: f64) {
+        if self.worked.construction.polygon(Level::Velocity).is_none() {
+            return;
+        }
+        let asked = |find: usize| matches!(self.scene.find[find].what, Asked::RollerSpin(q) if q.follower == c.follower);
+        let Some(Value::Scalar(rate)) = self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed) else { return };
+        if rate == 0.0 {
+            return;
+        }
+        // Away from the contact.
+        let free = self.contact(c).map_or(FRAC_PI_2, |(contact, _)| (centre - contact).angle());
+        let (low, high) = (free - SPIN_RAD, free + SPIN_RAD);
+        let [from, to] = if rate > 0.0 { [low, high] } else { [high, low] };
+        let (id, radius) = (format!("spin-{}", self.scene.link_name(c.follower)), radius_mm + SPIN_OFF_MM);
+        let owner = self.d.draw(&id, "rotation", sym::rotation(self.style, centre, radius, from, to));
+        let symbol = format!("\\omega^s_{{{}}}", name_label(self.scene.link_name(c.follower)));
+        let clear = self.style.vector.width_mm / 2.0;
+        let request = LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, [from, to], clear);
+        self.d.label(&id, "rotation", request.owned(owner));
     }
 
     /// A flat face from level with its point to beyond the contact, and the arm that holds it.

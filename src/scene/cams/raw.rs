@@ -33,6 +33,14 @@ impl RawFollows {
         }
     }
 
+    /// The centre of a roller.
+    pub fn roller(&self) -> Option<&Word> {
+        match self {
+            RawFollows::Roller { pin, .. } => Some(pin),
+            RawFollows::Edge(_) | RawFollows::Arc { .. } | RawFollows::Face(_) => None,
+        }
+    }
+
     pub fn radius(&self) -> Option<&RawQuantity> {
         match self {
             RawFollows::Roller { radius, .. } | RawFollows::Arc { radius, .. } => Some(radius),

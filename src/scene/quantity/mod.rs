@@ -21,6 +21,7 @@ mod place;
 mod point;
 mod ratio;
 pub mod relative;
+mod roller;
 mod seen;
 pub mod sliding;
 #[cfg(test)]
@@ -43,6 +44,7 @@ pub use place::{Axis, Place};
 pub use point::PointMotion;
 pub use ratio::Ratio;
 pub use relative::Relative;
+pub use roller::RollerSpin;
 pub use seen::Seen;
 pub(crate) use seen::split;
 pub use sliding::Sliding;
@@ -171,6 +173,8 @@ families! {
     InstantCentre,
     /// `i_24`: the transmission ratio of two links.
     Ratio,
+    /// `spin_3`: the angular velocity of a roller.
+    RollerSpin,
 }
 
 impl Asked {

@@ -194,6 +194,16 @@ impl Question<'_> {
         Ok(links)
     }
 
+    /// The roller of a follower: its centre, the cam on which it rolls, and a point of that.
+    pub fn roller(&self, follower: LinkId) -> Option<(PointId, LinkId, PointId)> {
+        let name = self.c.link_name(follower);
+        self.c.raw.cams.iter().filter(|cam| cam.follower.text == name).find_map(|cam| {
+            let pin = cam.follows.roller()?;
+            let cam = self.c.names.link(&cam.cam).ok()?;
+            Some((self.c.names.point(pin).ok()?, cam, self.first_point(cam)?))
+        })
+    }
+
     /// The first point of a link.
     pub fn first_point(&self, link: LinkId) -> Option<PointId> {
         self.c.names.links[link.0].points.first().copied()

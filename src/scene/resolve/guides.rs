@@ -107,17 +107,7 @@ fn arc(c: &Context, raw: &RawGuide, on: LinkId, word: &Word, faults: &mut Faults
         faults.push(d.help(both!("leave \"{key}\" or \"centre\" away", "请去掉 \"{key}\" 或 \"centre\"")));
         return None;
     }
-    let centre = note(c.names.point(word), faults)?;
-    if !c.carries(on, centre) {
-        let message = both!(
-            "centre `{}` is not on link `{}`, which carries the guide",
-            "圆心 `{}` 不在导路所在的构件 `{}` 上",
-            word.text,
-            c.link_name(on)
-        );
-        faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(on)));
-        return None;
-    }
+    let centre = c.centre_on(word, on, both!("which carries the guide", "而导路在该构件上"), faults)?;
     if raw.pin.is_none() {
         let d = Diagnostic::error("missing-key", both!("a curved guide has no `pin`", "圆弧导路没有 `pin`")).at(raw.span);
         faults.push(d.help(both!("name the point that runs in it: \"pin\"", "请写其中移动的点：\"pin\"")));

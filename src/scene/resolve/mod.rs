@@ -42,6 +42,17 @@ impl Context<'_> {
         self.names.links[link.0].points.contains(&point)
     }
 
+    /// The centre of something round on a link; `why` says what the link carries.
+    fn centre_on(&self, word: &Word, link: LinkId, why: Both, faults: &mut Faults) -> Option<PointId> {
+        let centre = note(self.names.point(word), faults)?;
+        if self.carries(link, centre) {
+            return Some(centre);
+        }
+        let message = both!("centre `{}` is not on link `{}`, {}", "圆心 `{}` 不在构件 `{}` 上，{}", word.text, self.link_name(link), why);
+        faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(self.points_of(link)));
+        None
+    }
+
     /// Whether a link is a wheel, or what a wheel rolls on.
     fn rolls(&self, link: LinkId) -> bool {
         let named = |s: &RawRollingSide| s.link.as_ref().is_some_and(|w| w.text == self.link_name(link));

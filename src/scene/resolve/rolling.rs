@@ -116,20 +116,7 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> 
     };
     let centre = match &raw.centre {
         None => None,
-        Some(word) => {
-            let point = note(c.names.point(word), faults)?;
-            if !c.carries(link, point) {
-                let message = both!(
-                    "`{}`, the centre of the circle on link `{}`, is not one of its points",
-                    "构件 `{1}` 上圆的圆心 `{0}` 不是该构件上的点",
-                    word.text,
-                    c.link_name(link)
-                );
-                faults.push(Diagnostic::error("not-on-link", message).at(word.span).help(c.points_of(link)));
-                return None;
-            }
-            Some(point)
-        }
+        Some(word) => Some(c.centre_on(word, link, both!("which carries the circle", "而圆在该构件上"), faults)?),
     };
     Some(Side { link, centre })
 }
