@@ -19,6 +19,7 @@
 
 pub mod body;
 pub mod candidate;
+pub mod cognates;
 pub(crate) mod form;
 pub mod fourbar;
 pub mod function;
@@ -27,6 +28,7 @@ pub mod limits;
 mod order;
 pub mod path;
 mod poly;
+pub mod straight_line;
 pub mod time_ratio;
 
 pub use candidate::{Candidate, Draft, Number, Wanted};
@@ -77,7 +79,7 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND];
+pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
