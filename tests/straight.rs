@@ -90,7 +90,8 @@ fn hoeken_by_the_reference_case() {
     near(of("least"), 4.0, 4.0, "least");
     near(of("greatest"), 4.0097537330863600058, 4.0, "greatest");
     assert!(c.judged.defects.is_empty() && c.judged.rotates && c.judged.off_m < 1e-12 * c.judged.size_m);
-    let made = design(r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "4.6378487100506737047 m", "ratios": [2.975, 3.963]}"#);
+    let made =
+        design(r#"{"synthesis": "straight-line", "linkage": "hoeken", "length": "4.6378487100506737047 m", "ratios": [2.975, 3.963]}"#);
     let of = |name: &str| made.candidates[0].number(name).unwrap();
     near(of("AB"), 1.0, 1.0, "crank");
     near(of("least"), 6.8571684950489790280, 7.0, "least");
@@ -143,7 +144,11 @@ fn the_others_have_the_wanted_length() {
     for (name, relative) in [("chebyshev", 0.02), ("scott-russell", 1e-12)] {
         let made = design(&format!(r#"{{"synthesis": "straight-line", "linkage": "{name}", "length": "200 mm"}}"#));
         let c = &made.candidates[0];
-        assert!((c.number("length").unwrap() - 0.2).abs() < 1e-6 && c.number("relative").unwrap() < relative, "{name}: {:?}", c.draft.numbers);
+        assert!(
+            (c.number("length").unwrap() - 0.2).abs() < 1e-6 && c.number("relative").unwrap() < relative,
+            "{name}: {:?}",
+            c.draft.numbers
+        );
         assert!(c.judged.off_m < 1e-9 && c.judged.defects.is_empty(), "{name}: {:?}", c.judged);
     }
 }

@@ -6,6 +6,7 @@ mod arrange;
 pub mod arrow;
 pub mod cam;
 mod centres;
+pub mod cognates;
 pub mod composite;
 pub(crate) mod course;
 pub mod curvature;

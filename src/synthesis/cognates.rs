@@ -67,13 +67,12 @@ impl Cognates {
     pub fn four_bars(&self) -> [Option<FourBar>; 2] {
         let with = |a: Point, b: Point, c: Point, d: Point| {
             let axis = (c - b).unit().filter(|_| b.distance(c) > NONE * self.given.size())?;
-            let whole = a.distance(b) > NONE * self.given.size() && c.distance(d) > NONE * self.given.size() && a.distance(d) > NONE * self.given.size();
+            let whole = a.distance(b) > NONE * self.given.size()
+                && c.distance(d) > NONE * self.given.size()
+                && a.distance(d) > NONE * self.given.size();
             whole.then(|| FourBar { a, b, c, d, e: Some((self.e - b).divide_by(axis)) })
         };
-        [
-            with(self.given.a, self.left[0], self.left[1], self.f),
-            with(self.f, self.right[1], self.right[0], self.given.d),
-        ]
+        [with(self.given.a, self.left[0], self.left[1], self.f), with(self.f, self.right[1], self.right[0], self.given.d)]
     }
 
     /// The cognates of a scene that is a four-bar with this coupler point.
@@ -94,7 +93,10 @@ fn none(scene: &Scene) -> Diagnostic {
         scene.links.len(),
         scene.guides.len()
     );
-    let help = both!("write links 1: AB, 2: BCE, 3: CD, 4: AD, such as `hodograph new crank-rocker`", "构件写成 1: AB、2: BCE、3: CD、4: AD，例如 `hodograph new crank-rocker`");
+    let help = both!(
+        "write links 1: AB, 2: BCE, 3: CD, 4: AD, such as `hodograph new crank-rocker`",
+        "构件写成 1: AB、2: BCE、3: CD、4: AD，例如 `hodograph new crank-rocker`"
+    );
     Diagnostic::error("not-a-four-bar", message).help(help)
 }
 
@@ -139,13 +141,20 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         crate::json::Kind::Text(name) => match templates::get(name) {
             Ok(text) => text.to_owned(),
             Err(d) => {
-                fault(d.help(both!("name a template, a scene file beside this one, or write the scene itself", "请写模板名、同一文件夹中的机构文件名，或机构文件本身")));
+                fault(d.help(both!(
+                    "name a template, a scene file beside this one, or write the scene itself",
+                    "请写模板名、同一文件夹中的机构文件名，或机构文件本身"
+                )));
                 return None;
             }
         },
         crate::json::Kind::Object(_) => node.text(),
         crate::json::Kind::Number(_) | crate::json::Kind::Bool(_) | crate::json::Kind::Null | crate::json::Kind::Array(_) => {
-            return form.refuse(node, "scene", both!("the name of a template or scene file, or a scene", "模板名、机构文件名或机构文件本身"));
+            return form.refuse(
+                node,
+                "scene",
+                both!("the name of a template or scene file, or a scene", "模板名、机构文件名或机构文件本身"),
+            );
         }
     };
     let made = || -> Result<(Scene, Configuration), Faults> {
@@ -204,11 +213,20 @@ impl Task {
         let positions = self.positions();
         let first = positions.first().map_or(Vec2::new(1.0, 0.0), link);
         let crank = linkage.b - linkage.a;
-        let wanted = positions.iter().map(|p| Wanted { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
+        let wanted =
+            positions.iter().map(|p| Wanted { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
         let mut numbers = named_lengths(linkage.lengths());
         numbers.push(Number::length("BE", both!("from B to the coupler point", "B 到连杆上 E 点"), linkage.b.distance(self.cognates.e)));
         numbers.push(Number::length("CE", both!("from C to the coupler point", "C 到连杆上 E 点"), linkage.c.distance(self.cognates.e)));
-        Draft { which, scene: linkage.scene(heading), numbers, wanted: wanted.collect(), demands: Vec::new(), ordered: false, remarks: Vec::new() }
+        Draft {
+            which,
+            scene: linkage.scene(heading),
+            numbers,
+            wanted: wanted.collect(),
+            demands: Vec::new(),
+            ordered: false,
+            remarks: Vec::new(),
+        }
     }
 }
 
@@ -231,7 +249,11 @@ impl Wish for Task {
             match linkage {
                 Some(linkage) => drafts.push(self.draft(name, &linkage, heading, link)),
                 None => {
-                    let message = both!("{}: a link has no length, for E lies on a pin of the coupler", "{}：有构件长为零，因为 E 在连杆的铰链上", name);
+                    let message = both!(
+                        "{}: a link has no length, for E lies on a pin of the coupler",
+                        "{}：有构件长为零，因为 E 在连杆的铰链上",
+                        name
+                    );
                     notes.push(Diagnostic::note("cognate-collapses", message));
                 }
             }

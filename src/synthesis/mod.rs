@@ -79,7 +79,8 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
+pub const KINDS: &[&KindOfTask] =
+    &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];

@@ -21,7 +21,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
     name: "straight-line",
-    what: ["straight-line linkages: Watt, Chebyshev, Hoeken, Scott-Russell, Peaucellier", "直线机构：瓦特、切比雪夫、霍肯、斯科特-罗素、波塞利耶"],
+    what: [
+        "straight-line linkages: Watt, Chebyshev, Hoeken, Scott-Russell, Peaucellier",
+        "直线机构：瓦特、切比雪夫、霍肯、斯科特-罗素、波塞利耶",
+    ],
     keys: &["linkage", "length", "swing", "ratios"],
     read,
 };
@@ -50,7 +53,7 @@ const SWING: f64 = 45.0 * PI / 180.0;
 /// Positions of a sweep between which extremes are located.
 const STEPS: usize = 360;
 /// The length along which a located range falls short of a limit of the driver.
-const SHORT: f64 = 1e-9;
+const SHORT: f64 = 1e-13;
 
 #[derive(Clone, Debug)]
 struct Task {
@@ -79,7 +82,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     };
     if form.has("swing") && (!swings || !(swing > 0.0 && swing <= most)) {
         let message = if swings {
-            both!("\"swing\" is to be more than 0 and at most {}°", "\"swing\" 应大于 0 且不超过 {}°", significant(2.0 * most.to_degrees(), 3))
+            both!(
+                "\"swing\" is to be more than 0 and at most {}°",
+                "\"swing\" 应大于 0 且不超过 {}°",
+                significant(2.0 * most.to_degrees(), 3)
+            )
         } else {
             both!("this linkage has its own range; it takes no \"swing\"", "该机构的转角范围是固定的，不能写 \"swing\"")
         };
@@ -100,7 +107,10 @@ fn ratios(form: &Form, linkage: Linkage) -> Option<[f64; 2]> {
         return Some([frame, rod]);
     }
     let message = if linkage == Linkage::Hoeken {
-        both!("frame {frame} and rods {rod} over a crank of 1 do not let it turn: both must be more than 1, and 1 + frame less than twice the rod", "以曲柄为 1，机架 {frame}、杆 {rod} 时曲柄不能整周转动：两者都应大于 1，且 1 + 机架 < 2 × 杆")
+        both!(
+            "frame {frame} and rods {rod} over a crank of 1 do not let it turn: both must be more than 1, and 1 + frame less than twice the rod",
+            "以曲柄为 1，机架 {frame}、杆 {rod} 时曲柄不能整周转动：两者都应大于 1，且 1 + 机架 < 2 × 杆"
+        )
     } else {
         both!("\"ratios\" are of Hoeken's linkage alone", "\"ratios\" 只用于霍肯机构")
     };
@@ -163,7 +173,13 @@ impl Task {
                     Number::length("OX", both!("long arms", "长杆"), 6.0 * k),
                     Number::length("CX", both!("sides of the rhombus", "菱形的边"), 2.5 * k),
                 ];
-                Some(Made { scene: peaucellier(k, 0.5 * s, heading)?, range: [-s, s], along: 'y', wanted: wanted.into_iter().flatten().collect(), numbers })
+                Some(Made {
+                    scene: peaucellier(k, 0.5 * s, heading)?,
+                    range: [-s, s],
+                    along: 'y',
+                    wanted: wanted.into_iter().flatten().collect(),
+                    numbers,
+                })
             }
         }
     }
@@ -244,7 +260,12 @@ impl Wish for Task {
             Linkage::ScottRussell => "斯科特-罗素",
             Linkage::Peaucellier => "波塞利耶",
         };
-        both!("Straight-line linkage ({}), {} long", "{}直线机构，直线段长 {}", Both { en: name.into(), zh: zh.into() }, metres(self.length))
+        both!(
+            "Straight-line linkage ({}), {} long",
+            "{}直线机构，直线段长 {}",
+            Both { en: name.into(), zh: zh.into() },
+            metres(self.length)
+        )
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
@@ -256,8 +277,13 @@ impl Wish for Task {
         let measured = measure(&made)?;
         let mut numbers = made.numbers;
         numbers.extend(measured.numbers());
-        let which = if measured.deviation <= EXACT * measured.length { both!("exact", "精确直线") } else { both!("nearly straight", "近似直线") };
-        let draft = Draft { which, scene: made.scene, numbers, wanted: made.wanted, demands: Vec::new(), ordered: false, remarks: Vec::new() };
+        let which = if measured.deviation <= EXACT * measured.length {
+            both!("exact", "精确直线")
+        } else {
+            both!("nearly straight", "近似直线")
+        };
+        let draft =
+            Draft { which, scene: made.scene, numbers, wanted: made.wanted, demands: Vec::new(), ordered: false, remarks: Vec::new() };
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 }

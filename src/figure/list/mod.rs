@@ -16,6 +16,7 @@ use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
 use super::centres;
+use super::cognates;
 use super::composite;
 use super::curvature;
 use super::inversions;
@@ -52,6 +53,7 @@ pub const LIST: &[&Entry] = &[
     &curvature::ENTRY,
     &curvature::CENTRODES,
     &inversions::ENTRY,
+    &cognates::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.
