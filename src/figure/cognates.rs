@@ -32,29 +32,29 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
     let style = &w.options.style;
     let mut d = mechanism::numbered(style, w.scene, w.worked, &w.options.notation);
-    let [a, b, c, e, f] = [found.given.a, found.given.b, found.given.c, found.e, found.f].map(to_paper);
+    let [a, e, f] = [found.given.a, found.e, found.f].map(to_paper);
     let pivot = to_paper(found.given.d);
     let [a1, p1] = found.left.map(to_paper);
     let [d1, p2] = found.right.map(to_paper);
     let link = Stroke { width_mm: style.link.width_mm * 0.6, dash: Dash::Solid, cap: Cap::Round, ..style.link };
+    let cognates = [("left", [a, a1, p1, f], [a1, p1, e]), ("right", [pivot, d1, p2, f], [d1, p2, e])];
     d.behind(|d| {
-        for run in curve(&found, &to_paper) {
-            d.shape(
-                "path",
-                "cognate path",
-                Shape::Polyline { points: run, closed: false, stroke: Some(style.thin.dashed(Dash::DashDot)), fill: None },
-            );
+        for (name, _, triangle) in cognates {
+            let shape = Shape::Polyline { points: triangle.to_vec(), closed: true, stroke: Some(link), fill: Some(style.plate) };
+            d.shape(name, "cognate plate", shape);
+        }
+    });
+    // Behind the outlines of the plates, and over their areas.
+    d.behind(|d| {
+        for points in curve(&found, &to_paper) {
+            let stroke = Some(style.thin.dashed(Dash::DashDot));
+            d.shape("path", "cognate path", Shape::Polyline { points, closed: false, stroke, fill: None });
         }
         // The parallelograms, and the frame of the three pivots: a triangle similar to the coupler.
-        for (from, to) in [(e, b), (e, c), (a, f), (f, pivot)] {
+        for (from, to) in [(a, f), (f, pivot)] {
             d.shape("parallel", "cognate construction", Shape::Line { from, to, stroke: style.thin.dashed(Dash::Dashed) });
         }
-        for (name, chain, triangle) in [("left", [a, a1, p1, f], [a1, p1, e]), ("right", [pivot, d1, p2, f], [d1, p2, e])] {
-            d.shape(
-                name,
-                "cognate plate",
-                Shape::Polyline { points: triangle.to_vec(), closed: true, stroke: Some(link), fill: Some(style.plate) },
-            );
+        for (name, chain, _) in cognates {
             for pair in [[chain[0], chain[1]], [chain[2], chain[3]]] {
                 d.shape(name, "cognate link", Shape::Line { from: pair[0], to: pair[1], stroke: link });
             }
@@ -68,9 +68,9 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     d.label("F", "cognate", LabelRequest::at_point(Label::math("F"), style.label_mm, f, style.pin_radius_mm));
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let (_, mu) = maker.caption(Level::Position);
-    let caption =
-        tr(w.options.lang, "Cognates (Roberts–Chebyshev): ABCD, A A₁P₁F, D D₁P₂F", "同源机构（罗伯茨–切比雪夫）：ABCD、A A₁P₁F、D D₁P₂F");
-    let figure = maker.alone(maker.titled(d.finish(), Label::text(caption), &mu, "cognates"));
+    let words = tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
+    let caption = Label::text(words).then(Label::math("ABCD,\\; AA_{1}P_{1}F,\\; DD_{1}P_{2}F"));
+    let figure = maker.alone(maker.titled(d.finish(), caption, &mu, "cognates"));
     page(ENTRY.name, Some(figure))
 }
 
