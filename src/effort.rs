@@ -6,7 +6,6 @@
 
 use crate::accuracy::ladder::Certified;
 use crate::construct::{Action, Mark, Polygon};
-use crate::figure::item::Figure;
 use crate::mechanism::Level;
 use crate::plan::Step;
 use crate::worked::Worked;
@@ -75,9 +74,9 @@ impl Work {
         Work { certified_values: certified.iter().map(printed).sum(), ..self }
     }
 
-    /// The same with the labels of a figure that was laid out.
-    pub fn with_figure(self, figure: &Figure) -> Work {
-        Work { labels_placed: figure.labels_placed(), ..self }
+    /// The same with the labels of a figure that was laid out (`Figure::labels_placed`).
+    pub fn with_labels(self, labels_placed: usize) -> Work {
+        Work { labels_placed, ..self }
     }
 }
 

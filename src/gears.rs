@@ -1,14 +1,18 @@
-//! A pair of external spur gears with involute flanks: its circles, its profile shifts and how many teeth are in contact.
+//! Spur gears with involute flanks, two in mesh, one in a ring, one on a rack: circles, profile shifts, how many teeth are in contact.
 //!
 //! Lengths in the unit of the module, angles in radians. With base radii r_b = r cos α the line of action touches both base circles (N₁,
-//! N₂) under the operating pressure angle α′, cos α′ = (r_b1 + r_b2)/a′; contact begins where the driven gear's tip circle crosses it (B₂)
-//! and ends where the driver's does (B₁). Decided here: the geometry; what a file says, and what is drawn of it, are other rooms' matter.
+//! N₂) under the operating pressure angle α′, cos α′ = a cos α/a′; contact begins where the driven gear's tip circle crosses it (B₂)
+//! and ends where the driver's does (B₁). Formulas of a ring are those of two gears with z₂ − z₁ for z₁ + z₂ and x₂ − x₁ for x₁ + x₂: the
+//! *spaces* of a ring are the teeth of a gear of its size. A rack is a gear without end, whose tip line lies (h_a* − x) m inside the pitch
+//! line. Decided here: the geometry; what a file says, and what is drawn of it, are other rooms' matter.
 //!
 //! # Source
-//! 孙桓、陈作模、葛文杰《机械原理》, chapter on gears; F. L. Litvin, *Gear Geometry and Applied Theory*.
+//! 孙桓、陈作模、葛文杰《机械原理》, chapter on gears; F. L. Litvin, *Gear Geometry and Applied Theory*. G_s, the check
+//! of overlapping tips in a ring, is that of textbooks on planetary gears; a test turns the teeth past one another.
 
-use crate::geom::{Point, Vec2};
 use std::f64::consts::{FRAC_PI_2, PI};
+
+mod outline;
 
 /// inv α = tan α − α: the polar angle of an involute where its pressure angle is α.
 pub fn inv(alpha: f64) -> f64 {
@@ -50,7 +54,39 @@ pub struct Basic {
     pub clearance: f64,
 }
 
-/// One gear of a pair.
+/// What the second one of a pair is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mate {
+    /// A gear outside the first.
+    Gear,
+    /// A ring around the first: its teeth point inwards.
+    Ring,
+    /// A rack: its teeth stand on a straight line.
+    Rack,
+}
+
+impl Mate {
+    /// z₂ + z₁ or z₂ − z₁, by which centre distance and shifts go; a rack has neither.
+    fn count(self, teeth: [u32; 2]) -> f64 {
+        let [a, b] = teeth.map(f64::from);
+        match self {
+            Mate::Gear => b + a,
+            Mate::Ring => b - a,
+            Mate::Rack => a,
+        }
+    }
+
+    /// x₂ + x₁ or x₂ − x₁.
+    pub fn shift(self, shifts: [f64; 2]) -> f64 {
+        match self {
+            Mate::Gear => shifts[1] + shifts[0],
+            Mate::Ring => shifts[1] - shifts[0],
+            Mate::Rack => shifts[0],
+        }
+    }
+}
+
+/// One gear of a pair. A rack has no teeth to count, and its radii are infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gear {
     /// Number of teeth z.
@@ -63,9 +99,9 @@ pub struct Gear {
     pub base: f64,
     /// Operating pitch circle, r′.
     pub pitch: f64,
-    /// Tip circle, r_a.
+    /// Tip circle, r_a; of a ring the innermost one.
     pub tip: f64,
-    /// Root circle, r_f.
+    /// Root circle, r_f; of a ring the outermost one.
     pub root: f64,
 }
 
@@ -74,60 +110,86 @@ pub struct Gear {
 pub struct Pair {
     /// What both have.
     pub basic: Basic,
-    /// The gears, the driver first.
+    /// The gears, the driver first; in a ring and on a rack the gear.
     pub gears: [Gear; 2],
-    /// Operating centre distance a′.
+    /// What the second one is.
+    pub mate: Mate,
+    /// Operating centre distance a′; from a rack's pitch line.
     pub distance: f64,
     /// Operating pressure angle α′ (rad).
     pub operating: f64,
 }
 
 /// The operating pressure angle at a centre distance; `None` where the base circles would overlap.
-pub fn operating(basic: &Basic, teeth: [u32; 2], distance: f64) -> Option<f64> {
-    let cos = standard(basic, teeth) * libm::cos(basic.alpha) / distance;
+pub fn operating(basic: &Basic, mate: Mate, teeth: [u32; 2], distance: f64) -> Option<f64> {
+    if mate == Mate::Rack {
+        return Some(basic.alpha);
+    }
+    let cos = standard(basic, mate, teeth) * libm::cos(basic.alpha) / distance;
     (0.0..=1.0).contains(&cos).then(|| libm::acos(cos))
 }
 
-/// The standard centre distance a = m (z₁ + z₂)/2.
-pub fn standard(basic: &Basic, teeth: [u32; 2]) -> f64 {
-    basic.module * teeth.iter().map(|z| f64::from(*z)).sum::<f64>() / 2.0
+/// The standard centre distance a = m (z₂ ± z₁)/2.
+pub fn standard(basic: &Basic, mate: Mate, teeth: [u32; 2]) -> f64 {
+    basic.module * mate.count(teeth) / 2.0
 }
 
-/// The sum of profile shifts without backlash at an operating pressure angle: x₁ + x₂ = (z₁ + z₂)(inv α′ − inv α)/(2 tan α).
-pub fn sum_of_shifts(basic: &Basic, teeth: [u32; 2], operating: f64) -> f64 {
-    let z: f64 = teeth.iter().map(|z| f64::from(*z)).sum();
-    z * (inv(operating) - inv(basic.alpha)) / (2.0 * libm::tan(basic.alpha))
+/// x₂ ± x₁ without backlash at an operating pressure angle: (z₂ ± z₁)(inv α′ − inv α)/(2 tan α).
+pub fn sum_of_shifts(basic: &Basic, mate: Mate, teeth: [u32; 2], operating: f64) -> f64 {
+    mate.count(teeth) * (inv(operating) - inv(basic.alpha)) / (2.0 * libm::tan(basic.alpha))
 }
 
-/// The centre distance without backlash at a sum of profile shifts; `None` where no pressure angle belongs to it.
-pub fn distance_of(basic: &Basic, teeth: [u32; 2], sum: f64) -> Option<f64> {
-    let z: f64 = teeth.iter().map(|z| f64::from(*z)).sum();
-    let operating = arc_inv(2.0 * sum * libm::tan(basic.alpha) / z + inv(basic.alpha))?;
-    Some(standard(basic, teeth) * libm::cos(basic.alpha) / libm::cos(operating))
+/// The centre distance without backlash at x₂ ± x₁; `None` where no pressure angle belongs to it.
+pub fn distance_of(basic: &Basic, mate: Mate, teeth: [u32; 2], sum: f64) -> Option<f64> {
+    if mate == Mate::Rack {
+        return Some(standard(basic, mate, teeth));
+    }
+    let operating = arc_inv(2.0 * sum * libm::tan(basic.alpha) / mate.count(teeth) + inv(basic.alpha))?;
+    Some(standard(basic, mate, teeth) * libm::cos(basic.alpha) / libm::cos(operating))
 }
 
 impl Pair {
-    /// The pair with these shifts at its centre distance; the tips are shortened by Δy = x₁ + x₂ − y, so that the clearance stays.
+    /// The pair with these shifts at its centre distance. The tips of two gears are shortened by Δy = x₁ + x₂ − y, so that the clearance
+    /// stays; in a ring the clearance only grows, and a rack has no distance to choose.
     /// `None` where the base circles would overlap, or a gear has no tooth left.
-    pub fn new(basic: Basic, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<Pair> {
-        let operating = operating(&basic, teeth, distance)?;
+    pub fn new(basic: Basic, mate: Mate, teeth: [u32; 2], shifts: [f64; 2], distance: f64) -> Option<Pair> {
+        let operating = operating(&basic, mate, teeth, distance)?;
         let m = basic.module;
-        let shortened = shifts[0] + shifts[1] - (distance - standard(&basic, teeth)) / m;
+        let shortened = match mate {
+            Mate::Gear => mate.shift(shifts) - (distance - standard(&basic, mate, teeth)) / m,
+            Mate::Ring | Mate::Rack => 0.0,
+        };
         let gear = |i: usize| {
             let reference = m * f64::from(teeth[i]) / 2.0;
             let base = reference * libm::cos(basic.alpha);
+            // A ring's teeth are another gear's spaces: tip and root change places.
+            let inward = if mate == Mate::Ring && i == 1 { -1.0 } else { 1.0 };
             Gear {
                 teeth: teeth[i],
                 shift: shifts[i],
                 reference,
                 base,
                 pitch: base / libm::cos(operating),
-                tip: reference + (basic.addendum + shifts[i] - shortened) * m,
-                root: reference - (basic.addendum + basic.clearance - shifts[i]) * m,
+                tip: reference + (inward * basic.addendum + shifts[i] - shortened) * m,
+                root: reference - (inward * (basic.addendum + basic.clearance) - shifts[i]) * m,
             }
         };
-        let gears = [gear(0), gear(1)];
-        gears.iter().all(|g| g.root > 0.0 && g.tip > g.base && g.tip > g.root).then_some(Pair { basic, gears, distance, operating })
+        let endless = f64::INFINITY;
+        let rack = Gear { teeth: 0, shift: 0.0, reference: endless, base: endless, pitch: endless, tip: endless, root: endless };
+        let gears = [gear(0), if mate == Mate::Rack { rack } else { gear(1) }];
+        let external = |g: &Gear| g.root > 0.0 && g.tip > g.base && g.tip > g.root;
+        let possible = match mate {
+            Mate::Gear => gears.iter().all(external),
+            Mate::Ring => external(&gears[0]) && gears[1].tip > 0.0 && gears[1].root > gears[1].tip && gears[1].root > gears[1].base,
+            Mate::Rack => external(&gears[0]),
+        };
+        possible.then_some(Pair { basic, gears, mate, distance, operating })
+    }
+
+    /// Of a rack, how far its tip line lies inside its pitch line, and its root line outside.
+    pub fn rack(&self) -> [f64; 2] {
+        let (b, x) = (&self.basic, self.gears[0].shift);
+        [(b.addendum - x) * b.module, (b.addendum + b.clearance + x) * b.module]
     }
 
     /// Base pitch p_b = π m cos α: the distance of flanks along the line of action.
@@ -137,21 +199,72 @@ impl Pair {
 
     /// Where contact begins and ends along the line of action, from the pitch point, positive in its direction; never beyond N₁, N₂.
     pub fn contact(&self) -> [f64; 2] {
-        let reach = |g: &Gear| (g.tip * g.tip - g.base * g.base).max(0.0).sqrt() - g.pitch * libm::sin(self.operating);
         let [n1, n2] = self.tangents();
-        [(-reach(&self.gears[1])).max(n1), reach(&self.gears[0]).min(n2)]
+        let ends = [self.begin().max(n1), self.reach(0)];
+        match self.mate {
+            Mate::Gear => [ends[0], ends[1].min(n2)],
+            Mate::Ring | Mate::Rack => ends,
+        }
     }
 
-    /// Where the line of action touches the base circles N₁, N₂, from the pitch point.
+    /// How far a gear's tip circle reaches along the line of action, from the pitch point.
+    fn reach(&self, i: usize) -> f64 {
+        let g = &self.gears[i];
+        (g.tip * g.tip - g.base * g.base).max(0.0).sqrt() - g.pitch * libm::sin(self.operating)
+    }
+
+    /// Where the driven one's tips come to the line of action.
+    fn begin(&self) -> f64 {
+        match self.mate {
+            Mate::Gear => -self.reach(1),
+            Mate::Ring => self.reach(1),
+            Mate::Rack => -self.rack()[0] / libm::sin(self.operating),
+        }
+    }
+
+    /// Where the line of action touches the base circles N₁, N₂, from the pitch point; of a rack nowhere: infinitely far.
     pub fn tangents(&self) -> [f64; 2] {
         let [a, b] = self.gears.map(|g| g.pitch * libm::sin(self.operating));
-        [-a, b]
+        match self.mate {
+            Mate::Gear | Mate::Rack => [-a, b],
+            Mate::Ring => [-a, -b],
+        }
     }
 
     /// Whether a tip reaches beyond the other's base circle on the line of action: there the flanks would cut into one another.
     pub fn interferes(&self) -> bool {
-        let tip = |g: &Gear| libm::hypot(g.base, self.distance * libm::sin(self.operating)) < g.tip;
-        self.gears.iter().any(tip)
+        let [n1, n2] = self.tangents();
+        // What rounding leaves of a reach that ends in N.
+        let slack = 1e-12 * self.gears[0].tip;
+        match self.mate {
+            Mate::Gear => self.begin() < n1 - slack || self.reach(0) > n2 + slack,
+            Mate::Ring | Mate::Rack => self.begin() < n1 - slack,
+        }
+    }
+
+    /// Whether a ring's teeth reach inside its base circle, where it has no involute.
+    pub fn without_involute(&self) -> bool {
+        self.mate == Mate::Ring && self.gears[1].tip < self.gears[1].base * (1.0 - 1e-12)
+    }
+
+    /// Whether tips of gear and ring overlap away from the line of action, as they do where z₂ − z₁ is small: G_s < 0, with
+    /// G_s = z₁(inv α_a1 + δ₁) − z₂(inv α_a2 + δ₂) + (z₂ − z₁) inv α′, δ the angles of the crossing of both tip circles from the line of
+    /// centres.
+    pub fn tips_overlap(&self) -> bool {
+        if self.mate != Mate::Ring {
+            return false;
+        }
+        let ([g, r], a) = (&self.gears, self.distance);
+        let (p, q) = (g.tip, r.tip);
+        // The tip circles do not cross: the gear's lies inside the ring's.
+        if a + p <= q || p + q <= a {
+            return false;
+        }
+        let at = |g: &Gear| inv(libm::acos((g.base / g.tip).min(1.0)));
+        let delta =
+            [(q * q - p * p - a * a) / (2.0 * p * a), (q * q - p * p + a * a) / (2.0 * q * a)].map(|c| libm::acos(c.clamp(-1.0, 1.0)));
+        let [y, z] = [g.teeth, r.teeth].map(f64::from);
+        y * (at(g) + delta[0]) - z * (at(r) + delta[1]) + (z - y) * inv(self.operating) < 0.0
     }
 
     /// The contact ratio ε = B₁B₂/p_b.
@@ -161,145 +274,5 @@ impl Pair {
     }
 }
 
-impl Gear {
-    /// Half the angle of a tooth at a radius on or outside the base circle: (π/2 + 2x tan α)/z + inv α − inv α_r.
-    pub fn half_tooth(&self, basic: &Basic, radius: f64) -> f64 {
-        let at = libm::acos((self.base / radius).min(1.0));
-        (FRAC_PI_2 + 2.0 * self.shift * libm::tan(basic.alpha)) / f64::from(self.teeth) + inv(basic.alpha) - inv(at)
-    }
-
-    /// The radius at which the two flanks of a tooth meet, if that is inside the tip circle: the tooth is pointed.
-    pub fn pointed(&self, basic: &Basic) -> bool {
-        self.half_tooth(basic, self.tip) <= 0.0
-    }
-
-    /// The least profile shift without undercut by a rack, x_min = h_a* − z sin²α/2.
-    pub fn least_shift(&self, basic: &Basic) -> f64 {
-        let sin = libm::sin(basic.alpha);
-        basic.addendum - f64::from(self.teeth) * sin * sin / 2.0
-    }
-
-    /// A tooth's outline in the gear's own frame, its middle in the direction `middle` (rad): from the root before it, counter-clockwise,
-    /// to the root behind it; `steps` points a flank. Below the base circle the flank goes straight to the root.
-    pub fn tooth(&self, basic: &Basic, middle: f64, steps: usize) -> Vec<Point> {
-        let from = self.base.max(self.root);
-        let radius = |k: usize| from + (self.tip - from) * k as f64 / steps as f64;
-        let at = |r: f64, angle: f64| (Vec2::from_angle(angle) * r).to_point();
-        let mut out = Vec::new();
-        let low = self.half_tooth(basic, from);
-        if self.root < from {
-            out.push(at(self.root, middle - low));
-        }
-        out.extend((0..=steps).map(|k| at(radius(k), middle - self.half_tooth(basic, radius(k)).max(0.0))));
-        out.extend((0..=steps).rev().map(|k| at(radius(k), middle + self.half_tooth(basic, radius(k)).max(0.0))));
-        if self.root < from {
-            out.push(at(self.root, middle + low));
-        }
-        out
-    }
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn degrees(d: f64) -> f64 {
-        d * PI / 180.0
-    }
-
-    const BASIC: Basic = Basic { module: 2.0, alpha: 20.0 * PI / 180.0, addendum: 1.0, clearance: 0.25 };
-
-    /// Pairs: teeth, shifts, centre distance.
-    const PAIRS: &[([u32; 2], [f64; 2])] =
-        &[([20, 40], [0.0, 0.0]), ([15, 32], [0.5, 1.3]), ([15, 32], [0.3, -0.3]), ([17, 17], [0.2, 0.1]), ([60, 90], [-0.2, 0.1])];
-
-    fn pair(teeth: [u32; 2], shifts: [f64; 2]) -> Pair {
-        let distance = distance_of(&BASIC, teeth, shifts[0] + shifts[1]).unwrap();
-        Pair::new(BASIC, teeth, shifts, distance).unwrap()
-    }
-
-    #[test]
-    fn the_exercise_of_the_lecture_notes() {
-        // Gears of 15 and 32 teeth, module 2 mm, at 50 mm instead of 47 mm; exact values to 20 digits.
-        let teeth = [15, 32];
-        assert!((standard(&BASIC, teeth) - 47.0).abs() < 1e-13);
-        assert!((standard(&BASIC, [20, 30]) - 50.0).abs() < 1e-13);
-        let alpha = operating(&BASIC, teeth, 50.0).unwrap();
-        assert!((alpha - degrees(27.955_608_553_357_03)).abs() < 1e-14, "{}", alpha * 180.0 / PI);
-        let sum = sum_of_shifts(&BASIC, teeth, alpha);
-        assert!((sum - 1.801_010_721_615_944).abs() < 1e-12, "{sum}");
-        assert!((distance_of(&BASIC, teeth, sum).unwrap() - 50.0).abs() < 1e-10);
-    }
-
-    #[test]
-    fn the_inverse_of_the_involute_function() {
-        for d in [0.0, 0.01, 1.0, 14.5, 20.0, 45.0, 70.0, 85.0] {
-            let alpha = arc_inv(inv(degrees(d))).unwrap();
-            assert!((inv(alpha) - inv(degrees(d))).abs() <= 1e-14 * (1.0 + inv(degrees(d)) * 100.0), "{d}: {}", alpha * 180.0 / PI);
-        }
-        assert_eq!(arc_inv(-0.1), None);
-        assert_eq!(arc_inv(f64::NAN), None);
-    }
-
-    #[test]
-    fn flanks_are_involutes_of_the_base_circle() {
-        // A taut thread unwound from the base circle: what is unwound is as long as the arc that it leaves, and square to the flank.
-        for (teeth, shifts) in PAIRS {
-            for g in pair(*teeth, *shifts).gears {
-                let angle = |r: f64| -g.half_tooth(&BASIC, r);
-                let begin = angle(g.base);
-                for k in 1..=10 {
-                    let r = g.base + (g.tip - g.base) * f64::from(k) / 10.0;
-                    let thread = (r * r - g.base * g.base).sqrt();
-                    let q = Vec2::from_angle(angle(r)) * r;
-                    let turned = thread / g.base;
-                    let unwound = Vec2::from_angle(begin + turned) * g.base;
-                    assert!(((q - unwound).norm() - thread).abs() < 1e-12 * r, "z = {}: r = {r}", g.teeth);
-                    let h = 1e-6 * r;
-                    let along = Vec2::from_angle(angle(r + h)) * (r + h) - Vec2::from_angle(angle(r - h)) * (r - h);
-                    assert!((q - unwound).unit().unwrap().dot(along.unit().unwrap()).abs() < 1e-7);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn teeth_fill_the_spaces_without_backlash() {
-        for (teeth, shifts) in PAIRS {
-            let p = pair(*teeth, *shifts);
-            let [a, b] = p.gears.map(|g| 2.0 * g.half_tooth(&BASIC, g.pitch) * g.pitch);
-            let pitch = 2.0 * PI * p.gears[0].pitch / f64::from(teeth[0]);
-            assert!((a + b - pitch).abs() < 1e-12 * pitch, "{teeth:?}: {a} + {b} and {pitch}");
-            let clearance = p.distance - p.gears[0].tip - p.gears[1].root;
-            assert!((clearance - 0.25 * BASIC.module).abs() < 1e-12, "{clearance}");
-        }
-    }
-
-    #[test]
-    fn the_contact_ratio_is_the_mean_number_of_contacts() {
-        // Points one base pitch apart move along the line of action; those inside both tip circles, between N1 and N2, are in contact.
-        for (teeth, shifts) in PAIRS {
-            let p = pair(*teeth, *shifts);
-            let [a, b] = p.gears;
-            let action = Vec2::from_angle(p.operating);
-            let [n1, n2] = p.tangents();
-            let (steps, centre) = (20_000, [Point::new(0.0, -a.pitch), Point::new(0.0, b.pitch)]);
-            let touches = |t: f64| {
-                let at = (action * t).to_point();
-                t >= n1 && t <= n2 && at.distance(centre[0]) <= a.tip && at.distance(centre[1]) <= b.tip
-            };
-            let count: usize = (0..steps)
-                .map(|k| (-20..20).filter(|n| touches((f64::from(*n) + f64::from(k) / f64::from(steps)) * p.base_pitch())).count())
-                .sum();
-            let mean = count as f64 / f64::from(steps);
-            assert!((mean - p.contact_ratio()).abs() < 3.0 / f64::from(steps), "{teeth:?}: {mean} and {}", p.contact_ratio());
-        }
-    }
-
-    #[test]
-    fn impossible_pairs_are_none() {
-        assert_eq!(operating(&BASIC, [20, 40], 50.0), None);
-        assert!(Pair::new(BASIC, [20, 40], [0.0, 0.0], 50.0).is_none());
-        assert!(Pair::new(BASIC, [2, 40], [0.0, 0.0], 42.0).is_none());
-    }
-}
+mod tests;

@@ -14,6 +14,21 @@
 //! }
 //! ```
 //!
+//! A scene can be built without JSON, and drawn as SVG:
+//! ```
+//! use hodograph::{figure::sheet::{Options, sheet}, render::svg, scene::{Lang, build::*}, worked::{work, Scope}};
+//!
+//! let scene = Builder::new()
+//!     .link("1", ["A", "B"]).link("2", ["B", "C"]).link("3", ["C", "D"]).link("4", ["A", "D"]).ground("4")
+//!     .length("AB", mm(100.0)).length("BC", mm(250.0)).length("CD", mm(200.0)).length("AD", mm(300.0))
+//!     .driver(Driver::turning("1").angle(deg(60.0)).omega(rad_per_s(10.0)))
+//!     .find(["v_C", "a_C"]).build()?.value;
+//! let worked = work(&scene, Scope::Figure)?.value;
+//! let markup = svg::write(&sheet(&scene, &worked, &Options::of_language(Lang::En))?)?.value;
+//! assert!(markup.starts_with("<svg"));
+//! # Ok::<(), hodograph::diag::Faults>(())
+//! ```
+//!
 //! # The way through
 //! ```text
 //! scene.json ─▶ Scene ─▶ Mechanism ─┬─▶ Plan ──────────┬─▶ Construction ─┬─▶ Figure ─▶ SVG ─▶ PNG
@@ -26,7 +41,7 @@
 //! all.
 //!
 //! # Rooms
-//! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; units, expressions,
+//! - [`scene`]: the file a person writes. JSON with places → raw mirror → valid [`scene::Scene`]; scenes without JSON ([`scene::build`]); units, expressions,
 //!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
 //!   ([`scene::book`]).
 //! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
@@ -48,13 +63,14 @@
 //! - [`inversions`]: each link of a chain as ground in turn, every one a scene.
 //! - [`gears`]: a pair of spur gears with involute flanks: circles, profile shifts, contact ratio.
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
+//! - [`attempts`]: wrong solutions: where a known mistake can be made, and what its equations, drawn on the same board, give.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
 //! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
-//!   line diagrams, paths with hodographs, the sheet of many poses.
-//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG.
+//!   line diagrams, paths with hodographs, the sheet of many poses, the motion frame by frame.
+//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
@@ -68,8 +84,8 @@
 //! diag       -
 //! json       diag
 //! digits   -
-//! trig       scene*
-//! number     trig scene*
+//! trig       -
+//! number     trig
 //! geom       number
 //! cam        geom
 //! scene      diag json digits trig number geom cam
@@ -86,11 +102,12 @@
 //! trains     scene
 //! centres    diag scene geom mechanism position answer accuracy worked
 //! composite  diag scene geom mechanism answer worked
+//! attempts   diag scene geom mechanism position answer plan construct accuracy worked
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! inversions diag scene mechanism position worked curvature sweep
 //! synthesis  diag json digits number scene geom mechanism position sweep
-//! effort     mechanism plan construct accuracy worked figure*
+//! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions synthesis report
 //! render     diag geom figure
@@ -113,8 +130,10 @@
 pub mod accuracy;
 pub mod analytic;
 pub mod answer;
+pub mod attempts;
 pub mod cam;
 pub mod centres;
+#[cfg(feature = "cli")]
 pub mod cli;
 pub mod composite;
 pub mod construct;

@@ -171,7 +171,7 @@ fn meshes(scene: &Scene) -> Vec<Mesh> {
         let letter = if pair.flanks.is_some() { 'z' } else { 'r' };
         let values = pair.sizes(&inputs);
         let mut symbol = |i: usize| {
-            let (link, size) = (pair.links[i], pair.flanks.as_ref().map_or(values[i].abs(), |f| f64::from(f.teeth[i])));
+            let (link, size) = (pair.links[i], pair.flanks.as_ref().and_then(|f| f.teeth[i]).map_or(values[i].abs(), f64::from));
             if !seen.contains(&(link, size)) {
                 seen.push((link, size));
             }

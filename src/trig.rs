@@ -6,7 +6,37 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-use crate::scene::Angle;
+/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Angle {
+    /// Degrees.
+    Deg(f64),
+    /// Radians.
+    Rad(f64),
+}
+
+impl Angle {
+    /// The same in radians.
+    pub fn radians(self) -> f64 {
+        match self {
+            Angle::Deg(d) => radians(d),
+            Angle::Rad(r) => r,
+        }
+    }
+
+    /// The same in degrees.
+    pub fn degrees(self) -> f64 {
+        match self {
+            Angle::Deg(d) => d,
+            Angle::Rad(r) => r.to_degrees(),
+        }
+    }
+}
+
+/// Degrees as radians.
+pub fn radians(degrees: f64) -> f64 {
+    degrees * PI / 180.0
+}
 
 /// (sin, cos) of an angle.
 ///
@@ -14,7 +44,7 @@ use crate::scene::Angle;
 /// that of 30°: sine 0.5. A non-finite angle gives NaN.
 ///
 /// ```
-/// use hodograph::{scene::Angle, trig::sin_cos};
+/// use hodograph::trig::{Angle, sin_cos};
 /// assert_eq!(sin_cos(Angle::Deg(60.0)).1, 0.5);
 /// assert_eq!(sin_cos(Angle::Deg(-90.0)), (-1.0, 0.0));
 /// ```

@@ -78,8 +78,13 @@ impl Worked {
 
     /// The same with the tolerances that drawing by hand has: for the scene's pencil, or the usual one.
     pub fn with_drafting(mut self, scene: &Scene) -> Worked {
-        self.drafting = Some(drafting(&self.drawn(scene), pencil_mm(scene)));
+        self.drafting = Some(self.by_hand(scene));
         self
+    }
+
+    /// The tolerances that drawing by hand has, for the scene's pencil or the usual one.
+    pub fn by_hand(&self, scene: &Scene) -> Drafting {
+        drafting(&self.drawn(scene), pencil_mm(scene))
     }
 }
 

@@ -34,6 +34,8 @@ fn scene(kind: &str, angle: &str) -> Scene {
         "flat" => (translating, format!(r#""face": {{"through": "B"}}, {convex}"#)),
         "rocker" => ("", format!("{roller}, {tangent}")),
         "mushroom" => ("", format!(r#""arc": {{"pin": "B", "radius": "25 mm"}}, {convex}"#)),
+        "swinging flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left"}}, {convex}"#)),
+        "swinging offset flat" => ("", format!(r#""face": {{"through": "P", "line": "PB", "cam": "left", "offset": "5 mm"}}, {convex}"#)),
         other => {
             let (of, name) = other.split_once(' ').unwrap();
             let named = Law::named(name).unwrap();
@@ -46,7 +48,12 @@ fn scene(kind: &str, angle: &str) -> Scene {
     };
     let swings = follower.is_empty();
     let (links, lengths, side, find) = if swings {
-        (r#""3": ["P", "B"]"#, r#", "PB": "75 mm""#, r#""side": {"B": "right of PO"},"#, r#"["omega_3", "alpha_3"]"#)
+        (
+            r#""3": ["P", "B"]"#,
+            r#", "PB": "75 mm""#,
+            if kind.ends_with("flat") { r#""sketch": {"B": ["40 mm", "60 mm"]},"# } else { r#""side": {"B": "right of PO"},"# },
+            r#"["omega_3", "alpha_3"]"#,
+        )
     } else {
         (r#""3": ["B"]"#, "", "", r#"["v_B", "a_B"]"#)
     };
@@ -92,7 +99,7 @@ fn agree(kind: &str, angle: f64) {
     assert_eq!(worked.results.len(), 2, "{kind} at {angle}");
 }
 
-const PROFILES: [&str; 6] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom"];
+const PROFILES: [&str; 8] = ["tangent", "hollow", "edge", "flat", "rocker", "mushroom", "swinging flat", "swinging offset flat"];
 
 #[test]
 fn every_piece_of_a_profile_is_right_in_every_pose() {

@@ -5,6 +5,7 @@ use hodograph::construct::pencil::{Exact, Single};
 use hodograph::construct::{Layout, by_hand};
 use hodograph::figure::item::Shape;
 use hodograph::figure::sheet::{Options, sheet};
+use hodograph::mechanism::Level;
 use hodograph::render::svg;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
@@ -26,8 +27,7 @@ fn the_exact_pencil_changes_nothing() {
         let (scene, w) = template(t.name);
         let layout = Layout::of(&w.construction);
         let (again, shown) = by_hand(&scene, &w.mechanism, &w.configuration, &w.plan, &layout, &mut Exact).unwrap();
-        assert_eq!((again.velocity, again.rates), (w.construction.velocity, w.construction.rates), "{}", t.name);
-        assert_eq!(again.acceleration, w.construction.acceleration, "{}", t.name);
+        assert_eq!((again.diagrams, again.rates), (w.construction.diagrams, w.construction.rates), "{}", t.name);
         assert_eq!(shown, w.configuration, "{}", t.name);
     }
 }
@@ -157,8 +157,8 @@ fn a_bad_angle_is_told_with_a_pose_that_is_better() {
     let mut larger = scene.clone();
     let factor = bad.larger.unwrap();
     larger.paper.mu_l = Some(w.construction.diagram.mu_l / factor);
-    larger.paper.mu_v = w.construction.velocity.as_ref().map(|p| p.mu / factor);
-    larger.paper.mu_a = w.construction.acceleration.as_ref().map(|p| p.mu / factor);
+    larger.paper.mu_v = w.construction.polygon(Level::Velocity).map(|p| p.mu / factor);
+    larger.paper.mu_a = w.construction.polygon(Level::Acceleration).map(|p| p.mu / factor);
     let drafting = work(&larger, Scope::Questions).unwrap().value.with_drafting(&larger).drafting.unwrap();
     assert!(drafting.tolerances.iter().flatten().all(|t| t.relative.unwrap() <= 0.01));
 }

@@ -121,7 +121,7 @@ fn templates_look_as_accepted() {
             }
             let figure = sheet(&scene, &worked, &Options { notation: notation.clone(), ..Options::of_language(lang) })
                 .unwrap_or_else(|f| panic!("{}: {f}", t.name));
-            let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_figure(&figure);
+            let done = Work::of(&worked).with_certified(&certify(&scene, &worked, answers::DIGITS)).with_labels(figure.labels_placed());
             let json = plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &[]);
             failures.extend(schema.iter_errors(&json).map(|e| format!("{}: docs/plan.schema.json: {}: {e}", t.name, e.instance_path())));
             if PLANS_AS_JSON.contains(&(t.name, suffix)) {

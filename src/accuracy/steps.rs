@@ -116,7 +116,7 @@ impl Steps {
 /// Certifies what the steps of a worked scene's construction tell; with a pencil error (mm), how far it moves each crossing.
 pub fn steps(scene: &Scene, worked: &Worked, pencil_mm: Option<f64>) -> Steps {
     let mut done = Steps { pencil_mm, numbers: BTreeMap::new(), why: None };
-    if worked.construction.velocity.is_none() && worked.construction.acceleration.is_none() {
+    if worked.construction.diagrams.is_empty() {
         return done;
     }
     for rung in Rung::LADDER {

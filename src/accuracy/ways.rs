@@ -20,7 +20,7 @@ use crate::scene::{DriverKind, Scene};
 use crate::worked::{Scope, Worked, work};
 use crate::{motion, position};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// What a way is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -108,12 +108,34 @@ type Long = Vec<Kept>;
 /// Drawings simulated for each pencil.
 const DRAWINGS: usize = 400;
 
-/// Measures every way on a worked scene; each is repeated for about `patience`, the median of its times counts.
+/// What times are told by, and for how long each way is repeated.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// The time since some moment; it never goes back. (`Instant` is not to be had everywhere, in a browser for one.)
+    pub now: &'a dyn Fn() -> Duration,
+    /// Each way is repeated for about so long.
+    pub patience: Duration,
+}
+
+/// Measures every way on a worked scene; the median of the times of its runs counts.
+///
+/// ```
+/// use hodograph::accuracy::ways::{Watch, measure};
+/// use hodograph::{scene, worked::{Scope, work}};
+/// use std::time::{Duration, Instant};
+///
+/// let scene = scene::read(scene::templates::get("crank-rocker").unwrap())?.value;
+/// let worked = work(&scene, Scope::Questions)?.value;
+/// let start = Instant::now();
+/// let measured = measure(&scene, &worked, Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) })?;
+/// assert!(measured.iter().all(|m| m.seconds.is_none_or(|s| s >= 0.0)));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
 ///
 /// # Errors
 /// The truth cannot be told: the pose is singular as written, or a group is not proved.
-pub fn measure(scene: &Scene, worked: &Worked, patience: Duration) -> Result<Vec<Measured>, Faults> {
-    of_ways(scene, worked, &WAYS, patience)
+pub fn measure(scene: &Scene, worked: &Worked, watch: Watch) -> Result<Vec<Measured>, Faults> {
+    of_ways(scene, worked, &WAYS, watch)
 }
 
 /// The ways that a series of poses compares.
@@ -138,7 +160,7 @@ pub struct Near {
 ///
 /// # Errors
 /// Nothing stops the driver, or the pose is given by coordinates.
-pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Faults> {
+pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
     let limits = [true, false].map(|up| toggle::limit(scene, 0, up));
     let start = toggle::driver_position(scene, 0);
     let nearest = start.and_then(|s| limits.into_iter().flatten().min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
@@ -162,7 +184,7 @@ pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Fau
         let position = limit + distance.copysign(start - limit);
         let there = toggle::with_driver_at(scene, 0, position);
         let ways = match work(&there, Scope::Questions) {
-            Ok(worked) => of_ways(&there, &worked.value, &SERIES, patience).unwrap_or_default(),
+            Ok(worked) => of_ways(&there, &worked.value, &SERIES, watch).unwrap_or_default(),
             Err(_) => Vec::new(),
         };
         series.push(Near { distance, position, ways });
@@ -170,12 +192,12 @@ pub fn toward_toggle(scene: &Scene, patience: Duration) -> Result<Vec<Near>, Fau
     Ok(series)
 }
 
-fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], patience: Duration) -> Result<Vec<Measured>, Faults> {
+fn of_ways(scene: &Scene, worked: &Worked, ways: &[Way], watch: Watch) -> Result<Vec<Measured>, Faults> {
     let truth = truth(scene, worked)?;
     if truth.iter().all(Option::is_none) {
         return Err(Diagnostic::error("no-truth", both!("no answer has a value in this pose", "该位置各量都无确定值")).into());
     }
-    Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, patience)).collect())
+    Ok(ways.iter().map(|way| one(scene, worked, &truth, *way, watch)).collect())
 }
 
 fn truth(scene: &Scene, worked: &Worked) -> Result<Vec<Option<Long>>, Faults> {
@@ -215,25 +237,26 @@ fn of_results(worked: &Worked, read: Answers<f64>) -> Answers<f64> {
     worked.results.iter().map(|r| read[r.find]).collect()
 }
 
-/// Runs a way for `patience` and takes the median of the times of its runs.
-fn timed<T>(patience: Duration, mut run: impl FnMut() -> T) -> (T, f64) {
-    let begin = Instant::now();
+/// Runs a way as long as the watch has patience and takes the median of the times of its runs.
+fn timed<T>(watch: Watch, mut run: impl FnMut() -> T) -> (T, f64) {
+    let begin = (watch.now)();
+    let since = |start: Duration| (watch.now)().saturating_sub(start);
     let mut last = run();
-    let mut times = vec![begin.elapsed()];
-    while begin.elapsed() < patience && times.len() < 10_000 {
-        let start = Instant::now();
+    let mut times = vec![since(begin)];
+    while since(begin) < watch.patience && times.len() < 10_000 {
+        let start = (watch.now)();
         last = black_box(run());
-        times.push(start.elapsed());
+        times.push(since(start));
     }
     times.sort();
     (last, times[times.len() / 2].as_secs_f64())
 }
 
-fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patience: Duration) -> Measured {
+fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: Watch) -> Measured {
     let lift = |answers: Option<Answers<f64>>| answers.map(|list| list.into_iter().map(lifted).collect::<Vec<_>>());
     let mut within_95 = [None, None];
     let in_double = |f: &dyn Fn() -> Option<Answers<f64>>| {
-        let (answers, seconds) = timed(patience, f);
+        let (answers, seconds) = timed(watch, f);
         (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
     };
     let (errors, seconds) = match way {
@@ -260,21 +283,21 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
             Some(of_results(worked, read.into_iter().map(|a| a.map(|a| a.value)).collect()))
         }),
         Way::ClosedSingle => {
-            let (answers, seconds) = timed(patience, || closed::<f32>(scene, worked).ok());
+            let (answers, seconds) = timed(watch, || closed::<f32>(scene, worked).ok());
             let wide = |v: Value<f32>| v.map(f64::from);
             let answers = answers.map(|l| l.into_iter().map(|v| v.map(wide)).collect());
             (worst(scene, worked, truth, within(TRUTH_BITS, || lift(answers))), Some(seconds))
         }
         Way::Closed => in_double(&|| closed::<f64>(scene, worked).ok()),
         Way::ClosedDouble => {
-            let (answers, seconds) = timed(patience, || closed::<Dd>(scene, worked).ok());
+            let (answers, seconds) = timed(watch, || closed::<Dd>(scene, worked).ok());
             let long = |x: Dd| Big::from_f64(x.parts().0) + Big::from_f64(x.parts().1);
             let answers =
                 within(TRUTH_BITS, || answers.map(|l| l.into_iter().map(|v| v.and_then(|v| kept(v.map(long)))).collect::<Vec<_>>()));
             (worst(scene, worked, truth, answers), Some(seconds))
         }
         Way::ClosedLong(bits) => {
-            let (answers, seconds) = timed(patience, || {
+            let (answers, seconds) = timed(watch, || {
                 within(bits, || closed::<Big>(scene, worked).ok().map(|l| l.into_iter().map(|v| v.and_then(kept)).collect::<Vec<_>>()))
             });
             (worst(scene, worked, truth, answers), Some(seconds))
@@ -295,7 +318,7 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, patienc
         }),
         Way::Certified(rung) => {
             let mut bounds: Vec<Option<f64>> = Vec::new();
-            let (_, seconds) = timed(patience, || bounds = certified(scene, worked, rung));
+            let (_, seconds) = timed(watch, || bounds = certified(scene, worked, rung));
             let bound = |i: usize| bounds.get(i).copied().flatten().map_or(f64::INFINITY, |b| b / size(worked, i));
             (by_level(scene, worked, bound), Some(seconds))
         }

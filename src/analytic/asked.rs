@@ -12,7 +12,7 @@ use crate::answer::{Source, Value, evaluate};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Joined, Level, joined};
 use crate::position::{Configuration, Path};
-use crate::scene::quantity::{Frame, Meaning, Seen, Split, split};
+use crate::scene::quantity::{Frame, Meaning, Seen, Split, ratio, split};
 use crate::scene::{Asked, GuideId, LinkId, OnLink, PointId, Scene};
 use nalgebra::DVector;
 
@@ -63,6 +63,10 @@ impl Solution {
             Some(Meaning::Seen(seen, of, frame, about)) => self.seen(at, seen, &of, frame, about).map(Value::Vector),
             Some(Meaning::Turning(l, None)) => self.turning(level, l).map(Value::Scalar),
             Some(Meaning::Turning(l, Some(against))) => Some(Value::Scalar(self.turning(level, l)? - self.turning(level, against)?)),
+            Some(Meaning::Ratio(links, arm)) => {
+                let of = |l| self.turning(level, l);
+                ratio([of(links[0])?, of(links[1])?], arm.map_or(Some(0.0), of)?).map(Value::Scalar)
+            }
             // No row is of it: its own formula, with the places of the pose and the vectors and rates of the rows.
             Some(Meaning::Place(_)) | None => evaluate(scene, at, self, what),
         }

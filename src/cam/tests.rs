@@ -103,6 +103,7 @@ fn undercut_is_found_with_the_base_circle_that_avoids_it() {
         panic!("{:?}", survey.faults)
     };
     near(*rho, 18.987_341_772_151_9, "rho_min");
+    near(*rho - 25.0, -6.012_658_227_848_1, "rho of the profile");
     near(phi.to_degrees(), 50.0, "its place");
     let better = Survey::of(&Disc { motion: motion(base * (1.0 + 1e-9), 50.0), ..roller.clone() });
     assert!(!better.faults.iter().any(|f| matches!(f, Fault::Undercut { .. })), "{base}: {:?}", better.faults);

@@ -113,7 +113,7 @@ pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Ce
     chain.against_ground();
     let points = scene.find.iter().filter_map(|f| match f.what.meaning(scene)? {
         Meaning::Vector(p) => chain.speed(p.point),
-        Meaning::Turning(..) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_) => None,
+        Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_) => None,
     });
     let points = points.collect();
     Uses { frame, links: chain.known, points }

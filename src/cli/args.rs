@@ -1,7 +1,7 @@
 //! The arguments of every command.
 
 pub use super::more::{Curvature, Inversions};
-use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, steps};
+use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
 
@@ -44,6 +44,8 @@ pub enum Command {
     Curves(Curves),
     /// Paths of points (coupler curves) on the mechanism, and the hodographs of their velocities and accelerations
     Path(Path),
+    /// The motion as a moving picture: mechanism and polygons through the travel of a driver (GIF, moving SVG, numbered PNG)
+    Animate(Animate),
     /// A disc cam over a whole turn: displacement, velocity, acceleration, shocks, pressure angle, curvature; its profile (CSV, DXF)
     Cam(Cam),
     /// How far the driver goes, extreme positions and strokes, time ratio, transmission angles, Grashof's type
@@ -60,6 +62,8 @@ pub enum Command {
     Composite(Composite),
     /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
     Synth(Synth),
+    /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
+    Attempts(Attempts),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -213,6 +217,9 @@ pub struct Worksheet {
     /// Only the solution
     #[arg(long)]
     pub solution: bool,
+    /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
+    #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
+    pub find_the_mistake: Option<String>,
     #[command(flatten)]
     pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
@@ -310,6 +317,30 @@ pub struct Path {
 }
 
 #[derive(ClapArgs, Debug)]
+#[command(after_help = "A film from the frames: ffmpeg -framerate 12 -i turn-%03d.png -pix_fmt yuv420p turn.mp4")]
+pub struct Animate {
+    #[command(flatten)]
+    pub common: Common,
+    /// Positions at equal steps of the driver, through a full turn, or from one end of its travel to the other and back
+    #[arg(long, value_name = "N", default_value_t = 72, value_parser = clap::value_parser!(u16).range(2..=360))]
+    pub frames: u16,
+    /// How long one period lasts, in seconds
+    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = seconds)]
+    pub seconds: f64,
+    /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
+    #[arg(long, value_name = "NAME")]
+    pub over: Option<String>,
+    #[command(flatten)]
+    pub look: Look,
+    /// Resolution of GIF and PNG in dots per inch; both sides have an even number of pixels
+    #[arg(long, default_value_t = 96.0, value_parser = dpi)]
+    pub dpi: f64,
+    /// The file, ending in .gif, .svg (it moves by itself in browsers) or .png (one for each frame: turn-001.png, …)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: String,
+}
+
+#[derive(ClapArgs, Debug)]
 pub struct Limits {
     #[command(flatten)]
     pub common: Common,
@@ -380,6 +411,19 @@ pub struct Centres {
 pub struct Composite {
     #[command(flatten)]
     pub common: Common,
+    /// As JSON, in SI
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(ClapArgs, Debug)]
+#[command(after_help = "Each wrong solution drawn over the right one: hodograph draw SCENE --figure attempts -o attempts.svg")]
+pub struct Attempts {
+    #[command(flatten)]
+    pub common: Common,
+    /// All typical mistakes of the scene, though it names some
+    #[arg(long)]
+    pub all: bool,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

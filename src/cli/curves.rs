@@ -67,7 +67,15 @@ fn with_positions(input: &Input) -> Result<Vec<String>, Failure> {
             Some(Meaning::Vector(p)) if p.link.is_none() => {
                 words.extend(axes(&placed, p.point).iter().map(|axis| format!("{axis}_{}", scene.point_name(p.point))));
             }
-            Some(Meaning::Turning(..) | Meaning::Vector(_) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Place(_)) | None => {}
+            Some(
+                Meaning::Turning(..)
+                | Meaning::Ratio(..)
+                | Meaning::Vector(_)
+                | Meaning::Relative(..)
+                | Meaning::Seen(..)
+                | Meaning::Place(_),
+            )
+            | None => {}
         }
         words.push(find.text.clone());
     }

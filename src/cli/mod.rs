@@ -3,7 +3,9 @@
 //! Exit codes: 0 done; 1 a file could not be written; 2 bad input; 3 drawing and analysis disagree, which is an error of
 //! ours; 4 done, but for answers that do not exist in the pose (dead centres); 130 interrupted while a file was written.
 
+mod animate;
 mod args;
+mod attempts;
 mod batch;
 mod cam;
 mod centres;
@@ -49,7 +51,7 @@ use clap::FromArgMatches;
 use draw::style_of;
 use std::ffi::OsString;
 use std::process::ExitCode;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// Runs the program.
 pub fn main() -> ExitCode {
@@ -73,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Batch(a) => batch::batch(a),
         Command::Curves(a) => curves::run(a),
         Command::Path(a) => path::run(a),
+        Command::Animate(a) => animate::run(a),
         Command::Cam(a) => cam::run(a),
         Command::Limits(a) => sweep::limits(a),
         Command::Mobility(a) => mobility::run(a),
@@ -81,6 +84,7 @@ pub fn main() -> ExitCode {
         Command::Curvature(a) => curvature::run(a),
         Command::Composite(a) => composite::run(a),
         Command::Synth(a) => synth::run(a),
+        Command::Attempts(a) => attempts::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
         Command::Schema => files::print(scene::schema::schema()),
@@ -254,6 +258,22 @@ impl Input {
     /// For its whole motion: cams whose equivalent linkage is right at the instant only move their followers by what their profiles make.
     fn over_a_turn(&mut self) {
         self.scene = self.scene.over_a_turn();
+        let kept: Vec<Diagnostic> = self
+            .scene
+            .kept_cams()
+            .map(|c| {
+                let (cam, follower) = (self.scene.link_name(c.cam), self.scene.link_name(c.follower));
+                let message = both!(
+                    "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that the face of `{follower}` touches now",
+                    "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 平底此刻所接触的廓线段计算"
+                );
+                Diagnostic::warning("cam-piece", message).at(c.span).help(both!(
+                    "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece",
+                    "请给出平底在从动件上的直线（自转轴起），如 \"line\": \"CF\"，则接触点随廓线逐段移动"
+                ))
+            })
+            .collect();
+        kept.into_iter().for_each(|d| self.notes.push(d));
     }
 
     /// The scene worked through, its notes added.
@@ -372,9 +392,10 @@ fn accuracy(a: args::Accuracy) -> Run {
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Questions)?;
     let (lang, _) = choices(&input.scene, &a.common);
-    let patience = Duration::from_millis(a.patience);
-    let measured = ways::measure(&input.scene, &worked, patience).map_err(|f| input.failed(f))?;
-    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, patience).map_err(|f| input.failed(f))? } else { Vec::new() };
+    let start = Instant::now();
+    let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(a.patience) };
+    let measured = ways::measure(&input.scene, &worked, watch).map_err(|f| input.failed(f))?;
+    let series = if a.toward_toggle { ways::toward_toggle(&input.scene, watch).map_err(|f| input.failed(f))? } else { Vec::new() };
     if let Some(path) = &a.output {
         let figure = crate::figure::price::figure(&input.scene, &measured, &series, &style, lang);
         input.notes.extend(files::figure(&figure, path)?);

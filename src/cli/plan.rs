@@ -36,7 +36,7 @@ fn plan_for_programs(mut input: Input, lang: Lang, notation: &Notation, figure: 
             let mut done = Work::of(&worked).with_certified(&certified);
             if figure {
                 let options = sheet::Options { notation: notation.clone(), ..sheet::Options::of_language(lang) };
-                done = done.with_figure(&sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?);
+                done = done.with_labels(sheet::sheet(&input.scene, &worked, &options).map_err(|f| fail(&input, f))?.labels_placed());
             }
             let w = Writer { scene: &input.scene, plan: &worked.plan, notation, lang };
             plan_json::json(&worked.mechanism, &worked.demand, &w, Some((&worked, done)), &input.notes)

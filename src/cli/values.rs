@@ -107,6 +107,15 @@ pub fn dpi(s: &str) -> Result<f64, String> {
     }
 }
 
+/// A time that a viewer sees something in and does not give up.
+pub fn seconds(s: &str) -> Result<f64, String> {
+    match s.parse::<f64>() {
+        Ok(v) if (0.1..=600.0).contains(&v) => Ok(v),
+        Ok(v) => Err(help::no_value(&both!("{v} is not between 0.1 and 600", "{v} 不在 0.1 到 600 之间"))),
+        Err(_) => Err(help::no_value(&both!("not a number", "不是数"))),
+    }
+}
+
 /// A text with the values of `--set NAME=VALUE`; every fault is shown at the argument that has it.
 pub(super) fn with_values(set: &[String], apply: impl Fn(&[(&str, &str)]) -> Result<String, Faults>) -> Result<String, Failure> {
     let mut values = Vec::new();

@@ -3,12 +3,13 @@
 use super::draw::style_of;
 use super::together::Together;
 use super::{Failure, Input, Run, args, choices, files, verdict};
+use crate::attempts;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::sheet;
 use crate::figure::words::words;
 use crate::render::pdf;
 use crate::worked::Scope;
-use crate::worksheet::{Beside, Document, Options, Sides, html, markdown, pages, typst, worksheet};
+use crate::worksheet::{Beside, Document, Options, Sides, find_the_mistake, html, markdown, pages, typst, worksheet};
 use std::path::Path;
 
 /// Runs the command.
@@ -24,7 +25,15 @@ pub fn run(a: args::Worksheet) -> Run {
         _ => Sides::Both,
     };
     let options = Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides };
-    let document = worksheet(&input.scene, &worked, &options);
+    let document = match &a.find_the_mistake {
+        None => worksheet(&input.scene, &worked, &options),
+        Some(name) => {
+            let all = attempts::wanted(&input.scene, &worked, false).map_err(|f| input.failed(f))?;
+            let wanted = all.iter().find(|a| name.is_empty() || a.site.mistake.name() == name.as_str());
+            let Some(attempt) = wanted else { return Err(input.failed(none(name).into())) };
+            find_the_mistake(&input.scene, &worked, attempt, &options)
+        }
+    };
     let out = Path::new(&a.output);
     let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
     let Written { bytes, beside, notes } = write(&document, stem).map_err(|f| input.failed(f))?;
@@ -41,6 +50,16 @@ pub fn run(a: args::Worksheet) -> Run {
     files::print_names(&format!("{names}{}\n", a.output))?;
     input.say_notes();
     Ok(verdict(&worked))
+}
+
+/// No wrong solution is to be had.
+fn none(name: &str) -> Diagnostic {
+    let message = match name {
+        "" => both!("no known mistake changes an answer of this scene", "本题中没有会改变结果的典型错误"),
+        name => both!("the mistake `{name}` cannot be made in this scene", "本题中不会出现错误 `{name}`"),
+    };
+    Diagnostic::error("attempt", message)
+        .help(both!("`hodograph attempts --all` lists those that can", "`hodograph attempts --all` 列出可能的错误"))
 }
 
 /// A document as files, and what could not be written as it should.

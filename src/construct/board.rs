@@ -92,8 +92,7 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
             mu_l: scale::number(mu_l),
             done: Construction {
                 diagram: Diagram { mu_l, origin, spots: vec![None; plan.vertices.len()], crossed: Vec::new() },
-                velocity: None,
-                acceleration: None,
+                diagrams: Vec::new(),
                 rates: Vec::new(),
                 chosen: vec![0; m.groups.len()],
                 magnification: [1.0; 2],
@@ -115,17 +114,14 @@ impl<'a, N: Real, P: Pencil<N>> Board<'a, N, P> {
     }
 
     pub(super) fn keep(&mut self, polygon: Polygon<N>) {
-        match polygon.level {
-            Level::Velocity => self.done.velocity = Some(polygon),
-            _ => self.done.acceleration = Some(polygon),
-        }
+        self.done.diagrams.push(polygon);
     }
 
     /// What was drawn, if its numbers can be told.
     pub(super) fn finish(self) -> Result<Construction<N>, Faults> {
         let done = self.done;
         let finite = |p: &Polygon<N>| p.images.iter().flatten().all(|q| q.is_finite()) && p.mu.is_finite();
-        if !done.velocity.iter().chain(&done.acceleration).all(finite) || !done.rates.iter().all(|r| r.value.is_decided()) {
+        if !done.diagrams.iter().all(finite) || !done.rates.iter().all(|r| r.value.is_decided()) {
             return Err(Diagnostic::error(
                 "overflow",
                 both!("the numbers are too large or too small to be drawn", "数值过大或过小，无法作图"),

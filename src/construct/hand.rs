@@ -4,9 +4,9 @@
 //! drivers, and μ. Everything else comes from paper: directions from the joints where they really lie, lengths that change (a
 //! pin in its slot) from the diagram, shapes of links for images from the diagram, ω and α from the polygons.
 
+use super::Construction;
 use super::board::Board;
 use super::pencil::Pencil;
-use super::{Construction, Polygon};
 use crate::diag::Faults;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{ConstraintLine, Level, Mechanism};
@@ -31,8 +31,8 @@ pub struct Layout {
 impl Layout {
     /// That of a finished construction.
     pub fn of(done: &Construction) -> Layout {
-        let mu = |p: &Option<Polygon>| p.as_ref().map(|p| p.mu);
-        Layout { mu_l: done.diagram.mu_l, mu_v: mu(&done.velocity), mu_a: mu(&done.acceleration), chosen: done.chosen.clone() }
+        let mu = |level| done.polygon(level).map(|p| p.mu);
+        Layout { mu_l: done.diagram.mu_l, mu_v: mu(Level::Velocity), mu_a: mu(Level::Acceleration), chosen: done.chosen.clone() }
     }
 
     /// All drawings `factor` times as large.

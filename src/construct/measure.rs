@@ -102,7 +102,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 self.guide_tangent(term) * if self.reversed(term) { -given } else { given }
             }
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.rate(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                let omega = self.rate(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
                 self.slide_velocity(term).perp() * (two * omega)
             }
             (TermKind::SlideNormal, By::Frame { about: Some(centre), .. }) => {
@@ -137,7 +137,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
 
     /// Sliding velocity between the two points of a term, measured on the velocity polygon.
     fn slide_velocity(&mut self, term: &Term) -> Vec2<N> {
-        let v = self.done.velocity.as_ref().expect("velocities are drawn before accelerations");
+        let v = self.done.polygon(Level::Velocity).expect("velocities are drawn before accelerations");
         let (drawn, mu) = (self.image(v, term.of) - self.image(v, term.to), v.mu);
         self.pencil.read(Level::Velocity, drawn) * scale::number(mu)
     }

@@ -39,6 +39,14 @@ pub struct Diagram<N = f64> {
     pub crossed: Vec<Crossed<N>>,
 }
 
+impl Diagram {
+    /// Whether three places are in line, to a tenth of a millimetre of paper: less is no triangle.
+    pub fn in_line(&self, vertices: [VertexId; 3]) -> bool {
+        let [Some(a), Some(b), Some(c)] = vertices.map(|v| self.spots[v.0]) else { return false };
+        (b - a).unit().is_none_or(|u| u.cross(c - a).abs() < 0.1)
+    }
+}
+
 /// The end of a laid-off vector that is no vertex's image.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mark {
@@ -249,10 +257,9 @@ pub struct RateMeasured<N = f64> {
 pub struct Construction<N = f64> {
     /// The mechanism to scale.
     pub diagram: Diagram<N>,
-    /// The velocity polygon, if velocities are asked for.
-    pub velocity: Option<Polygon<N>>,
-    /// The acceleration polygon.
-    pub acceleration: Option<Polygon<N>>,
+    /// The vector diagrams, each to its own scale, in the order in which they were drawn: the polygon of the velocities if they are
+    /// asked for, that of the accelerations.
+    pub diagrams: Vec<Polygon<N>>,
     /// Turning rates.
     pub rates: Vec<RateReading<N>>,
     /// For each group, the alternative of its steps that was drawn.
@@ -271,11 +278,7 @@ impl Construction {
 impl<N: Real> Construction<N> {
     /// The polygon of a level.
     pub fn polygon(&self, level: Level) -> Option<&Polygon<N>> {
-        match level {
-            Level::Position => None,
-            Level::Velocity => self.velocity.as_ref(),
-            Level::Acceleration => self.acceleration.as_ref(),
-        }
+        self.diagrams.iter().find(|p| p.level == level)
     }
 
     /// The crossings of a level's polygon (of the diagram for [`Level::Position`]), in the order in which they were drawn.

@@ -165,6 +165,12 @@ pub fn read(scene: &Scene, m: &Mechanism, at: &Configuration, plan: &Plan, paper
                 let value = source.turning(level, l)? - source.turning(level, against)?;
                 return Some(Answer { find, value: Value::Scalar(value), measured: None });
             }
+            Some(Meaning::Ratio(links, arm)) => {
+                let of = |l| source.turning(level, l);
+                let arm = arm.map_or(Some(0.0), of)?;
+                let value = (of(links[0])? - arm) / (of(links[1])? - arm);
+                return value.is_finite().then_some(Answer { find, value: Value::Scalar(value), measured: None });
+            }
             Some(Meaning::Vector(_) | Meaning::Relative(..)) => {}
             Some(Meaning::Seen(..)) if asking(scene, m, plan, &f.what).is_none() && !vanishes(m, &f.what, scene) => return None,
             Some(Meaning::Seen(..)) => {}

@@ -106,6 +106,11 @@ impl Drawing {
         self.owners
     }
 
+    /// How many things of what is drawn so far these items would cross, or come nearer to than `air_mm`.
+    pub fn met_by(&self, items: &[Item], air_mm: f64) -> usize {
+        self.obstacles.met_by(&Obstacles::of(items), air_mm)
+    }
+
     /// The box around what is drawn so far.
     pub fn bounds(&self) -> Rect {
         bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
@@ -190,6 +195,7 @@ impl Drawing {
     pub fn finish_after(mut self, habits: &mut Habits) -> Part {
         let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
+        self.obstacles.lettered.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
         let placed = place_or_leave(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);

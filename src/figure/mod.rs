@@ -4,12 +4,13 @@
 
 mod arrange;
 pub mod arrow;
+pub mod attempts;
 pub mod cam;
 mod centres;
-pub mod cognates;
-pub mod composite;
+mod cognates;
+mod composite;
 pub(crate) mod course;
-pub mod curvature;
+mod curvature;
 pub mod curves;
 pub mod drawing;
 pub mod extent;
@@ -18,7 +19,7 @@ mod gears;
 pub mod grid;
 pub mod groups;
 pub mod hodograph;
-pub mod inversions;
+mod inversions;
 pub mod item;
 mod kutzbach;
 pub mod label;

@@ -10,6 +10,8 @@ use crate::mechanism::{Core, Level, Opened};
 use crate::plan::names::name_label;
 use crate::plan::text::{point_label, vertex_name};
 use crate::position::redundant::Checked;
+use crate::report::answers::worst;
+use crate::report::drafting;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
@@ -23,14 +25,38 @@ use super::words::Words;
 pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
-    if let Some(d) = &worked.drafting {
-        lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))]));
+    match &worked.drafting {
+        Some(d) => lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))])),
+        None => lines.extend(pencil(answers)),
     }
     lines.extend(worked.redundant.iter().flat_map(|r| repeats(answers, r)));
     for bad in &worked.bad_angles {
         lines.extend(bad_angle(scene, worked, words, bad));
     }
     lines.iter().map(|l| Phrase::new(l)).collect()
+}
+
+/// What a pencil makes of the results: the largest tolerance, and what is lost in it.
+fn pencil(answers: &Answers) -> Vec<String> {
+    let Answers { scene, worked, notation, words, .. } = *answers;
+    let hand = worked.by_hand(scene);
+    let mm = shortest(hand.pencil_mm);
+    let told = scene.find.iter().zip(&hand.tolerances).filter_map(|(find, t)| Some((find, t.as_ref()?.relative?)));
+    let (read, lost): (Vec<_>, Vec<_>) = told.partition(|(_, part)| *part < 1.0);
+    let worst = read.into_iter().filter(|(_, part)| *part > 0.0).max_by(|a, b| a.1.total_cmp(&b.1));
+    let worst = worst.map(|(find, part)| {
+        let percent = significant(part * 100.0, drafting::DIGITS);
+        fill(words.pencil, &[("", &mm), ("1", &percent), ("symbol", &symbol(find, notation))])
+    });
+    let lost: Vec<String> = lost.into_iter().map(|(find, _)| format!("${}$", symbol(find, notation))).collect();
+    let lost = (!lost.is_empty()).then(|| fill(words.pencil_lost, &[("", &mm), ("1", &lost.join(words.comma))]));
+    worst.into_iter().chain(lost).collect()
+}
+
+/// To how many digits drawing and loop equations agree; `None` where there is nothing to compare.
+pub(crate) fn agreement(worked: &Worked, words: &Words) -> Option<Phrase> {
+    let digits = libm::floor(-libm::log10(worst(worked)?.max(f64::EPSILON / 2.0)));
+    Some(Phrase::new(&fill(words.agreement, &[("", &format!("{:.0}", digits.max(0.0)))])))
 }
 
 /// What only repeats what the others fix, why, and what the paper shows of the conditions that no crossing used.

@@ -9,7 +9,7 @@ use crate::mechanism::Level;
 use crate::plan::names::{name_label, point_label};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::report::answers::{Line, lines as by_question, reason, verdict, worst};
+use crate::report::answers::{Line, lines as by_question, reason, verdict};
 use crate::report::drafting::{self, Amount};
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::quantity::{Of, Over};
@@ -20,7 +20,7 @@ use super::drawing;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
-use super::remarks::remarks;
+use super::remarks::{agreement, remarks};
 use super::style::Style;
 use super::words::Words;
 
@@ -131,12 +131,9 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     }
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
-    if let Some(worst) = worst(worked) {
-        let text = fill(words.agreement, &[("", &number(worst.max(f64::EPSILON / 2.0), 1))]);
-        lines.push(("agreement", "agreement".into(), Phrase::new(&text)));
-    }
     let others = remarks(answers).into_iter().enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
+    lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     for (class, id, line) in lines {
         let cell =

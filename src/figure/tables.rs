@@ -161,26 +161,26 @@ impl Tables<'_> {
         let w = self.writer;
         let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, target));
         let points = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(target));
-        // No embedded font has the sign △; a capital delta has its shape. Three points in line make no triangle.
-        let sign = if self.in_line([from.0, from.1, target]) { "" } else { "Δ" };
-        let similar = Label::math(format!("{}: \\quad", w.vector(level, target)))
-            .then(Label::text(sign))
-            .then(Label::math(images))
-            .then(Label::text(format!(" ∽ {sign}")))
-            .then(Label::math(points));
+        // Three points in line make no triangle: their image is a ratio.
+        let in_line = self.construction.diagram.in_line([from.0, from.1, target]);
+        let head = Label::math(format!("{}: \\quad", w.vector(level, target)));
+        let similar = if in_line {
+            let ratio = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
+            let images = ratio([from.0, from.1, target].map(|v| w.image(level, v)));
+            head.then(Label::math(format!("{images} = {}", ratio([from.0, from.1, target].map(|v| w.spot(v))))))
+        } else {
+            // No embedded font has the sign △; a capital delta has its shape.
+            let sides = [Label::text("Δ"), Label::math(images), Label::text(" ∽ Δ"), Label::math(points)];
+            sides.into_iter().fold(head, Label::then)
+        };
         let name = format!("{}-statement-{}", kind(level), id_of(&w.vector(level, target)));
         let class = format!("{} statement image {step}", kind(level));
-        let cells = vec![
-            Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class)),
-            Some(self.cell(Label::text(self.words().image), self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)),
-        ];
+        let mut cells = vec![Some(self.cell(similar, self.style.label_mm, Anchor::Start, name.clone(), &class))];
+        if !in_line {
+            let why = Label::text(self.words().image);
+            cells.push(Some(self.cell(why, self.style.caption_mm, Anchor::Start, format!("{name}-why"), &class)));
+        }
         self.boxed(grid::set(&[Row { cells, height_mm: TOP_MM }], self.style.label_mm), LINE_MM)
-    }
-
-    fn in_line(&self, vertices: [VertexId; 3]) -> bool {
-        let [Some(a), Some(b), Some(c)] = vertices.map(|v| self.construction.diagram.spots[v.0]) else { return false };
-        // A tenth of a millimetre on paper is no triangle.
-        (b - a).unit().is_none_or(|u| u.cross(c - a).abs() < 0.1)
     }
 
     /// What a special point is.

@@ -50,8 +50,12 @@ pub struct Words {
     pub square_to_guide: &'static str,
     /// The constraint line of a leg that rolls; `{}` is the place of contact.
     pub tangent_at: &'static str,
-    /// How far drawing and analysis are apart; `{}` is the number.
+    /// To how many digits drawing and analysis agree; `{}` is the number.
     pub agreement: &'static str,
+    /// What a pencil makes of the results; `{}` is its error in mm, `{1}` the largest tolerance in %, `{symbol}` the result that has it.
+    pub pencil: &'static str,
+    /// Results that a pencil's error hides; `{1}` are they.
+    pub pencil_lost: &'static str,
     /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
     pub uncertain: &'static str,
     /// What the tolerances are; `{}` is the pencil error in mm.
@@ -123,7 +127,9 @@ const EN: Words = Words {
     special_point: "${S}$: point of link {} where {1} and {2} meet",
     square_to_guide: "the normal to the guide at ${}$",
     tangent_at: "the tangent at ${}$",
-    agreement: "Drawing and loop equations differ by at most ${}$ of a value.",
+    agreement: "Drawing and loop equations agree to {} digits.",
+    pencil: "Drawn by hand, marks within {} mm, they are good to ±{1} % or better (${symbol}$ least).",
+    pencil_lost: "Drawn by hand, marks within {} mm: {1} cannot be read.",
     uncertain: "{}: not all digits are certain, {why}",
     by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",
     bad_angle: "${}$ is found under only ${1}$: a pencil error of {2} mm moves it {3}.",
@@ -167,12 +173,14 @@ const ZH: Words = Words {
     direction: "方向",
     counter_clockwise: "逆时针",
     clockwise: "顺时针",
-    image: "影像法",
+    image: "影像",
     no_turning: "构件 {} 作平动",
     special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
     square_to_guide: "过 ${}$ 的导路垂线",
     tangent_at: "过 ${}$ 的公切线",
-    agreement: "图解与解析的相对差不超过 ${}$。",
+    agreement: "图解与解析结果有 {} 位数字一致。",
+    pencil: "手工作图（点误差不超过 {} mm）：各结果误差不超过 ±{1} %（${symbol}$ 最大）。",
+    pencil_lost: "手工作图（点误差不超过 {} mm）：图上读不出 {1}。",
     uncertain: "{}：并非全部数字可靠，{why}",
     by_hand: "±：手工作图的误差（95% 的点误差不超过 {} mm）。",
     bad_angle: "求 ${}$ 的两线交角仅 ${1}$：{2} mm 的作图误差使该点{3}。",

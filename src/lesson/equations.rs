@@ -98,7 +98,8 @@ impl Book {
         let mut all: Vec<Solved> = Vec::new();
         for group in plan.steps(level) {
             for step in group.steps(group.drawn(paper.chosen[group.group])) {
-                let (Some(found), [Some(en), Some(zh)]) = (found_by(polygon, target(step)), writers.map(|w| written(&w, level, step)))
+                let (Some(found), [Some(en), Some(zh)]) =
+                    (found_by(polygon, target(step)), writers.map(|w| written(&w, paper, level, step)))
                 else {
                     continue;
                 };

@@ -92,6 +92,11 @@ impl Matched {
         m
     }
 
+    /// How many scalar equations there are.
+    pub fn equations(&self) -> usize {
+        self.units.len()
+    }
+
     /// How many equations have no home.
     pub fn homeless(&self) -> usize {
         self.homeless.len()

@@ -81,8 +81,9 @@ struct Candidate {
     span: Span,
 }
 
-/// At most so many sets of pairs are tried: each costs a matching, some microseconds for a textbook's mechanism.
-const MOST_TRIED: usize = 2000;
+/// At most so many equations are matched in all, which bounds the time whatever the size: a matching takes some microseconds for a
+/// textbook's mechanism of fifty equations, so some ten thousand sets of pairs are tried there.
+const MOST_MATCHED: usize = 500_000;
 
 /// At most so many pairs are opened together: a locomotive has three axles more than it needs.
 const MOST_OPENED: usize = 4;
@@ -98,11 +99,11 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
         return None;
     }
     let candidates = candidates(scene, closed, &pins);
-    let mut tried = 0;
+    let mut search = Search { scene, left_to_match: MOST_MATCHED, found: Vec::new() };
     for count in 1..=MOST_OPENED {
-        let mut found: Vec<Opening> = Vec::new();
-        choose(scene, closed, &candidates, count, matched.homeless(), &mut tried, &mut found);
-        let ranked = found.into_iter().filter_map(|o| Some((rank(&Mechanism::opened(scene, o.clone()).ok()?), o)));
+        search.choose(closed, &candidates, count, matched.homeless());
+        let ranked =
+            std::mem::take(&mut search.found).into_iter().filter_map(|o| Some((rank(&Mechanism::opened(scene, o.clone()).ok()?), o)));
         // The first of those of equal rank: candidates stand in the reverse order of the file.
         if let Some((_, best)) = ranked.min_by_key(|r| r.0) {
             return Some(best);
@@ -111,34 +112,39 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     None
 }
 
-/// All sets of `count` of the candidates that give every one of `homeless` equations a home and leave no freedom open.
-fn choose(
-    scene: &Scene,
-    so_far: &Opening,
-    candidates: &[Candidate],
-    count: usize,
-    homeless: usize,
-    tried: &mut usize,
-    found: &mut Vec<Opening>,
-) {
-    for (i, c) in candidates.iter().enumerate() {
-        if *tried >= MOST_TRIED {
+/// A search through sets of candidates.
+struct Search<'a> {
+    scene: &'a Scene,
+    left_to_match: usize,
+    found: Vec<Opening>,
+}
+
+impl Search<'_> {
+    /// Finds all sets of `count` of the candidates that give every one of `homeless` equations a home and leave no freedom open.
+    fn choose(&mut self, so_far: &Opening, candidates: &[Candidate], count: usize, homeless: usize) {
+        // No `count` of them say more than this.
+        if count * candidates.iter().map(|c| c.equations).max().unwrap_or(0) < homeless {
             return;
         }
-        let Some(left) = homeless.checked_sub(c.equations) else { continue };
-        if (left == 0) != (count == 1) {
-            continue;
-        }
-        let opening = so_far.with(c);
-        *tried += 1;
-        let matched = opening.matched(scene);
-        if matched.homeless() != left || matched.free() > 0 {
-            continue;
-        }
-        if count == 1 {
-            found.push(opening);
-        } else {
-            choose(scene, &opening, &candidates[i + 1..], count - 1, left, tried, found);
+        for (i, c) in candidates.iter().enumerate() {
+            let Some(left) = homeless.checked_sub(c.equations) else { continue };
+            if (left == 0) != (count == 1) {
+                continue;
+            }
+            let opening = so_far.with(c);
+            let matched = opening.matched(self.scene);
+            match self.left_to_match.checked_sub(matched.equations()) {
+                Some(rest) => self.left_to_match = rest,
+                None => return,
+            }
+            if matched.homeless() != left || matched.free() > 0 {
+                continue;
+            }
+            if count == 1 {
+                self.found.push(opening);
+            } else {
+                self.choose(&opening, &candidates[i + 1..], count - 1, left);
+            }
         }
     }
 }

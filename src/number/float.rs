@@ -3,8 +3,8 @@
 //! Everything goes through `libm`, so that golden files are the same on every platform.
 
 use super::Real;
-use crate::scene::Angle;
 use crate::trig;
+use crate::trig::Angle;
 
 impl Real for f64 {
     fn from_f64(x: f64) -> f64 {

@@ -131,7 +131,7 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
                 (Seen::RelativeNormal | Seen::RelativeTangential | Seen::TransportNormal | Seen::TransportTangential, ..) => None,
             }
         }
-        Meaning::Place(_) | Meaning::Turning(..) => None,
+        Meaning::Place(_) | Meaning::Turning(..) | Meaning::Ratio(..) => None,
     }
 }
 
@@ -175,6 +175,7 @@ fn parts_of(scene: &Scene, what: &Asked) -> Option<Need> {
         | Meaning::Seen(..)
         | Meaning::Vector(_)
         | Meaning::Turning(..)
+        | Meaning::Ratio(..)
         | Meaning::Place(_) => None,
     }
 }

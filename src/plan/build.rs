@@ -52,6 +52,7 @@ pub fn plan_without(scene: &Scene, m: &Mechanism, demand: &Demand, undrawable: &
         level: demand.level,
         effects: Vec::new(),
         undrawable: b.undrawable,
+        coriolis_by: None,
     };
     plan.effects = effects::considered(scene, m, demand, &plan);
     plan

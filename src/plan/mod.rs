@@ -221,6 +221,13 @@ pub enum Step {
 }
 
 impl Step {
+    /// The vertex that it finds.
+    pub fn target(&self) -> VertexId {
+        match self {
+            Step::Equation { target, .. } | Step::Image { target, .. } | Step::Same { target, .. } => *target,
+        }
+    }
+
     /// The chains of an equation; none of other steps.
     pub fn chains(&self) -> &[Chain] {
         match self {
@@ -386,9 +393,20 @@ pub struct Plan {
     pub effects: Vec<(Effect, bool, Reason)>,
     /// Groups that are not drawn, and those that rest on them: higher than class III, or left out by [`plan_without`].
     pub undrawable: Vec<usize>,
+    /// Of a wrong solution ([`crate::attempts`]): the guide whose Coriolis acceleration is laid off with the turning of another link than
+    /// that which carries it.
+    pub coriolis_by: Option<(GuideId, LinkId)>,
 }
 
 impl Plan {
+    /// The link with whose turning the Coriolis acceleration at a guide is laid off: that which carries it.
+    pub fn coriolis_link(&self, scene: &Scene, guide: GuideId) -> LinkId {
+        match self.coriolis_by {
+            Some((wrong, by)) if wrong == guide => by,
+            Some(_) | None => scene.guides[guide.0].on,
+        }
+    }
+
     /// The vertex.
     pub fn vertex(&self, v: VertexId) -> &Vertex {
         &self.vertices[v.0]

@@ -363,7 +363,7 @@ impl Writer<'_> {
             (TermKind::Normal, By::Turning(b)) => format!("{} {}", squared(self.turning(Level::Velocity, b)), length()),
             (TermKind::Tangential, By::Turning(b)) => format!("{} {}", self.turning(Level::Acceleration, b), length()),
             (TermKind::Coriolis, By::Guide { guide, .. }) => {
-                let omega = self.turning(Level::Velocity, Body::Link(self.scene.guides[guide.0].on));
+                let omega = self.turning(Level::Velocity, Body::Link(self.plan.coriolis_link(self.scene, guide)));
                 format!("2{omega} {}", self.sliding(t))
             }
             (TermKind::Coriolis, By::Frame { body: Some(body), .. }) => {

@@ -1,10 +1,15 @@
-//! Ink: numbers, SVG, PNG, PDF.
+//! Ink: numbers, SVG, PNG, PDF; moving pictures as GIF and SVG.
 
 use crate::diag::{Both, Diagnostic};
 
 pub mod dxf;
+pub mod gif;
+pub mod moving;
 pub mod number;
+pub mod pages;
+#[cfg(feature = "pdf")]
 pub mod pdf;
+#[cfg(feature = "png")]
 pub mod png;
 pub mod svg;
 

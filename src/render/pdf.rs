@@ -18,6 +18,7 @@ use krilla::tagging::{Artifact, ArtifactType, ContentTag, Node, Tag, TagGroup, T
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document};
 
+use super::pages::{Kind, Page, Part};
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
@@ -33,46 +34,6 @@ const POINTS_PER_MM: f32 = 72.0 / 25.4;
 const SIDE_MAX_MM: f64 = 14_400.0 / 72.0 * 25.4;
 /// The limit at which SVG cuts a mitred corner: the same picture in both.
 const MITRE: f32 = 4.0;
-
-/// What a run of items is, for readers that follow a document's structure.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Kind {
-    /// A heading, from 1 down; it is also a bookmark.
-    Heading {
-        /// 1 for the title.
-        level: u16,
-        /// Its words.
-        title: String,
-    },
-    /// Running text.
-    Paragraph,
-    /// A formula or a table of one, with its reading.
-    Formula(String),
-    /// A picture, with what it shows in words.
-    Figure(String),
-    /// No part of the text: page numbers, rules.
-    Artifact,
-}
-
-/// A run of items of a page.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Part {
-    /// What it is.
-    pub kind: Kind,
-    /// Its items.
-    pub items: Vec<Item>,
-}
-
-/// A page of a document.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Page {
-    /// Width of the paper.
-    pub width_mm: f64,
-    /// Height of the paper.
-    pub height_mm: f64,
-    /// What stands on it, in the order of reading; drawn in this order too.
-    pub parts: Vec<Part>,
-}
 
 /// Writes figures, one a page, each page as large as its figure. Title and language are those of the first.
 ///

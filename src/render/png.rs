@@ -20,6 +20,12 @@ const SIDE_MAX: f64 = 16384.0;
 ///
 /// `png-size` when `dpi` makes no picture or one with a side above 16 384 pixels, `png-svg` when the document cannot be read.
 pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
+    let pixmap = pixels(svg, dpi)?;
+    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
+}
+
+/// The pixels of a document on white paper, none of them transparent.
+pub(super) fn pixels(svg: &str, dpi: f64) -> Result<tiny_skia::Pixmap, Diagnostic> {
     let tree = usvg::Tree::from_str(svg, &usvg::Options::default())
         .map_err(|e| Diagnostic::error("png-svg", both!("the SVG document cannot be read: {e}", "不能读取 SVG：{e}")))?;
     let scale = dpi / CSS_DPI;
@@ -41,7 +47,7 @@ pub fn render(svg: &str, dpi: f64) -> Result<Vec<u8>, Diagnostic> {
     pixmap.fill(tiny_skia::Color::WHITE);
     let transform = tiny_skia::Transform::from_scale(w as f32 / tree.size().width(), h as f32 / tree.size().height());
     resvg::render(&tree, transform, &mut pixmap.as_mut());
-    encode(&pixmap, dpi).map_err(|e| Diagnostic::error("png-size", both!("the picture cannot be encoded: {e}", "图像不能编码：{e}")))
+    Ok(pixmap)
 }
 
 fn encode(pixmap: &tiny_skia::Pixmap, dpi: f64) -> Result<Vec<u8>, png::EncodingError> {

@@ -16,13 +16,15 @@ use ::svg::node::{Blob, Node, Text};
 use crate::diag::{Faults, Warned, both};
 use crate::figure::arrow;
 use crate::figure::extent::{anchor_shift_em, on_circle};
-use crate::figure::font::{Cut, Face, FaceKey, Segment};
 use crate::figure::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
 use crate::figure::text::{self, Typeset};
 use crate::geom::Point;
 
+use super::not_finite;
 use super::number::mm;
-use super::{escaped, not_finite};
+use letters::{Letter, LetterKey, editable, letters, outline_data, scale};
+
+mod letters;
 
 /// Writes a figure.
 ///
@@ -135,17 +137,6 @@ struct Writer {
     /// The letters used, each with the name that its uses call it by.
     letters: BTreeMap<LetterKey, (Letter, String)>,
     faults: Faults,
-}
-
-/// What a letter is looked up by: its font, number and size.
-type LetterKey = (FaceKey, u32, i32);
-
-/// A glyph of a font at a part of the label's size (in 1/1000).
-#[derive(Clone)]
-struct Letter {
-    face: Face,
-    glyph: u32,
-    size: i32,
 }
 
 impl Writer {
@@ -323,86 +314,6 @@ impl Writer {
     }
 }
 
-/// The visible letters of a label and where they stand, in 1/1000 em, y up.
-fn letters(set: &Typeset) -> Vec<(Letter, [i32; 2])> {
-    let mut out = Vec::new();
-    for run in &set.runs {
-        let mut pen = run.x_em;
-        for glyph in &run.glyphs {
-            let at = [pen + glyph.offset_em[0] * run.size_em, run.y_em + glyph.offset_em[1] * run.size_em].map(milli);
-            pen += glyph.advance_em * run.size_em;
-            if run.face.outline(glyph.id).ink.any() {
-                out.push((Letter { face: run.face.clone(), glyph: glyph.id, size: milli(run.size_em) }, at));
-            }
-        }
-    }
-    out
-}
-
-/// A label as text that a drawing program can change; sizes and places in mm.
-fn editable(set: &Typeset, size_mm: f64) -> String {
-    let mut out = format!("<text xml:space=\"preserve\" font-family=\"{}\">", family(&Face::Roman));
-    for run in &set.runs {
-        let (x, y, size) = (mm(run.x_em * size_mm), mm(-run.y_em * size_mm), mm(run.size_em * size_mm));
-        let _ = write!(out, "<tspan x=\"{x}\" y=\"{y}\" font-size=\"{size}\"");
-        match &run.face {
-            Face::Roman => {}
-            Face::Italic => out.push_str(" font-style=\"italic\""),
-            Face::Math | Face::Song => {
-                let _ = write!(out, " font-family=\"{}\"", family(&run.face));
-            }
-            Face::Own(own) => {
-                let style = if own.cut() == Cut::Slanted { " font-style=\"italic\"" } else { "" };
-                let _ = write!(out, " font-family=\"'{}',{}\"{style}", own.family(), family(&run.face));
-            }
-        }
-        let _ = write!(out, ">{}</tspan>", escaped(&run.text));
-    }
-    out.push_str("</text>");
-    out
-}
-
-/// Fonts that look like the embedded ones, the same first.
-fn family(face: &Face) -> &'static str {
-    match face {
-        Face::Roman | Face::Italic | Face::Own(_) => "Tinos,'Times New Roman','Liberation Serif',serif",
-        Face::Math => "'STIX Two Math','Cambria Math',Tinos,'Times New Roman',serif",
-        Face::Song => "'Noto Serif CJK SC','Source Han Serif SC',SimSun,serif",
-    }
-}
-
-impl Letter {
-    /// Letters of one key are one; those of bundled fonts come first.
-    fn key(&self) -> LetterKey {
-        (self.face.key(), self.glyph, self.size)
-    }
-
-    /// Its outline, in 1/1000 em of the label.
-    fn contours(&self) -> Vec<Segment<i32>> {
-        let size = f64::from(self.size) / 1000.0;
-        self.face.outline(self.glyph).segments.iter().map(|s| s.map(|p| p.map(|em| milli(em * size)))).collect()
-    }
-
-    fn name(&self) -> String {
-        let face = match &self.face {
-            Face::Roman => 'r',
-            Face::Italic => 'i',
-            Face::Math => 'm',
-            Face::Song => 's',
-            Face::Own(own) if own.cut() == Cut::Upright => 'o',
-            Face::Own(_) => 'p',
-        };
-        // Two figures of a page may have fonts of their own each.
-        let own = if let Face::Own(own) = &self.face { format!("{:08x}-", own.key() as u32) } else { String::new() };
-        let size = if self.size == 1000 { String::new() } else { format!("-{}", self.size) };
-        format!("g{face}{own}{}{size}", self.glyph)
-    }
-}
-
-fn milli(em: f64) -> i32 {
-    (em * 1000.0).round() as i32
-}
-
 fn named(node: &mut impl Node, item: &Item) {
     if !item.id.is_empty() {
         node.assign("id", item.id.as_str());
@@ -432,51 +343,6 @@ fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) 
 
 pub(crate) fn hex(c: Colour) -> String {
     format!("#{:02x}{:02x}{:02x}", c.r, c.g, c.b)
-}
-
-/// The factor from 1/1000 em to mm: three places more than a coordinate, as it multiplies up to some thousands.
-fn scale(size_mm: f64) -> String {
-    ((size_mm * 1000.0).round() / 1e6).to_string()
-}
-
-/// Path data of an outline in integers, relative commands, y turned over.
-fn outline_data(outline: Vec<Segment<i32>>) -> String {
-    let mut d = String::new();
-    let mut digits = itoa::Buffer::new();
-    let (mut here, mut start) = ([0, 0], [0, 0]);
-    for segment in outline {
-        let origin = here;
-        let mut write = |letter: char, points: &[[i32; 2]]| {
-            d.push(letter);
-            for (i, p) in points.iter().enumerate() {
-                let (dx, dy) = (p[0] - origin[0], origin[1] - p[1]);
-                // A minus sign separates by itself.
-                if i > 0 && dx >= 0 {
-                    d.push(' ');
-                }
-                d.push_str(digits.format(dx));
-                if dy >= 0 {
-                    d.push(' ');
-                }
-                d.push_str(digits.format(dy));
-            }
-            here = points[points.len() - 1];
-        };
-        match segment {
-            Segment::Move(a) => {
-                write('m', &[a]);
-                start = a;
-            }
-            Segment::Line(a) => write('l', &[a]),
-            Segment::Quad(a, b) => write('q', &[a, b]),
-            Segment::Cubic(a, b, c) => write('c', &[a, b, c]),
-            Segment::Close => {
-                d.push('z');
-                here = start;
-            }
-        }
-    }
-    d
 }
 
 #[cfg(test)]

@@ -283,8 +283,8 @@ pub fn json(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         "singular": worked.solution.singular.iter().map(|s| singularity(scene, s)).collect::<Vec<_>>(),
         "scales": {
             "mu_l": worked.construction.diagram.mu_l,
-            "mu_v": worked.construction.velocity.as_ref().map(|p| p.mu),
-            "mu_a": worked.construction.acceleration.as_ref().map(|p| p.mu),
+            "mu_v": worked.construction.polygon(Level::Velocity).map(|p| p.mu),
+            "mu_a": worked.construction.polygon(Level::Acceleration).map(|p| p.mu),
         },
         "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
     });

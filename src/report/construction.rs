@@ -95,7 +95,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let (symbol, magnitude, direction) = (w.symbol(level, t), w.magnitude(level, t), w.direction(t));
             let given = if magnitude == w.notation.known { String::new() } else { format!(" = {magnitude}") };
             match w.lang {
-                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$; it ends in ${to}$.", edge(0, *i)),
+                Lang::En => format!("From ${from}$ lay off ${symbol}{given}$, {}, ${direction}$, locating ${to}$.", edge(0, *i)),
                 Lang::Zh => format!("自 ${from}$ 作 ${symbol}{given}$，长 {}，${direction}$，得 ${to}$。", edge(0, *i)),
             }
         }
@@ -127,7 +127,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 edges.iter().enumerate().map(|(k, i)| format!("${}$ = {}", symbols(w, level, &p.edges[*i].terms), edge(k, *i))).collect();
             match w.lang {
                 Lang::En => {
-                    format!("The two lines cross in ${image}$ under {angle}°{moved}: {}.", lengths.join(", "))
+                    format!("The two lines intersect at ${image}$, at an angle of {angle}°{moved}: {}.", lengths.join(", "))
                 }
                 Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，")),
             }
@@ -143,9 +143,18 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let (image, a, b) = (w.image(level, *target), w.image(level, from.0), w.image(level, from.1));
             let (spot_a, spot_b, spot_x) = (w.spot(from.0), w.spot(from.1), w.spot(*target));
             let vector = w.vector(level, *target);
+            let in_line = paper.diagram.in_line([from.0, from.1, *target]);
             match w.lang {
+                Lang::En if in_line => format!(
+                    "On the line ${a}{b}$ mark ${image}$ so that ${a}{b}/{a}{image} = {spot_a}{spot_b}/{spot_a}{spot_x}$, in the same order: ${vector}$ = {}.",
+                    from_pole(*target)
+                ),
+                Lang::Zh if in_line => format!(
+                    "在 ${a}{b}$ 所在直线上取 ${image}$，使 ${a}{b}/{a}{image} = {spot_a}{spot_b}/{spot_a}{spot_x}$ 且字母顺序一致：${vector}$ = {}。",
+                    from_pole(*target)
+                ),
                 Lang::En => format!(
-                    "On ${a}{b}$ make the triangle ${a}{b}{image}$ similar to ${spot_a}{spot_b}{spot_x}$, letters in the same order: ${vector}$ = {}.",
+                    "On ${a}{b}$ construct the triangle ${a}{b}{image}$ similar to ${spot_a}{spot_b}{spot_x}$, letters in the same order: ${vector}$ = {}.",
                     from_pole(*target)
                 ),
                 Lang::Zh => format!(
@@ -194,29 +203,27 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
             let value = told(steps, level, action, What::Rate, book.value(level.turning(), r.value.abs()));
             let value = book.label(level.turning(), &inked(value.trim_start_matches('-')));
             let sense = sense(w.lang, steps.number(level, action, What::Rate).map_or(r.value, Number::sign));
+            let sense = if sense.is_empty() { String::new() } else { format!("{}{sense}", tr(w.lang, ", ", "，")) };
+            let [verb, given, stop] = match w.lang {
+                Lang::En => ["Calculate ", "Given is ", "."],
+                Lang::Zh => ["计算 ", "已知 ", "。"],
+            };
             match r.measured {
                 Some(m) => format!(
-                    "${symbol}$ = {} · {} / {} = ${value}${}{}",
+                    "{verb}${symbol}$ = {} · {} / {} = ${value}${sense}{stop}",
                     millimetres(0, m.length),
                     factor(book, level, p.mu),
                     book.text(Kind::Length, &tell(What::Arm, book.value(Kind::Length, m.arm))),
-                    tr(w.lang, ", ", "，"),
-                    sense
                 ),
-                None => format!("${symbol}$ = ${value}${}{sense}", tr(w.lang, ", ", "，")),
+                None => format!("{given}${symbol}$ = ${value}${sense}{stop}"),
             }
         }
     }
 }
 
-/// A scale as a factor of a turning rate: with its unit where a unit of the book is among those of the product, so that the product
-/// is right as it stands.
+/// A scale as a factor of an angular velocity, with its unit, so that the product is right as it stands.
 fn factor(book: &Book, level: Level, mu: f64) -> String {
-    let number = inked(&shortest(book.value(level.kind(), mu)));
-    match book.any(&[level.kind(), level.turning(), Kind::Length]) {
-        true => format!("${number} {}$", book.scale_label(level.kind())),
-        false => amid_words(&shortest(mu)),
-    }
+    format!("${} {}$", inked(&shortest(book.value(level.kind(), mu))), book.scale_label(level.kind()))
 }
 
 /// What a pencil error (mm) makes of a crossing.

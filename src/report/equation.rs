@@ -3,6 +3,7 @@
 //! Decided here: which equations need a table. Worksheets and lessons write what this says.
 
 use super::phrase::{Phrase, tr};
+use crate::construct::Construction;
 use crate::figure::words::words;
 use crate::mechanism::Level;
 use crate::plan::text::{Column, Writer};
@@ -18,8 +19,8 @@ pub enum Written {
     Table(Vec<Column>),
 }
 
-/// How a step of a level is written; `None` for one that says nothing.
-pub fn written(w: &Writer, level: Level, step: &Step) -> Option<Written> {
+/// How a step of a level is written, where it is drawn so; `None` for one that says nothing.
+pub fn written(w: &Writer, paper: &Construction, level: Level, step: &Step) -> Option<Written> {
     let line = |text: String| Some(Written::Line(Phrase::new(&text)));
     match step {
         Step::Equation { target, chains, .. } => equation(w, level, *target, chains),
@@ -27,7 +28,12 @@ pub fn written(w: &Writer, level: Level, step: &Step) -> Option<Written> {
             let images = format!("{}{}{}", w.image(level, from.0), w.image(level, from.1), w.image(level, *target));
             let spots = format!("{}{}{}", w.spot(from.0), w.spot(from.1), w.spot(*target));
             let (vector, link) = (w.vector(level, *target), w.scene.link_name(*link));
+            let parts = |[a, b, x]: [String; 3]| format!("{a}{b}/{a}{x}");
+            let all = [from.0, from.1, *target];
+            let ratio = || format!("{} = {}", parts(all.map(|v| w.image(level, v))), parts(all.map(|v| w.spot(v))));
             line(match w.lang {
+                Lang::En if paper.diagram.in_line(all) => format!("${vector}$ by the image of link {link}, points in line: ${}$.", ratio()),
+                Lang::Zh if paper.diagram.in_line(all) => format!("由构件 {link} 上共线各点的影像求 ${vector}$：${}$。", ratio()),
                 Lang::En => {
                     format!("${vector}$ by the image of link {link}: ${images}$ is similar to ${spots}$, letters in the same order.")
                 }

@@ -1,6 +1,7 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
 pub mod answers;
+pub mod attempts;
 pub mod cam;
 pub mod centres;
 pub mod centres_json;
@@ -21,5 +22,6 @@ pub mod plan_json;
 pub mod price;
 pub mod statement;
 pub mod synthesis;
+#[cfg(feature = "tables")]
 pub mod table;
 pub mod trains;

@@ -69,7 +69,7 @@ pub fn value(n: &Number) -> String {
     match n.kind {
         Some(Kind::Length) => metres_fine(n.value),
         Some(Kind::Angle) => format!("{}°", significant(if n.value.abs() < 1e-12 { 0.0 } else { n.value.to_degrees() }, 6)),
-        Some(Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha) | None => significant(n.value, 6),
+        Some(Kind::Velocity | Kind::Acceleration | Kind::Omega | Kind::Alpha | Kind::Number) | None => significant(n.value, 6),
     }
 }
 

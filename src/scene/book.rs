@@ -5,8 +5,9 @@
 
 use super::expr::{self, Expr, ExprKind, Op};
 use super::quantity::Level;
-use super::units::{Dim, UNITS, Unit, Wanted, radians};
+use super::units::{Dim, UNITS, Unit, Wanted};
 use crate::number::Real;
+use crate::trig::radians;
 
 /// A kind of quantity: what shares a unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,10 +24,12 @@ pub enum Kind {
     Omega,
     /// Angular accelerations.
     Alpha,
+    /// Ratios and counts: numbers without a unit.
+    Number,
 }
 
 impl Kind {
-    /// All of them.
+    /// All that have a unit.
     pub const ALL: [Kind; 6] = [Kind::Length, Kind::Angle, Kind::Velocity, Kind::Acceleration, Kind::Omega, Kind::Alpha];
 
     /// What the scene must write for it.
@@ -38,6 +41,7 @@ impl Kind {
             Kind::Acceleration => Wanted::Acceleration,
             Kind::Omega => Wanted::Omega,
             Kind::Alpha => Wanted::Alpha,
+            Kind::Number => Wanted::Number,
         }
     }
 
@@ -50,13 +54,14 @@ impl Kind {
             Kind::Acceleration => "m/s²",
             Kind::Omega => "rad/s",
             Kind::Alpha => "rad/s²",
+            Kind::Number => "",
         }
     }
 
     /// Which derivative of a place or an angle it is.
     pub const fn level(self) -> Level {
         match self {
-            Kind::Length | Kind::Angle => Level::Position,
+            Kind::Length | Kind::Angle | Kind::Number => Level::Position,
             Kind::Velocity | Kind::Omega => Level::Velocity,
             Kind::Acceleration | Kind::Alpha => Level::Acceleration,
         }
@@ -242,12 +247,14 @@ pub struct Book {
 
 impl Book {
     pub(super) fn set(&mut self, kind: Kind, unit: BookUnit) {
-        self.units[kind as usize] = Some(unit);
+        if let Some(place) = self.units.get_mut(kind as usize) {
+            *place = Some(unit);
+        }
     }
 
     /// The unit that the scene asks for; `None`: the usual one.
     pub fn chosen(&self, kind: Kind) -> Option<&BookUnit> {
-        self.units[kind as usize].as_ref()
+        self.units.get(kind as usize)?.as_ref()
     }
 
     /// Whether any of these kinds has a unit of the book.
@@ -273,6 +280,7 @@ impl Book {
     pub fn text(&self, kind: Kind, number: &str) -> String {
         match self.name(kind) {
             "°" => format!("{number}°"),
+            "" => number.to_owned(),
             name => format!("{number} {name}"),
         }
     }
@@ -281,6 +289,7 @@ impl Book {
     pub fn label(&self, kind: Kind, number: &str) -> String {
         match self.label_name(kind) {
             "\\degree" => format!("{number}\\degree"),
+            "" => number.to_owned(),
             name => format!("{number} {name}"),
         }
     }
@@ -302,7 +311,7 @@ impl Book {
             (None, Kind::Angle) => "\\degree",
             (None, Kind::Acceleration) => "m/s^2",
             (None, Kind::Alpha) => "rad/s^2",
-            (None, Kind::Length | Kind::Velocity | Kind::Omega) => kind.si(),
+            (None, Kind::Length | Kind::Velocity | Kind::Omega | Kind::Number) => kind.si(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! JSON tree to [`RawScene`]: shapes and keys are checked here, the meaning of the words is not.
 
+mod attempts;
 mod composite;
 mod motion;
 mod rolling;
@@ -106,6 +107,9 @@ pub(super) fn scene(root: &Node, topology: bool, faults: &mut Faults) -> Option<
     raw.find = f.get("find").map(|n| words(Some(n), "\"find\"", faults));
     for node in items(f.get("composite"), "\"composite\"", faults) {
         raw.composite.extend(composite::composite(node, faults));
+    }
+    for node in items(f.get("attempts"), "\"attempts\"", faults) {
+        raw.attempts.extend(attempts::attempt(node, faults));
     }
     if let Some(node) = f.get("paper") {
         raw.paper = paper(node, faults);

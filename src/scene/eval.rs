@@ -262,9 +262,9 @@ fn call<N: Real>(f: Function, a: Value<N>) -> Result<Value<N>, Both> {
 #[cfg(test)]
 mod tests {
     use super::super::expr::parse;
-    use super::super::units::radians;
     use super::*;
     use crate::diag::Span;
+    use crate::trig::radians;
 
     /// The value of an expression with r = 100 mm, phi = 30°, k = 2.
     fn value(text: &str) -> Result<Value, String> {

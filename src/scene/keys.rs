@@ -21,6 +21,7 @@ pub(super) const SCENE: &[&str] = &[
     "side",
     "find",
     "composite",
+    "attempts",
     "paper",
     "language",
     "notation",
@@ -54,6 +55,7 @@ pub(super) const SLIDE: &[&str] = &["slide", "position", "velocity", "accelerati
 pub(super) const CYLINDER: &[&str] = &["cylinder", "length", "rate", "acceleration", "links"];
 pub(super) const MOTION: &[&str] = &["point", "on", "line", "s"];
 pub(super) const COMPOSITE: &[&str] = &["point", "on", "frame"];
+pub(super) const ATTEMPT: &[&str] = &["mistake", "pair", "link", "printed", "why"];
 pub(super) const PAPER: &[&str] = &["size", "mu_l", "mu_v", "mu_a", "pencil"];
 pub(super) const CAM: &[&str] = &["cam", "follower", "edge", "roller", "arc", "face", "profile", "at"];
 pub(super) const ROLLER: &[&str] = &["pin", "radius"];

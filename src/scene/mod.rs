@@ -4,6 +4,7 @@
 //! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
 
 pub mod book;
+pub mod build;
 pub mod cams;
 mod decode;
 pub mod edit;
@@ -14,6 +15,7 @@ pub(crate) mod front;
 mod keys;
 mod lang;
 mod law;
+mod mistake;
 pub mod model;
 mod names;
 pub mod quantity;
@@ -28,12 +30,14 @@ mod tests;
 mod told;
 pub mod units;
 mod values;
+mod write;
 mod written;
 
 pub use book::{Book, Kind};
 pub use model::*;
 pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
+pub use write::write;
 pub use written::Told;
 
 use crate::diag::{Faults, Severity, Span, Warned};

@@ -13,6 +13,8 @@ use crate::diag::Span;
 
 pub use super::cams::{Cam, Follows, Turning};
 pub use super::lang::Lang;
+pub use super::mistake::Mistake;
+pub use crate::trig::Angle;
 
 /// Index into [`Scene::points`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -41,33 +43,6 @@ impl Localized {
         match lang {
             Lang::En => &self.en,
             Lang::Zh => &self.zh,
-        }
-    }
-}
-
-/// An angle as written: whole degrees stay degrees, so that cos 60° is one half and cos 90° is zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Angle {
-    /// Degrees.
-    Deg(f64),
-    /// Radians.
-    Rad(f64),
-}
-
-impl Angle {
-    /// The same in radians.
-    pub fn radians(self) -> f64 {
-        match self {
-            Angle::Deg(d) => super::units::radians(d),
-            Angle::Rad(r) => r,
-        }
-    }
-
-    /// The same in degrees.
-    pub fn degrees(self) -> f64 {
-        match self {
-            Angle::Deg(d) => d,
-            Angle::Rad(r) => r.to_degrees(),
         }
     }
 }
@@ -304,6 +279,23 @@ pub struct Seen {
     pub span: Span,
 }
 
+/// A wrong solution that is to be shown beside the right one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Attempted {
+    /// What was done wrong.
+    pub mistake: Mistake,
+    /// The point at which it was done, where several offer themselves: a pin in a slot, a contact, a point found by image.
+    pub pair: Option<String>,
+    /// The link of which it was done.
+    pub link: Option<LinkId>,
+    /// What was printed, by the question that it answers; of a vector its magnitude.
+    pub printed: Vec<(Find, Given)>,
+    /// The author's words for why it is wrong.
+    pub why: Option<Localized>,
+    /// Where it is said.
+    pub span: Span,
+}
+
 /// Paper and scales. A fixed scale is in SI per millimetre of paper.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Paper {
@@ -359,6 +351,8 @@ pub struct Scene {
     pub find: Vec<Find>,
     /// Moving points and frames whose composite motions are shown.
     pub composite: Vec<Seen>,
+    /// Wrong solutions that are shown beside the right one.
+    pub attempts: Vec<Attempted>,
     /// Language of the output unless the caller says otherwise.
     pub language: Option<Lang>,
     /// Name of the notation profile (`en`, `cn`), unless the caller says otherwise.

@@ -142,6 +142,18 @@ pub(super) struct RawComposite {
     pub span: Span,
 }
 
+/// A wrong solution.
+#[derive(Clone, Debug)]
+pub(super) struct RawAttempt {
+    pub mistake: Word,
+    pub pair: Option<Word>,
+    pub link: Option<Word>,
+    /// Questions with what was printed.
+    pub printed: Vec<(Word, RawQuantity)>,
+    pub why: Option<RawLocalized>,
+    pub span: Span,
+}
+
 /// A scene file, decoded.
 #[derive(Clone, Debug, Default)]
 pub(super) struct RawScene {
@@ -167,6 +179,7 @@ pub(super) struct RawScene {
     /// `None` where the file has no such key: everything is asked.
     pub find: Option<Vec<Word>>,
     pub composite: Vec<RawComposite>,
+    pub attempts: Vec<RawAttempt>,
     pub paper: RawPaper,
     pub language: Option<Word>,
     pub notation: Option<Word>,

@@ -28,7 +28,7 @@ pub struct Rolling {
     pub guide: Option<GuideId>,
     /// The angle of the second link's line, from the line of centres, when that of the first lies on it.
     pub phase: Option<Given<Angle>>,
-    /// What is known of the flanks of two gears: they have numbers of teeth.
+    /// What is known of the flanks of two gears, or of a gear on its rack: they have numbers of teeth.
     pub flanks: Option<Flanks>,
     /// Where it is declared.
     pub span: Span,
@@ -37,8 +37,8 @@ pub struct Rolling {
 /// The flanks of a gear pair, which matter for its figure alone: kinematics has the pitch circles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Flanks {
-    /// Numbers of teeth.
-    pub teeth: [u32; 2],
+    /// Numbers of teeth, in the order of the links; a rack has none.
+    pub teeth: [Option<u32>; 2],
     /// The module (m), where it is given; else it follows from the distance of the centres.
     pub module: Option<f64>,
     /// Pressure angle of the basic rack (rad).

@@ -58,6 +58,7 @@ mod tests {
             ("/$defs/place_polar", keys::PLACE_POLAR),
             ("/$defs/guide", keys::GUIDE),
             ("/$defs/composite", keys::COMPOSITE),
+            ("/$defs/attempt", keys::ATTEMPT),
             ("/$defs/motion", keys::MOTION),
             ("/$defs/turn", keys::TURN),
             ("/$defs/slide", keys::SLIDE),

@@ -48,6 +48,13 @@ const FILES: &[(&str, &str)] = &[
     ("cam-eccentric", include_str!("../../templates/cam-eccentric.json")),
     ("cam-valve-train", include_str!("../../templates/cam-valve-train.json")),
     ("cam-offset-roller", include_str!("../../templates/cam-offset-roller.json")),
+    ("eccentric-three-ways", include_str!("../../templates/eccentric-three-ways.json")),
+    ("turning-plate", include_str!("../../templates/turning-plate.json")),
+    ("disc-on-rod", include_str!("../../templates/disc-on-rod.json")),
+    ("lathe", include_str!("../../templates/lathe.json")),
+    ("ships", include_str!("../../templates/ships.json")),
+    ("flat-face-mistake", include_str!("../../templates/flat-face-mistake.json")),
+    ("flat-face-mistake-2", include_str!("../../templates/flat-face-mistake-2.json")),
 ];
 
 /// What a template is, for lists.

@@ -7,7 +7,7 @@ mod rolling;
 
 use super::*;
 use crate::scene::quantity::Of;
-use crate::scene::units::radians;
+use crate::trig::radians;
 
 /// A question as its line of the table and what it is of.
 fn written(what: &Asked) -> (&'static str, Of) {

@@ -1,7 +1,5 @@
 //! Units and dimensions: which units there are, what they are worth, and what each quantity of a scene must be made of.
 
-use std::f64::consts::PI;
-
 use crate::diag::{Both, both};
 
 /// Exponents of length, time and plane angle. The angle counts as a dimension of its own, so that `60 deg` is not
@@ -129,11 +127,6 @@ pub fn unit_named(name: &str) -> Option<&'static Unit> {
     UNITS.iter().find(|u| u.name == name)
 }
 
-/// Degrees as radians.
-pub fn radians(degrees: f64) -> f64 {
-    degrees * PI / 180.0
-}
-
 /// What a place in the scene asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
@@ -149,6 +142,8 @@ pub enum Wanted {
     Velocity,
     /// m/s².
     Acceleration,
+    /// A number without a unit.
+    Number,
     /// m per mm of paper.
     ScaleOfLengths,
     /// (m/s) per mm of paper.
@@ -177,7 +172,7 @@ impl Wanted {
             Wanted::Alpha => Dim::new(0, -2, 1),
             Wanted::Velocity => Dim::new(1, -1, 0),
             Wanted::Acceleration => Dim::new(1, -2, 0),
-            Wanted::ScaleOfLengths => Dim::NUMBER,
+            Wanted::Number | Wanted::ScaleOfLengths => Dim::NUMBER,
             Wanted::ScaleOfVelocities => Dim::new(0, -1, 0),
             Wanted::ScaleOfAccelerations => Dim::new(0, -2, 0),
         }
@@ -192,6 +187,7 @@ impl Wanted {
             Wanted::Alpha => both!("an angular acceleration", "角加速度"),
             Wanted::Velocity => both!("a velocity", "速度"),
             Wanted::Acceleration => both!("an acceleration", "加速度"),
+            Wanted::Number => both!("a number", "数"),
             Wanted::ScaleOfLengths => both!("a scale of lengths", "长度比例尺"),
             Wanted::ScaleOfVelocities => both!("a scale of velocities", "速度比例尺"),
             Wanted::ScaleOfAccelerations => both!("a scale of accelerations", "加速度比例尺"),
@@ -207,6 +203,7 @@ impl Wanted {
             Wanted::Alpha => "rad/s^2",
             Wanted::Velocity => "m/s",
             Wanted::Acceleration => "m/s^2",
+            Wanted::Number => "",
             Wanted::ScaleOfLengths => "m/mm",
             Wanted::ScaleOfVelocities => "(m/s)/mm",
             Wanted::ScaleOfAccelerations => "(m/s^2)/mm",

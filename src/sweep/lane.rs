@@ -5,7 +5,7 @@
 //! driver along, for Newton's method on what ends a motion.
 
 use crate::number::Ring;
-use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, f64x4};
+use fearless_simd::{Select, Simd, SimdBase, SimdFloat, f64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What a number is added to and taken from again to lose all digits behind the point: 1.5·2⁵².
@@ -147,13 +147,19 @@ impl Width {
     /// The machine's four lanes, where they are wanted and there.
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
     pub(super) fn four(self) -> Option<fearless_simd::Avx2> {
-        if self == Width::Widest { Level::new().as_avx2() } else { None }
+        if self == Width::Widest { fearless_simd::Level::new().as_avx2() } else { None }
     }
 
     /// The machine's four lanes (two by two), where they are wanted and there.
     #[cfg(target_arch = "aarch64")]
     pub(super) fn four(self) -> Option<fearless_simd::Neon> {
-        if self == Width::Widest { Level::new().as_neon() } else { None }
+        if self == Width::Widest { fearless_simd::Level::new().as_neon() } else { None }
+    }
+
+    /// Other machines run one position at a time.
+    #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+    pub(super) fn four(self) -> Option<fearless_simd::Fallback> {
+        None
     }
 }
 

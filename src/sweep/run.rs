@@ -158,7 +158,6 @@ impl Buffer {
     /// Takes the numbers of answers to their places, which are of one length. Whether all of them are finite, for sure: a sum with what is
     /// not finite is not either, and none need be looked at by itself.
     pub(super) fn hand_out<'a>(&self, answers: &[Answer], places: impl Iterator<Item = &'a mut [f64]>, width: Width) -> bool {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]
@@ -297,7 +296,6 @@ impl Fused {
     }
 
     fn run_in<'a>(&'a self, memory: Memory<'a>, width: Width) {
-        #[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
         if let Some(simd) = width.four() {
             return simd.vectorize(
                 #[inline(always)]

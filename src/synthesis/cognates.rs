@@ -225,6 +225,7 @@ impl Task {
             wanted: wanted.collect(),
             demands: Vec::new(),
             ordered: false,
+            error: 0.0,
             remarks: Vec::new(),
         }
     }

@@ -282,8 +282,16 @@ impl Wish for Task {
         } else {
             both!("nearly straight", "近似直线")
         };
-        let draft =
-            Draft { which, scene: made.scene, numbers, wanted: made.wanted, demands: Vec::new(), ordered: false, remarks: Vec::new() };
+        let draft = Draft {
+            which,
+            scene: made.scene,
+            numbers,
+            wanted: made.wanted,
+            demands: Vec::new(),
+            ordered: false,
+            error: measured.deviation,
+            remarks: Vec::new(),
+        };
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 }

@@ -1,7 +1,7 @@
 //! A worksheet: the problem as it is set, and its solution as a teacher writes it at the board.
 //!
 //! [`worksheet`] makes a [`Document`] of blocks from a worked scene; four writers turn it into files: [`html`] with MathML,
-//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that [`crate::render::pdf`] writes. Decided here: what is
+//! [`markdown`] with TeX formulas, [`typst`], and [`pages`] of A4 that `render::pdf` writes. Decided here: what is
 //! said, in which order. Not decided here: a single number (they come from the certified answers and the drawing board),
 //! and how a figure looks.
 //!
@@ -13,6 +13,7 @@ mod display;
 mod given;
 pub mod html;
 pub mod markdown;
+mod mistake;
 pub mod pages;
 mod problem;
 mod results;
@@ -30,6 +31,8 @@ use crate::report::math::Math;
 use crate::report::phrase::{Phrase, tr};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
+
+pub use mistake::find_the_mistake;
 
 /// Which sides of a worksheet are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -136,7 +139,6 @@ pub struct Beside {
 /// assert_eq!(document.blocks[0], worksheet::Block::Heading(1, "Problem".into()));
 /// ```
 pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document {
-    let lang = options.sheet.lang;
     let certified = certify(scene, worked, options.sheet.digits);
     let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
     let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
@@ -147,12 +149,19 @@ pub fn worksheet(scene: &Scene, worked: &Worked, options: &Options) -> Document 
     if options.sides != Sides::Problem {
         maker.solution(&mut blocks, options.sides == Sides::Solution);
     }
+    document(scene, options, blocks)
+}
+
+/// The blocks under the scene's title.
+fn document(scene: &Scene, options: &Options, blocks: Vec<Block>) -> Document {
+    let lang = options.sheet.lang;
     let title = scene.title.get(lang);
     let title = if title.is_empty() { tr(lang, "Planar mechanism", "平面机构") } else { title };
     Document { title: one_line(title), lang, fonts: options.sheet.style.fonts.clone(), blocks }
 }
 
 /// What all parts of a worksheet are made from.
+#[derive(Clone, Copy)]
 struct Maker<'a> {
     scene: &'a Scene,
     worked: &'a Worked,

@@ -1,4 +1,4 @@
-//! A worksheet as pages of A4 in our own display list, for [`crate::render::pdf::document`].
+//! A worksheet as pages of A4 in our own display list, for a writer of PDF (`render::pdf::document`).
 //!
 //! Decided here: where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
 //! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
@@ -16,7 +16,7 @@ use crate::figure::label::Label;
 use crate::figure::lines::wrapped;
 use crate::figure::text;
 use crate::geom::{Point, Vec2};
-use crate::render::pdf::{Kind, Page, Part};
+use crate::render::pages::{Kind, Page, Part};
 use crate::report::math::Math;
 use crate::report::phrase::Phrase;
 

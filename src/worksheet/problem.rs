@@ -7,7 +7,7 @@ use crate::mechanism::Level;
 use crate::plan::text::point_label;
 use crate::report::phrase::Phrase;
 use crate::report::statement::paragraphs;
-use crate::scene::quantity::{Frame, Of};
+use crate::scene::quantity::{Frame, Meaning, Of};
 use crate::scene::{Asked, Find, Lang, OnLink};
 use crate::worked::Worked;
 
@@ -62,8 +62,7 @@ impl Maker<'_> {
     /// The mechanism as it is given: without what the solution finds on it, and described without answers.
     fn given_mechanism(&self) -> Option<Block> {
         let mut bare: Worked = self.worked.clone();
-        bare.construction.velocity = None;
-        bare.construction.acceleration = None;
+        bare.construction.diagrams.clear();
         let mut figure = drawing(self.scene, &bare, self.options, Level::Position)?;
         figure.desc = self.words().diagram.into();
         Some(Block::Figure { name: "mechanism", figure: Box::new(figure) })
@@ -79,6 +78,14 @@ impl Maker<'_> {
         // Coincident points are told by their place and the two links.
         let of_link = |p: &OnLink| p.link.map_or(spot(p), |l| format!("{} {}", self.tr("link", "构件"), self.link(l)));
         let name = what.entry().name(self.lang());
+        if let Some(Meaning::Ratio([a, b], arm)) = what.meaning(self.scene) {
+            return match (arm.map(|h| self.link(h)), self.lang()) {
+                (None, Lang::En) => format!("{name} of link {} to link {}", self.link(a), self.link(b)),
+                (None, Lang::Zh) => format!("构件 {} 与构件 {} 的{name}", self.link(a), self.link(b)),
+                (Some(h), Lang::En) => format!("{name} of link {} to link {}, both against the arm {h}", self.link(a), self.link(b)),
+                (Some(h), Lang::Zh) => format!("构件 {} 与构件 {} 相对系杆 {h} 的{name}", self.link(a), self.link(b)),
+            };
+        }
         match (what.of(), self.lang()) {
             (Of::Point(p), Lang::En) => format!("{name} of {}", spot(&p)),
             (Of::Point(p), Lang::Zh) => format!("{} 的{name}", spot(&p)),

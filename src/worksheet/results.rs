@@ -4,9 +4,10 @@ use super::{Block, Maker, Table, TableKind};
 use crate::accuracy::ladder::Why;
 use crate::answer::Value;
 use crate::figure::label::Label;
-use crate::figure::remarks::remarks;
+use crate::figure::remarks::{agreement, remarks};
 use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
-use crate::report::answers::{Line, lines, reason, verdict, worst};
+use crate::report::answers::{Line, lines, reason, verdict};
+use crate::report::drafting;
 use crate::report::math::Math;
 use crate::report::phrase::{Phrase, fill};
 use crate::scene::{Find, Lang};
@@ -59,7 +60,8 @@ impl Maker<'_> {
     }
 
     fn comparison(&self, blocks: &mut Vec<Block>) {
-        let Some(worst) = worst(self.worked) else { return };
+        let Some(agreed) = agreement(self.worked, self.words()) else { return };
+        let by_hand = self.worked.by_hand(self.scene);
         blocks.push(self.heading(2, "Comparison with the loop equations", "与解析法比较"));
         let [v, a] = self.worked.solution.size;
         blocks.push(Block::Paragraph(Phrase::new(&match (self.lang(), a) {
@@ -69,27 +71,22 @@ impl Maker<'_> {
             (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不用矢量多边形而一次解出。"),
         })));
         self.components(blocks);
-        let head = [
-            self.tr("quantity", "量"),
-            self.tr("drawing", "图解"),
-            self.tr("loop equations", "解析"),
-            self.tr("relative difference", "相对差"),
-        ];
+        let head =
+            [self.tr("quantity", "量"), self.tr("drawing", "图解"), self.tr("loop equations", "解析"), self.tr("by hand", "手工作图误差")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {
-            let (Some(drawn), Some(agreement)) = (&r.drawn, r.agreement) else { continue };
+            let (Some(drawn), Some(_)) = (&r.drawn, r.agreement) else { continue };
             let find = &self.scene.find[r.find];
             let shown = |v: Value| if v.magnitude() <= r.noise { "$0$".into() } else { format!("${}$", self.size(find, v, trusted(r))) };
             rows.push(vec![
                 math(&symbol(find, self.notation())),
                 Phrase::new(&shown(drawn.value)),
                 Phrase::new(&shown(r.computed)),
-                math(&if agreement.difference == 0.0 { "0".into() } else { number(agreement.difference, 1) }),
+                Phrase::new(&drafting::words(&self.scene.book, find, by_hand.tolerances[r.find].as_ref())),
             ]);
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
-        let text = fill(self.words().agreement, &[("", &number(worst.max(f64::EPSILON / 2.0), 1))]);
-        blocks.push(Block::Paragraph(Phrase::new(&text)));
+        blocks.push(Block::Paragraph(agreed));
     }
 
     /// A vector by its magnitude, a number as it is, a place by its coordinates: in the unit of the book, else in SI.

@@ -127,7 +127,7 @@ impl Maker<'_> {
         blocks.push(Block::List { numbered: true, members });
     }
 
-    fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
+    pub(super) fn step(&self, blocks: &mut Vec<Block>, level: Level, step: &Step) {
         let w = self.writer();
         if let Step::Equation { target, .. } = step
             && let Some(special) = w.plan.special(*target)
@@ -136,7 +136,7 @@ impl Maker<'_> {
             let text = fill(self.words().special_point, &[("S", &w.spot(*target)), ("1", &a), ("2", &b), ("", self.link(special.link))]);
             blocks.push(Block::Paragraph(Phrase::new(&text)));
         }
-        match (written(&w, level, step), step) {
+        match (written(&w, &self.worked.construction, level, step), step) {
             (Some(Written::Line(line)), _) => blocks.push(Block::Paragraph(line)),
             (Some(Written::Table(columns)), Step::Equation { target, method, .. }) => {
                 self.table(blocks, &w.vector(level, *target), *method, columns);

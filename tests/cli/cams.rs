@@ -69,3 +69,25 @@ fn what_does_not_work_is_told() {
         assert!(text(&out.stderr).contains(said), "{args:?}: {}", text(&out.stderr));
     }
 }
+
+/// A swinging flat face on a profile of several pieces: with a line the contact goes from piece to piece in a sweep; without one it cannot, and
+/// the sweep says so.
+#[test]
+fn a_swinging_face_without_a_line_is_told_in_a_sweep() {
+    let scene = |points: &str, face: &str| {
+        format!(
+            r#"{{"links": {{"1": ["O", "P"], "2": ["O", "Q"], "3": [{points}]}}, "ground": "1", "points": {{"O": [0, 0], "P": ["95 mm", "10 mm"]}},
+            "lengths": {{"OQ": "35 mm"{}}}, "sketch": {{{}}}, "cams": [{{"cam": "2", "follower": "3", "face": {{"through": "P", {face} "cam": "left"}},
+            "profile": [{{"centre": "O", "radius": "30 mm"}}, {{"radius": "70 mm"}}, {{"centre": "Q", "radius": "4 mm"}}, {{"radius": "75 mm"}}]}}],
+            "driver": {{"link": "2", "angle": "30 deg", "omega": "3 rad/s"}}, "find": ["omega_3"]}}"#,
+            if face.is_empty() { "" } else { r#", "PB": "90 mm""# },
+            if face.is_empty() { "" } else { r#""B": ["40 mm", "60 mm"]"# },
+        )
+    };
+    let run = |text: String| hodograph().args(["sweep", "-", "--steps", "8"]).write_stdin(text).output().unwrap();
+    let kept = run(scene("\"P\"", ""));
+    assert!(text(&kept.stderr).contains("cam-piece"), "{}", text(&kept.stderr));
+    let led = run(scene("\"P\", \"B\"", "\"line\": \"PB\","));
+    assert!(!text(&led.stderr).contains("cam-piece"), "{}", text(&led.stderr));
+    assert_eq!(text(&led.stdout).lines().filter(|l| !l.starts_with('#')).count(), 10, "{}", text(&led.stdout));
+}

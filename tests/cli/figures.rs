@@ -13,6 +13,31 @@ fn draws_svg_and_png_whole() {
     assert_eq!(std::fs::read_dir(out.path()).unwrap().count(), 2, "nothing else is left behind");
 }
 
+/// One size for all frames, as many as were asked for, and back the same way where the driver does not turn fully.
+#[test]
+fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {
+    let out = tempfile::tempdir().unwrap();
+    let run = |scene: &str, file: &str, more: &[&str]| {
+        let path = out.path().join(file);
+        let run = hodograph().args(["animate", scene, "--frames", "4", "--dpi", "40", "-o"]).arg(&path).args(more).assert().success();
+        (path, text(&run.get_output().stdout))
+    };
+    let (gif, said) = run("templates/crank-rocker.json", "turn.gif", &[]);
+    assert!(std::fs::read(gif).unwrap().starts_with(b"GIF89a") && said.trim_end().ends_with("turn.gif"));
+    let (svg, _) = run("templates/shaper.json", "turn.svg", &["--lang", "zh", "--style", "dark", "--seconds", "2"]);
+    let svg = std::fs::read_to_string(svg).unwrap();
+    assert!(roxmltree::Document::parse(&svg).is_ok() && svg.contains("dur=\"2s\""), "{}", &svg[..500]);
+    let (_, said) = run("templates/toggle-press.json", "film/turn.png", &[]);
+    let pictures: Vec<Vec<u8>> = said.lines().map(|name| std::fs::read(name.trim()).unwrap()).collect();
+    // Width and height stand at fixed places of a PNG.
+    let size = |p: &Vec<u8>| [16, 20].map(|k| u32::from_be_bytes(p[k..k + 4].try_into().unwrap()));
+    assert_eq!(pictures.len(), 4);
+    assert!(pictures.iter().all(|p| size(p) == size(&pictures[0]) && size(p).iter().all(|side| side % 2 == 0)));
+    assert!(out.path().join("film/turn-004.png").exists());
+    let bad = hodograph().args(["animate", "templates/shaper.json", "-o", "turn.mp4"]).assert().code(2);
+    assert!(text(&bad.get_output().stderr).contains("turn-001.png"));
+}
+
 #[test]
 fn pdf_holds_one_figure_or_many() {
     let out = tempfile::tempdir().unwrap();

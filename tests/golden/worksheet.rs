@@ -5,7 +5,9 @@ use super::pdf::{letters, read};
 use hodograph::accuracy::certify;
 use hodograph::figure::extent::{Rect, bounds};
 use hodograph::figure::item::{Item, Shape};
-use hodograph::render::pdf::{self, Kind, Page};
+use hodograph::mechanism::Level;
+use hodograph::render::pages::{Kind, Page};
+use hodograph::render::pdf;
 use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
@@ -104,7 +106,10 @@ fn the_solution_has_every_answer_and_both_polygons() {
             let d = document(&scene, &worked, lang, Sides::Both);
             let (text, beside) = markdown::markdown(&d, t.name).unwrap();
             assert!(!text.contains("NaN") && !text.contains("inf "), "{} {suffix}", t.name);
-            for (polygon, word) in [(&worked.construction.velocity, "velocity"), (&worked.construction.acceleration, "acceleration")] {
+            for (polygon, word) in [
+                (worked.construction.polygon(Level::Velocity), "velocity"),
+                (worked.construction.polygon(Level::Acceleration), "acceleration"),
+            ] {
                 let name = format!("{}-{word}.svg", t.name);
                 assert_eq!(polygon.is_some(), beside.iter().any(|f| f.name == name), "{} {word}", t.name);
             }

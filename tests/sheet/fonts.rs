@@ -1,6 +1,6 @@
 //! Fonts of one's own: whatever is drawn in a style is set in the fonts of that style, and nothing else is.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use hodograph::accuracy::ways;
 use hodograph::figure::curves::{self, Diagram};
@@ -60,7 +60,9 @@ fn every_label_is_set_in_the_fonts_of_its_style() {
     let table = sweep::run(&placed, 0, &Stations::turned(Angle::Deg(0.0), Angle::Deg(360.0), 90), Width::One).unwrap();
     let lines = Diagram::of(&placed, 0, &table, &options.notation);
     figures("curves", vec![curves::figure(&scene, &lines, &style, Lang::En)]);
-    let measured = ways::measure(&scene, &worked, Duration::from_millis(1)).unwrap();
+    let start = Instant::now();
+    let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) };
+    let measured = ways::measure(&scene, &worked, watch).unwrap();
     figures("accuracy", vec![price::figure(&scene, &measured, &[], &style, Lang::En)]);
     let document = worksheet::worksheet(&scene, &worked, &worksheet::Options { sheet: options, sides: Sides::Both });
     drawn.extend(pages::pages(&document).into_iter().map(|p| ("worksheet", p.parts.into_iter().flat_map(|p| p.items).collect())));

@@ -116,7 +116,7 @@ fn clipped(a: Point, b: Point, r: Rect) -> f64 {
 }
 
 /// The scene at positions of its first driver all around, or between its limits; those that cannot be drawn are left out.
-fn poses(scene: &Scene) -> Vec<Scene> {
+pub fn poses(scene: &Scene) -> Vec<Scene> {
     let Some(start) = driver_position(scene, 0) else { return vec![scene.clone()] };
     let turns = matches!(scene.drivers[0].kind, DriverKind::Turn { .. });
     let [low, high] = match [limit(scene, 0, false), limit(scene, 0, true)] {

@@ -2,7 +2,9 @@
 //!
 //! The numbers are those of a four-bar linkage solved by hand on the sheet; nothing here computes them from a scene.
 
+mod extra;
 mod fonts;
+mod geared;
 mod legible;
 mod motion;
 mod parted;

@@ -1,6 +1,6 @@
 //! Plots, with axes of numbers and of powers of ten: all on the paper, no name on another.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use hodograph::accuracy::ways;
 use hodograph::figure::curves::{self, Diagram};
@@ -38,9 +38,10 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
     let near = include_str!("../../docs/near-toggle.json");
     let near = read(near).unwrap().value;
     let worked = work(&near, Scope::Questions).unwrap().value;
-    let patience = Duration::from_millis(1);
-    let measured = ways::measure(&near, &worked, patience).unwrap();
-    let series = ways::toward_toggle(&near, patience).unwrap();
+    let start = Instant::now();
+    let watch = ways::Watch { now: &|| start.elapsed(), patience: Duration::from_millis(1) };
+    let measured = ways::measure(&near, &worked, watch).unwrap();
+    let series = ways::toward_toggle(&near, watch).unwrap();
     let scene = read(templates::get("jansen-leg").unwrap()).unwrap().value;
     let mechanism = Mechanism::new(&scene).unwrap().value;
     let placed = Placed::new(&scene, &mechanism).unwrap();

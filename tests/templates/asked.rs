@@ -151,7 +151,7 @@ fn labels_are_placed_for_a_figure_only() {
         let worked = work(&scene, Scope::Figure).unwrap().value;
         assert_eq!(Work::of(&worked).labels_placed, 0);
         let figure = sheet(&scene, &worked, &Options::of_language(scene::Lang::En)).unwrap();
-        Work::of(&worked).with_figure(&figure).labels_placed
+        Work::of(&worked).with_labels(figure.labels_placed()).labels_placed
     };
     let [positions, velocities, both] = [&["x_C"][..], &["v_C"], &["v_C", "a_C"]].map(labels);
     assert!(0 < positions && positions < velocities && velocities < both, "{positions} {velocities} {both}");

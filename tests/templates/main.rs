@@ -1,6 +1,7 @@
 //! Every template: solved both ways, against answers computed without this project, and drawn.
 
 mod asked;
+mod letters;
 mod names;
 
 use hodograph::answer::Value;

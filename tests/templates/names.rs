@@ -117,7 +117,36 @@ impl Renamed {
             "omega" | "alpha" => format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/")),
             "phi" => format!("{symbol}_{}", link(rest)),
             "l" => format!("{symbol}_{}", self.pair(rest)),
-            _ => format!("{symbol}_{}", self.on_links(rest)),
+            _ => match rest.split_once('/') {
+                Some((of, frame)) => format!("{symbol}_{}/{}", self.on_links(of), self.frame(frame)),
+                None => format!("{symbol}_{}", self.on_links(rest)),
+            },
+        }
+    }
+
+    /// A link, or a point with which a frame translates.
+    fn frame(&self, text: &str) -> String {
+        self.links.get(text).cloned().unwrap_or_else(|| self.point(text))
+    }
+
+    /// A moving point with its frame, a motion, a wrong solution.
+    fn seen(&self, object: &mut Map<String, Value>) {
+        for (key, value) in object.iter_mut() {
+            let Some(text) = value.as_str().map(str::to_owned) else { continue };
+            *value = match key.as_str() {
+                "point" => self.point(&text),
+                "on" | "link" => self.link(&text),
+                "frame" => self.frame(&text),
+                "line" => self.pair(&text),
+                // The contact of a cam is no point of the scene.
+                "pair" => self.points.get(&text).cloned().unwrap_or(text),
+                _ => text,
+            }
+            .into();
+        }
+        if let Some(printed) = object.get_mut("printed") {
+            let old = std::mem::take(printed.as_object_mut().unwrap());
+            *printed = Value::Object(old.into_iter().map(|(k, v)| (self.question(&k), v)).collect());
         }
     }
 
@@ -198,6 +227,9 @@ impl Renamed {
                     value.as_array_mut().unwrap().iter_mut().for_each(|g| self.part(g.as_object_mut().unwrap()))
                 }
                 "cams" => self.cam(value),
+                "composite" | "motions" | "attempts" => {
+                    value.as_array_mut().unwrap().iter_mut().for_each(|c| self.seen(c.as_object_mut().unwrap()))
+                }
                 "driver" => match value {
                     Value::Array(list) => list.iter_mut().for_each(|d| self.part(d.as_object_mut().unwrap())),
                     one => self.part(one.as_object_mut().unwrap()),

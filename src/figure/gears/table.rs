@@ -5,7 +5,7 @@ use crate::figure::drawing::Part;
 use crate::figure::grid::{self, Cell, Row};
 use crate::figure::item::{Anchor, Colour, Item, Shape};
 use crate::figure::label::Label;
-use crate::gears::{Gear, standard};
+use crate::gears::{Gear, Mate, standard};
 use crate::geom::Point;
 use crate::report::phrase::tr;
 use crate::scene::Kind;
@@ -48,12 +48,19 @@ impl Drawn<'_> {
                 id,
             })
         };
-        let of = |f: &dyn Fn(&Gear) -> String| pair.gears.iter().map(f).collect::<Vec<_>>();
+        // A rack has none of what each gear has.
+        let rounds = if pair.mate == Mate::Rack { 1 } else { 2 };
+        let of = |f: &dyn Fn(&Gear) -> String| pair.gears.iter().take(rounds).map(f).collect::<Vec<_>>();
+        // A ring is not cut by a rack.
+        let least = |g: &Gear| {
+            let ring = pair.mate == Mate::Ring && *g == pair.gears[1];
+            if ring { "\\text{–}".to_owned() } else { number(g.least_shift(&pair.basic)) }
+        };
         let basic = &pair.basic;
         let each = [
             (tr(lang, "teeth", "齿数"), "z", of(&|g| g.teeth.to_string())),
             (tr(lang, "profile shift", "变位系数"), "x", of(&|g| number(g.shift))),
-            (tr(lang, "least shift without undercut", "最小变位系数"), "x_{min}", of(&|g| number(g.least_shift(basic)))),
+            (tr(lang, "least shift without undercut", "最小变位系数"), "x_{min}", of(&least)),
             (tr(lang, "reference radius", "分度圆半径"), "r", of(&|g| self.length(g.reference))),
             (tr(lang, "base radius", "基圆半径"), "r_b", of(&|g| self.length(g.base))),
             (tr(lang, "operating pitch radius", "节圆半径"), "r'", of(&|g| self.length(g.pitch))),
@@ -62,18 +69,49 @@ impl Drawn<'_> {
         ];
         let degrees = |a: f64| format!("{}°", number(a.to_degrees()));
         let [b2, b1] = pair.contact();
-        let common = [
+        let mut common = vec![
             (tr(lang, "module", "模数"), "m", self.length(basic.module)),
             (tr(lang, "pressure angle", "压力角"), "\\alpha", degrees(basic.alpha)),
             (tr(lang, "operating pressure angle", "啮合角"), "\\alpha'", degrees(pair.operating)),
-            (tr(lang, "standard centre distance", "标准中心距"), "a", self.length(standard(basic, pair.gears.map(|g| g.teeth)))),
-            (tr(lang, "operating centre distance", "实际中心距"), "a'", self.length(pair.distance)),
-            (tr(lang, "sum of profile shifts", "变位系数和"), "x_{\\Sigma}", number(pair.gears.iter().map(|g| g.shift).sum())),
+        ];
+        let centres = || {
+            [
+                (
+                    tr(lang, "standard centre distance", "标准中心距"),
+                    "a",
+                    self.length(standard(basic, pair.mate, pair.gears.map(|g| g.teeth))),
+                ),
+                (tr(lang, "operating centre distance", "实际中心距"), "a'", self.length(pair.distance)),
+            ]
+        };
+        let shift = || number(pair.mate.shift(pair.gears.map(|g| g.shift)));
+        match pair.mate {
+            Mate::Gear => {
+                common.extend(centres());
+                common.push((tr(lang, "sum of profile shifts", "变位系数和"), "x_{\\Sigma}", shift()));
+            }
+            Mate::Ring => {
+                common.extend(centres());
+                common.push((tr(lang, "difference of profile shifts", "变位系数差"), "x_{}-x_{}", shift()));
+            }
+            Mate::Rack => {
+                let [tip, root] = pair.rack();
+                common.extend([
+                    (tr(lang, "pitch line to the gear's axis", "节线至轮心距离"), "r'", self.length(pair.distance)),
+                    (tr(lang, "pitch line to the tip line", "节线至齿条齿顶线"), "h_a", self.length(tip)),
+                    (tr(lang, "pitch line to the root line", "节线至齿条齿根线"), "h_f", self.length(root)),
+                ]);
+            }
+        }
+        common.extend([
             (tr(lang, "length of contact", "实际啮合线段"), "B_{}B_{}", self.length(b1 - b2)),
             (tr(lang, "base pitch", "基圆齿距"), "p_b", self.length(pair.base_pitch())),
             (tr(lang, "contact ratio", "重合度"), "\\varepsilon", number(pair.contact_ratio())),
-        ];
-        let head = [tr(lang, "gear", "齿轮").to_owned(), String::new(), self.name(0).to_owned(), self.name(1).to_owned()];
+        ]);
+        let mut head = vec![tr(lang, "gear", "齿轮").to_owned(), String::new(), self.name(0).to_owned()];
+        if rounds == 2 {
+            head.push(self.name(1).to_owned());
+        }
         let cells = head.iter().enumerate().map(|(k, h)| if h.is_empty() { None } else { text(h, format!("gears-head-{k}")) }).collect();
         let mut rows = vec![Row { cells, height_mm: ROW_MM }];
         for (r, (words, letter, values)) in each.iter().enumerate() {
@@ -82,7 +120,9 @@ impl Drawn<'_> {
             rows.push(Row { cells, height_mm: ROW_MM });
         }
         for (r, (words, letter, value)) in common.iter().enumerate() {
-            let letter = letter.replace("B_{}B_{}", &format!("{}{}", self.symbol("B", 1), self.symbol("B", 0)));
+            let letter = letter
+                .replace("B_{}B_{}", &format!("{}{}", self.symbol("B", 1), self.symbol("B", 0)))
+                .replace("x_{}-x_{}", &format!("{} - {}", self.symbol("x", 1), self.symbol("x", 0)));
             let mut row = Row {
                 cells: vec![
                     text(words, format!("gears-pair-{r}")),

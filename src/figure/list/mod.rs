@@ -15,6 +15,7 @@ use crate::mechanism::Level;
 use crate::scene::{PointId, Scene};
 use crate::worked::Worked;
 
+use super::attempts;
 use super::centres;
 use super::cognates;
 use super::composite;
@@ -54,6 +55,7 @@ pub const LIST: &[&Entry] = &[
     &curvature::CENTRODES,
     &inversions::ENTRY,
     &cognates::ENTRY,
+    &attempts::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

@@ -7,7 +7,7 @@ use crate::figure::item::{Dash, Shape};
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
 use crate::position::Path;
-use crate::scene::{Cam, Follows, GuideId, LinkId, PointId};
+use crate::scene::{Cam, Direction, Follows, GuideId, GuidePath, LinkId, PointId};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -38,6 +38,19 @@ impl Draft<'_> {
     /// Whether a point is a pin only because it runs in the guide that stands for a contact.
     fn stands_for(&self, p: PointId) -> bool {
         self.scene.cams.iter().any(|c| c.contact.is_some_and(|g| self.scene.guides[g.0].pin == Some(p)) && self.on_cam(c, p))
+    }
+
+    /// Whether a flat face is named by a line through this point: tables say ∥CF.
+    pub(super) fn on_face(&self, p: PointId) -> bool {
+        let along = |g: GuideId| match self.scene.guides[g.0].path {
+            GuidePath::Line { direction: Direction::Along(a, b, _), .. } => a == p || b == p,
+            GuidePath::Line { direction: Direction::Own | Direction::Instant(_), .. } | GuidePath::Arc { .. } => false,
+        };
+        let faced = |c: &Cam| match c.follows {
+            Follows::Face(_) => c.contact.is_some_and(along),
+            Follows::Edge(_) | Follows::Roller(..) | Follows::Arc(..) => false,
+        };
+        self.scene.cams.iter().any(faced)
     }
 
     fn on_cam(&self, c: &Cam, p: PointId) -> bool {
@@ -161,7 +174,10 @@ impl Draft<'_> {
         let along = contact - foot;
         let u = along.unit().unwrap_or(n.perp());
         let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower) && g.on == self.scene.ground);
-        let reach = along.norm() + BEYOND_MM;
+        // Points that name the face lie on it, or on the arm that it makes with them.
+        let named = self.scene.links[c.follower.0].points.iter().filter(|p| self.on_face(**p)).filter_map(|p| self.point(*p));
+        let farthest = named.filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM).map(|p| (p - foot).dot(u)).fold(0.0, f64::max);
+        let reach = (along.norm() + BEYOND_MM).max(farthest);
         let from = if slides { foot - u * reach } else { foot };
         let owner = self.d.draw(id, "", sym::link(self.style, &[from, foot + u * reach]));
         if (foot - through).norm() > super::SAME_MM && !slides {

@@ -71,6 +71,9 @@ pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
 impl Draft<'_> {
     /// The form of a link; `None` for ground, for blocks and cylinder parts, and for what has no place.
     pub(super) fn form(&self, l: LinkId) -> Option<Form> {
+        if let Some(swing) = self.swings().into_iter().find(|s| s.rod == l || s.block == l) {
+            return (swing.rod == l).then(|| Form { bars: vec![swing.ends], ..Form::default() });
+        }
         if l == self.scene.ground || self.worked.mechanism.is_passive(l) {
             return None;
         }

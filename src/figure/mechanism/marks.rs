@@ -15,11 +15,26 @@ use super::Draft;
 /// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
 const ANGLE_PART: f64 = 0.5;
 const ANGLE_MM: [f64; 2] = [8.5, 13.0];
+/// An arc shorter than this has its radius made larger, up to this part of the crank and this radius.
+const ANGLE_ARC_MM: f64 = 9.0;
+const SMALL_ANGLE_PART: f64 = 0.8;
+const SMALL_ANGLE_MM: f64 = 24.0;
 /// Radius of the arrow of a rotation; it clears the support's triangle (6.2 mm with its hatching).
 const ROTATION_PART: f64 = 0.4;
 const ROTATION_MM: [f64; 2] = [7.0, 9.5];
 /// Where the arrow of a rotation begins and ends, seen from the crank.
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
+/// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
+const TURNS: i32 = 24;
+const OUTS: usize = 6;
+const OUT_MM: f64 = 1.6;
+/// Air around it: a line beside it would be read as part of it.
+const ARC_AIR_MM: f64 = 0.8;
+/// What speaks against one: a line crossed is worse than any place; a step outward is as bad as a turn of 75°, a turn of twice that four
+/// times as bad, as the eye looks for the arrow at the link.
+const CROSSED_COST: f64 = 60.0;
+const OUT_COST: f64 = 1.5;
+const TURN_COST: f64 = 0.06;
 /// How much farther out a second driver's arrows are: its label fits between.
 const NEXT_MM: f64 = 6.0;
 /// A given angle smaller than this has no room for its arrow.
@@ -88,7 +103,9 @@ impl Draft<'_> {
         let written = angle.as_ref().map(|a| a.value.radians() % TAU);
         if let Some(sweep) = written.filter(|s| s.abs() > ANGLE_LEAST_RAD && ends.is_some()) {
             side = sweep.signum();
-            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]) + wider_mm;
+            let radius = (ANGLE_PART * crank).clamp(ANGLE_MM[0], ANGLE_MM[1]);
+            // A small angle is measured farther out, where its arc has room for a head.
+            let radius = radius.max((ANGLE_ARC_MM / sweep.abs()).min(SMALL_ANGLE_PART * crank).min(SMALL_ANGLE_MM)) + wider_mm;
             let reference = match against_line.or_else(|| first_two(against)) {
                 Some((a, b)) if !grounded || against_line.is_some() => {
                     self.point(a).zip(self.point(b)).map_or(0.0, |(a, b)| (b - a).angle())
@@ -112,7 +129,8 @@ impl Draft<'_> {
             None => ROTATION_RAD.map(|a| outward.angle() + side * a),
         };
         // The head is at the end that the link turns to.
-        let [from, to] = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        let ends = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
+        let (radius, [from, to]) = self.clear_arc(centre, radius, ends);
         self.d.of_link(Some(link.0));
         let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
         let index = name_label(&index);
@@ -122,6 +140,23 @@ impl Draft<'_> {
         };
         self.arc_label(&symbol, "rotation", centre, radius, [from, to], owner);
         self.d.of_link(None);
+    }
+
+    /// Where the arrow of a rotation crosses least: where it is asked for, else turned about its centre or farther out, as little as may be.
+    fn clear_arc(&self, centre: Point, radius: f64, [from, to]: [f64; 2]) -> (f64, [f64; 2]) {
+        let place = |out: usize, turn: i32| {
+            let by = f64::from(turn) * TAU / f64::from(TURNS);
+            (radius + out as f64 * OUT_MM, [from + by, to + by])
+        };
+        let cost = |out: usize, turn: i32| {
+            let (radius, [from, to]) = place(out, turn);
+            let crossed = self.d.met_by(&sym::rotation(self.style, centre, radius, from, to), ARC_AIR_MM);
+            CROSSED_COST * crossed as f64 + OUT_COST * out as f64 + TURN_COST * f64::from(turn * turn)
+        };
+        let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
+        let priced = all.map(|(out, turn)| (cost(out, turn), out, turn));
+        let (_, out, turn) = priced.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0, 0));
+        place(out, turn)
     }
 
     fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {

@@ -1,7 +1,7 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
@@ -16,6 +16,8 @@ mod overlay;
 mod parted;
 mod slides;
 mod special;
+mod supports;
+mod swings;
 mod wheels;
 
 use crate::geom::{Point, Vec2};
@@ -37,14 +39,6 @@ pub use overlay::{Overlay, Track, overlaid};
 
 /// Two places nearer than this on paper are one: a tenth of a link's width.
 const SAME_MM: f64 = 0.07;
-/// A link this near to the direction of a support's triangle (cosine) would be drawn over it.
-const OVER_SUPPORT: f64 = 0.6;
-/// What speaks against a side for a support, most gravely first: a link over the triangle, a plate behind it, a given
-/// angle's arc across it, and that it is not below, where readers look for the ground.
-const LINK_COST: f64 = 4.0;
-const PLATE_COST: f64 = 3.0;
-const ANGLE_COST: f64 = 2.0;
-const OTHER_COST: f64 = 1.0;
 
 /// Where a bar crosses another, this much of the lower one is left out beside the upper one.
 const GAP_MM: f64 = 0.9;
@@ -157,6 +151,7 @@ impl<'a> Draft<'a> {
         self.cylinders();
         self.equivalents();
         self.joints();
+        self.swinging();
         self.contacts();
         self.drivers();
         if self.constructed {
@@ -226,8 +221,11 @@ impl<'a> Draft<'a> {
         self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
-    /// Whether a point of the ground is named by a guide: then it is shown as a dot.
+    /// Whether a point is named by a guide, or by the direction of a flat face: then it is shown as a dot.
     fn is_reference(&self, p: PointId) -> bool {
+        if self.on_face(p) {
+            return true;
+        }
         self.scene.guides.iter().any(|g| match &g.path {
             GuidePath::Line { through, .. } => *through == Through::Point(p),
             GuidePath::Arc { centre, .. } => *centre == p,
@@ -242,13 +240,17 @@ impl<'a> Draft<'a> {
 
     /// The guide whose block stands around the point.
     fn block_at(&self, p: PointId) -> Option<GuideId> {
-        self.scene.guides.iter().position(|g| g.pin == Some(p) && g.slider.is_some()).map(GuideId)
+        let block = |g: &GuideId| {
+            let guide = &self.scene.guides[g.0];
+            guide.pin == Some(p) && guide.slider.is_some() && !self.is_bore(*g)
+        };
+        (0..self.scene.guides.len()).map(GuideId).find(block)
     }
 
     /// Directions in which links leave a point (unit vectors).
     fn leaving(&self, p: PointId) -> Vec<Vec2> {
         let Some(at) = self.point(p) else { return Vec::new() };
-        let mut out = Vec::new();
+        let mut out = self.rods_leaving(p);
         for l in self.scene.carriers(p).filter(|l| *l != self.scene.ground) {
             let Some(form) = &self.forms[l.0] else { continue };
             for (a, b) in form.segments() {
@@ -274,30 +276,6 @@ impl<'a> Draft<'a> {
             }
         }
         out
-    }
-
-    /// From a fixed pivot to its ground: down, unless something is in the way and another side is freer.
-    fn support_side(&self, p: PointId) -> Vec2 {
-        if let Some(side) = self.course.supports.get(p.0) {
-            return *side;
-        }
-        let down = Vec2::new(0.0, -1.0);
-        let Some(at) = self.point(p) else { return down };
-        let leaving = self.leaving(p);
-        let given = self.given_angles(p);
-        let cost = |u: &Vec2| {
-            let link = leaving.iter().any(|v| v.dot(*u) > OVER_SUPPORT);
-            let foot = at + *u * self.style.pivot_height_mm;
-            let plate = self.forms.iter().flatten().any(|f| form::inside(foot, &f.plate));
-            let angle = given.iter().any(|(from, sweep)| form::sweeps(*from, *sweep, u.angle()));
-            [(link, LINK_COST), (plate, PLATE_COST), (angle, ANGLE_COST), (*u != down, OTHER_COST)]
-                .iter()
-                .filter(|c| c.0)
-                .map(|c| c.1)
-                .sum::<f64>()
-        };
-        let sides = [down, Vec2::new(0.0, 1.0), Vec2::new(-1.0, 0.0), Vec2::new(1.0, 0.0)];
-        sides.into_iter().min_by(|a, b| cost(a).total_cmp(&cost(b))).unwrap_or(down)
     }
 
     /// Plates with guides lie under the blocks that slide on them, all others over the blocks that they are pinned to.

@@ -190,7 +190,7 @@ impl Draft<'_> {
         for g in self.guides() {
             let guide = &self.scene.guides[g.0];
             let (Some(_), Some(slider)) = (guide.pin, guide.slider) else { continue };
-            if !self.shows(slider) {
+            if !self.shows(slider) || self.is_bore(g) {
                 continue;
             }
             let through = guide.on != self.scene.ground && matches!(guide.path, GuidePath::Line { .. });

@@ -4,6 +4,7 @@ use super::super::item::{Dash, Shape};
 use super::super::symbols as sym;
 use super::Draft;
 use crate::geom::Point;
+use crate::mechanism::Level;
 use crate::plan::names::{point_label, special_name};
 use crate::plan::{SpecialLine, Spot};
 
@@ -17,7 +18,7 @@ impl Draft<'_> {
         let worked = self.worked;
         for (v, vertex) in worked.plan.vertices.iter().enumerate() {
             let (Spot::Special(k), Some(at)) = (vertex.spot, worked.construction.diagram.spots[v]) else { continue };
-            let drawn = worked.construction.velocity.as_ref().is_some_and(|p| p.images[v].is_some());
+            let drawn = worked.construction.polygon(Level::Velocity).is_some_and(|p| p.images[v].is_some());
             if vertex.on.is_some() || !drawn || !self.within_reach(at) {
                 continue;
             }

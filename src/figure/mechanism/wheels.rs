@@ -52,7 +52,7 @@ impl Draft<'_> {
         let round = |i: usize| {
             let centre = self.point(pair.centres()[i]?)?;
             let (radius_mm, hollow) = (centre.distance(contact), hollow == Some(i));
-            Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.map(|z| z[i]) })
+            Some(Round { link: pair.links[i], centre, radius_mm, hollow, teeth: teeth.and_then(|z| z[i]) })
         };
         [0, 1].into_iter().filter_map(round).collect()
     }

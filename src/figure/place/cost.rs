@@ -16,8 +16,8 @@ const AIR_MM: f64 = 0.5;
 const PER_MM: f64 = 1.0;
 /// An arrowhead is what the reader looks for: it counts as this many lines.
 const HEAD_FACTOR: f64 = 2.0;
-/// The label's own line through its letters is bad, but does not mislead.
-const OWN_FACTOR: f64 = 0.5;
+/// The label's own line through its letters does not mislead, and is no easier to read.
+const OWN_FACTOR: f64 = 0.9;
 /// Each millimetre of a disc's depth and each square millimetre of a box.
 const PER_DEPTH: f64 = 2.0;
 /// Leaving the paper: worse than anything on it.
@@ -28,6 +28,11 @@ const NEARER_PER_MM: f64 = 1.8;
 const NEARER_MARGIN_MM: f64 = 0.8;
 /// Nearness never costs as much as touching.
 const NEARER_MAX: f64 = 4.0;
+/// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
+/// leader line is tried.
+const STRAYS: f64 = 6.0;
+/// Letters within this of one place are those of one mark.
+const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
 const LEADER_CROSSES: f64 = 2.5;
 /// Overlap of two labels, and each square millimetre of it.
@@ -44,6 +49,7 @@ pub(super) struct Around<'a> {
     heads: Vec<&'a Bar>,
     discs: Vec<&'a Disc>,
     rects: Vec<&'a Rect>,
+    rivals: Vec<Point>,
 }
 
 /// A line near a label's places.
@@ -59,7 +65,7 @@ impl<'a> Around<'a> {
     pub(super) fn new(places: &[Candidate], wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Around<'a> {
         let looks = places.iter().map(|c| c.reach.union(c.rect.grown(own_distance(c.rect, wanted.target) + NEARER_MARGIN_MM)));
         let Some(reach) = looks.reduce(Rect::union).map(|r| r.grown(AIR_MM)) else {
-            return Around { wanted, paper, bars: Vec::new(), heads: Vec::new(), discs: Vec::new(), rects: Vec::new() };
+            return Around { wanted, paper, bars: vec![], heads: vec![], discs: vec![], rects: vec![], rivals: vec![] };
         };
         let near = |bar: &&Bar| !far_apart(reach.grown(bar.half_width_mm), bar);
         let line = |bar: &'a Bar| {
@@ -74,6 +80,24 @@ impl<'a> Around<'a> {
             heads: obstacles.heads.iter().filter(near).collect(),
             discs: obstacles.discs.iter().filter(touched).collect(),
             rects: obstacles.rects.iter().filter(|r| r.overlap_mm2(reach) > 0.0).collect(),
+            rivals: rivals(wanted, obstacles).filter(|p| nearest(reach, *p).distance(*p) <= reach.width_mm()).collect(),
+        }
+    }
+
+    /// Whether another mark is nearer than the label's own, or another line as thick.
+    fn strays(&self, rect: Rect) -> bool {
+        match self.wanted.target {
+            Target::Point { at, .. } => {
+                let own = nearest(rect, at).distance(at);
+                self.rivals.iter().any(|p| nearest(rect, *p).distance(*p) < own)
+            }
+            Target::Segment { clear_mm, .. } => {
+                let own = own_distance(rect, self.wanted.target);
+                let rival = |l: &&Line| !l.own && !l.meets && l.bar.half_width_mm >= clear_mm;
+                let near = |l: &Line| touch(rect.grown(own + l.bar.half_width_mm), l.bounds);
+                self.bars.iter().filter(rival).any(|l| near(l) && distance(rect, l.bar) - l.bar.half_width_mm < own)
+            }
+            Target::Arc { .. } => false,
         }
     }
 
@@ -97,6 +121,9 @@ impl<'a> Around<'a> {
             }
         }
         cost += (NEARER_PER_MM * nearer).min(NEARER_MAX);
+        if c.leader.is_none() && self.strays(c.rect) {
+            cost += STRAYS - (NEARER_PER_MM * nearer).min(NEARER_MAX);
+        }
         for head in &self.heads {
             let grown = c.rect.grown(head.half_width_mm + AIR_MM);
             if !far_apart(grown, head) {
@@ -129,6 +156,15 @@ impl<'a> Around<'a> {
     }
 }
 
+/// The lettered places that are not the label's own.
+fn rivals(wanted: &Wanted, obstacles: &Obstacles) -> impl Iterator<Item = Point> {
+    let own = match wanted.target {
+        Target::Point { at, .. } => Some(at),
+        Target::Segment { .. } | Target::Arc { .. } => None,
+    };
+    obstacles.lettered.iter().copied().filter(move |p| own.is_some_and(|at| at.distance(*p) > ONE_MARK_MM))
+}
+
 /// Whether a label there lies on something that it would make unreadable, or that would make it so: an arrowhead, a symbol, a
 /// foreign line as thick as the label's own. A thin line through it does neither.
 pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool {
@@ -142,6 +178,18 @@ pub(super) fn hides(rect: Rect, wanted: &Wanted, obstacles: &Obstacles) -> bool 
         || obstacles.heads.iter().any(under)
         || obstacles.discs.iter().any(|d| nearest(rect, d.centre).distance(d.centre) < d.radius_mm)
         || obstacles.rects.iter().any(|r| r.overlap_mm2(rect) > 0.0)
+}
+
+/// Whether a label there would be read as the name of another line: one as thick as its own is nearer. A leader line tells.
+pub(super) fn strays(c: Rect, leader: bool, wanted: &Wanted, obstacles: &Obstacles) -> bool {
+    let Target::Segment { clear_mm, .. } = wanted.target else { return false };
+    let own = own_distance(c, wanted.target);
+    let reach = c.grown(own);
+    let rival = |bar: &Bar| {
+        let foreign = bar.owner.is_none() || bar.owner != wanted.owner;
+        foreign && bar.half_width_mm >= clear_mm && touch(reach.grown(bar.half_width_mm), Rect::new(bar.from, bar.to))
+    };
+    !leader && obstacles.bars.iter().any(|bar| rival(bar) && !meets(bar, wanted.target) && distance(c, bar) - bar.half_width_mm < own)
 }
 
 /// What it costs to leave the paper.
@@ -254,6 +302,20 @@ fn distance(rect: Rect, bar: &Bar) -> f64 {
     let corners = [rect.min, rect.max, Point::new(rect.min.x, rect.max.y), Point::new(rect.max.x, rect.min.y)];
     let by_end = [bar.from, bar.to].into_iter().fold(f64::INFINITY, |least, p| least.min((nearest(rect, p) - p).norm2()));
     corners.into_iter().fold(by_end, |least, c| least.min(to_segment2(c, bar.from, bar.to))).sqrt()
+}
+
+/// Distance of the edges of two bars; negative where one lies on the other, of bars that cross minus infinity.
+pub(super) fn bars_apart(a: &Bar, b: &Bar) -> f64 {
+    if crosses(a.from, a.to, b.from, b.to) {
+        return f64::NEG_INFINITY;
+    }
+    let middles = [(a.from, b), (a.to, b), (b.from, a), (b.to, a)].map(|(p, bar)| to_segment(p, bar.from, bar.to));
+    middles.into_iter().fold(f64::INFINITY, f64::min) - a.half_width_mm - b.half_width_mm
+}
+
+/// Distance of a point from the edge of a bar.
+pub(super) fn to_bar(p: Point, bar: &Bar) -> f64 {
+    to_segment(p, bar.from, bar.to) - bar.half_width_mm
 }
 
 fn to_segment(p: Point, a: Point, b: Point) -> f64 {

@@ -16,10 +16,12 @@ mod search;
 
 pub use obstacle::{Bar, Disc, Obstacles};
 
+use std::f64::consts::TAU;
+
 use crate::geom::{Point, Vec2};
 
 use super::extent::Rect;
-use super::item::{Anchor, Colour, Item, Shape, Stroke};
+use super::item::{Anchor, Colour, Item, Piece, Shape, Stroke};
 use super::label::Label;
 use super::text;
 use candidate::Candidate;
@@ -93,6 +95,14 @@ impl LabelRequest {
         LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
     }
 
+    /// The point that it names, if it names one.
+    pub fn point(&self) -> Option<Point> {
+        match self.target {
+            Target::Point { at, .. } => Some(at),
+            Target::Segment { .. } | Target::Arc { .. } => None,
+        }
+    }
+
     /// The same with an owner.
     pub fn owned(self, owner: u32) -> LabelRequest {
         LabelRequest { owner: Some(owner), ..self }
@@ -130,7 +140,7 @@ pub const CROWDED: f64 = cost::TOUCH;
 impl Placement {
     /// The label as an item, and its leader line before it where it has one.
     pub fn items(&self, request: &LabelRequest, class: &str, leader: Stroke) -> Vec<Item> {
-        let line = self.leader.map(|(from, to)| Item::new("leader", Shape::Line { from, to, stroke: leader }));
+        let line = self.leader.map(|(from, to)| Item::new("leader", pointer(from, to, leader)));
         let label = Shape::Label {
             at: self.at,
             label: request.label.clone(),
@@ -139,6 +149,26 @@ impl Placement {
             colour: Colour::BLACK,
         };
         line.into_iter().chain([Item::new(class, label)]).collect()
+    }
+}
+
+/// How grey a leader line is: to be followed, and not to be taken for a line of the drawing.
+const LEADER_GREY: u8 = 140;
+/// The dot at its end (ISO 128-22: on a surface or a line without an arrowhead).
+const LEADER_DOT_MM: f64 = 0.45;
+
+/// A leader line: grey, with a dot at the thing that it names.
+fn pointer(from: Point, to: Point, stroke: Stroke) -> Shape {
+    let grey = Colour::grey(LEADER_GREY);
+    let (radius_mm, from_rad) = (LEADER_DOT_MM, (from - to).angle());
+    let dot = Piece::Arc { centre: to, radius_mm, from_rad, to_rad: from_rad + TAU };
+    let start = to + Vec2::from_angle(from_rad) * radius_mm;
+    Shape::Path {
+        start,
+        pieces: vec![dot, Piece::Move(start), Piece::Line(from)],
+        closed: false,
+        stroke: Some(stroke.coloured(grey)),
+        fill: Some(grey),
     }
 }
 
@@ -178,8 +208,8 @@ pub enum Habit {
     LeftOut,
 }
 
-/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label or on a line as thick as
-/// their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
+/// Finds places as [`place_after`], and leaves out optional labels that would stand on another label, on a line as thick as
+/// their own, or nearer to one than to their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
 /// when there is a clear place beside all others, so that names do not come and go.
 pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<Habit>]) -> Vec<Option<Placement>> {
     if is_coarse(requests.len()) {
@@ -202,8 +232,9 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
             let (own, here) = (&labels[kept[k]], places[k].bounds);
             cost::hides(here, own, obstacles) || places.iter().enumerate().any(|(j, p)| j != k && p.bounds.overlap_mm2(here) > 0.0)
         };
-        let mut crowded: Vec<usize> =
-            (0..kept.len()).filter(|&k| requests[kept[k]].optional && places[k].cost >= CROWDED && hides(k)).collect();
+        let strays = |k: usize| cost::strays(places[k].bounds, places[k].leader.is_some(), &labels[kept[k]], obstacles);
+        let poor = |k: usize| places[k].cost >= CROWDED && hides(k) || strays(k);
+        let mut crowded: Vec<usize> = (0..kept.len()).filter(|&k| requests[kept[k]].optional && poor(k)).collect();
         if crowded.is_empty() {
             kept.iter().zip(places).for_each(|(&i, place)| out[i] = Some(place));
             break;

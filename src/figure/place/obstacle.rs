@@ -38,6 +38,8 @@ pub struct Obstacles {
     pub discs: Vec<Disc>,
     /// Boxes: labels with a fixed place, tables.
     pub rects: Vec<Rect>,
+    /// Places that have a letter: that of another one stands farther off.
+    pub lettered: Vec<Point>,
 }
 
 /// Arcs are taken as chords of at most this angle: at 20 mm radius a chord of 0.3 rad is off by 0.2 mm.
@@ -54,6 +56,13 @@ impl Obstacles {
     /// Adds the obstacles that these items make, all of one owner.
     pub fn add(&mut self, items: &[Item], owner: Option<u32>) {
         items.iter().for_each(|item| self.add_item(item, owner));
+    }
+
+    /// How many of these lines and discs others cross, or come nearer to than `air_mm`.
+    pub fn met_by(&self, others: &Obstacles, air_mm: f64) -> usize {
+        let met = |bar: &&Bar| others.bars.iter().any(|o| super::cost::bars_apart(bar, o) < air_mm);
+        let disc = |d: &&Disc| others.bars.iter().any(|o| super::cost::to_bar(d.centre, o) < d.radius_mm + air_mm);
+        self.bars.iter().filter(met).count() + self.discs.iter().filter(disc).count()
     }
 
     fn add_item(&mut self, item: &Item, owner: Option<u32>) {

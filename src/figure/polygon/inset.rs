@@ -8,6 +8,7 @@ use crate::figure::sheet::of_level;
 use crate::figure::style::Style;
 use crate::geom::{Point, Vec2};
 
+use super::names::Shown;
 use super::{Draft, SAME_MM, ZERO_MM, middle};
 
 /// A vector longer than this carries its name itself, or nothing near it does.
@@ -156,14 +157,15 @@ impl Draft<'_> {
             d.of_link(a.link);
             let shape = Shape::Arrow { from, to, stroke: style.vector, head: style.head };
             let owner = d.shape(&format!("inset-{}", a.symbols[0]), &format!("inset {}", a.classes()), shape);
-            self.name(d, style, a, (from, to), owner, inner);
+            self.name(d, style, a, Shown { ends: (from, to), owner, middle: inner, within: "inset" });
         }
         d.of_link(None);
-        for (k, l) in self.letters.iter().enumerate() {
+        // What the enlargement shows apart has names apart.
+        for (k, l) in self.letters(SAME_MM / inset.times).iter().enumerate() {
             if l.at.distance(inset.centre) < near {
                 let at = inset.map(l.at);
-                let name = format!("inset-{}", l.letters[0]);
-                d.label_at(&name, &format!("inset {}", l.class(k)), &l.letters.join(", "), at, 0.3, (at - inner).unit());
+                let name = format!("inset-{}", l.names[0]);
+                d.label_at(&name, &format!("inset {}", l.class(k)), &l.names.join(", "), at, 0.3, (at - inner).unit());
             }
         }
         let mu = of_level(&self.w.scene.book, self.p.level, inset.mu);

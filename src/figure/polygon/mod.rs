@@ -1,13 +1,14 @@
 //! A velocity or acceleration polygon, from the drawing board's actions to ink.
 //!
 //! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
-//! what is too small for its names, [`circles`] are the images of what rolls.) The places are
+//! what is too small for its names, [`circles`] are the images of what rolls, [`names`] says what is written at them.) The places are
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
 
 mod circles;
 mod inset;
 mod marks;
+mod names;
 
 use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
@@ -20,12 +21,11 @@ use crate::scene::quantity::Meaning;
 
 use crate::figure::drawing::{Drawing, Part};
 use crate::figure::item::Shape;
-use crate::figure::label::Label;
-use crate::figure::place::LabelRequest;
 use crate::figure::style::Style;
 use crate::figure::symbols as sym;
 use inset::Inset;
 use marks::marks;
+use names::{Letter, Shown};
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;
@@ -44,18 +44,13 @@ struct Arrow {
     to: Point,
     /// All its names; the last is that of a whole vector, if it is one.
     symbols: Vec<String>,
+    /// Names of vectors that only paper does not tell from it.
+    nearly: Vec<String>,
     class: &'static str,
     /// The actions that draw it; two vectors of one place are one arrow.
     steps: Vec<usize>,
     /// The link whose motion it shows.
     link: Option<usize>,
-}
-
-/// A point to be marked, with all letters that it has.
-struct Letter {
-    at: Point,
-    letters: Vec<String>,
-    step: usize,
 }
 
 struct Draft<'a> {
@@ -111,7 +106,7 @@ impl<'a> Draft<'a> {
         let mut style = style.clone();
         if full || draft.arrows.len() > MANY_ARROWS {
             let needed = draft.needed();
-            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().any(|s| needed.contains(s)));
+            draft.arrows.retain(|a| a.class != "absolute" || a.symbols.iter().chain(&a.nearly).any(|s| needed.contains(s)));
             style.label_mm = style.small_mm;
         }
         (draft, style)
@@ -124,7 +119,7 @@ impl Draft<'_> {
         let (w, level) = (self.w, self.p.level);
         let asked = w.scene.find.iter().filter(|f| f.what.level() == level).filter_map(|f| match f.what.meaning(w.scene)? {
             Meaning::Vector(p) => w.plan.find_vertex(w.scene, p.point, p.link),
-            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Place(_) => None,
+            Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_) => None,
         });
         let steps = w.plan.steps(level).iter().flat_map(|g| g.alternatives.iter().flatten().chain(&g.further));
         let starts = steps.flat_map(Step::chains).map(|c| c.start);
@@ -212,25 +207,19 @@ impl Draft<'_> {
     }
 
     fn arrow(&mut self, (from, to): (Point, Point), symbol: String, class: &'static str, step: usize, link: Option<usize>) {
+        let rounding = self.rounding_mm();
         let same = |a: &&mut Arrow| is_one(a.from, from) && is_one(a.to, to);
         match self.arrows.iter_mut().find(same) {
             Some(a) => {
-                if !a.symbols.contains(&symbol) {
-                    a.symbols.push(symbol);
+                if !a.symbols.contains(&symbol) && !a.nearly.contains(&symbol) {
+                    let exact = (to - from - (a.to - a.from)).norm() <= rounding;
+                    if exact { &mut a.symbols } else { &mut a.nearly }.push(symbol);
                 }
                 if !a.steps.contains(&step) {
                     a.steps.push(step);
                 }
             }
-            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], class, steps: vec![step], link }),
-        }
-    }
-
-    fn letter(&mut self, at: Point, letter: String, step: usize) {
-        match self.letters.iter_mut().find(|l| is_one(l.at, at)) {
-            Some(l) if l.letters.contains(&letter) => {}
-            Some(l) => l.letters.push(letter),
-            None => self.letters.push(Letter { at, letters: vec![letter], step }),
+            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], nearly: vec![], class, steps: vec![step], link }),
         }
     }
 
@@ -257,14 +246,12 @@ impl Draft<'_> {
 
     /// Whether a vector too short to be drawn is nothing but rounding, or merely small.
     fn zero_sign(&self, length_mm: f64) -> &'static str {
-        if length_mm <= ROUNDING * self.p.largest() / self.p.mu { "=" } else { "\\approx" }
+        if length_mm <= self.rounding_mm() { "=" } else { "\\approx" }
     }
 
-    /// Where the part of a vector begins that no shorter one covers: there its name belongs.
-    fn own_part(&self, a: &Arrow) -> Point {
-        let inside = |b: &&Arrow| is_one(b.from, a.from) && covers((a.from, a.to), b.to) && b.to.distance(a.to) > LABEL_ROOM_MM;
-        let far = self.arrows.iter().filter(inside).max_by(|b, c| a.from.distance(b.to).total_cmp(&a.from.distance(c.to)));
-        far.map_or(a.from, |b| b.to)
+    /// What no two numbers of this polygon differ by for another reason than rounding.
+    fn rounding_mm(&self) -> f64 {
+        ROUNDING * self.p.largest() / self.p.mu
     }
 
     /// Draws everything; for each arrow the name of its label. What is named in an inset is not named in the polygon.
@@ -301,7 +288,7 @@ impl Draft<'_> {
             let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
             let owner = d.shape(&format!("{}-{}", a.word(), a.symbols[0]), &a.classes(), shape);
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
-                names[k] = self.name(&mut d, style, a, (self.own_part(a), a.to), owner, middle);
+                names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), a.to), owner, middle, within: "" });
             }
         }
         d.of_link(None);
@@ -312,32 +299,19 @@ impl Draft<'_> {
             d.draw("zero", &class, sym::dot(style, *at));
             d.label_at(note, &class, note, *at, style.dot_radius_mm, None);
         }
-        for (k, l) in self.letters.iter().enumerate() {
+        for (k, l) in self.letters(SAME_MM).iter().enumerate() {
             let clear = if k == 0 { style.dot_radius_mm } else { 0.3 };
             if k == 0 {
                 d.draw("pole", "pole", sym::dot(style, l.at));
             }
             if k == 0 || !insets.iter().any(|i| i.has_alone(self, l.at)) {
-                d.label_at(&l.letters[0], &l.class(k), &l.letters.join(", "), l.at, clear, (l.at - middle).unit());
+                d.label_at(&l.names[0], &l.class(k), &l.names.join(", "), l.at, clear, (l.at - middle).unit());
             }
         }
         for inset in insets {
             self.inset(&mut d, style, inset);
         }
         (d, names)
-    }
-
-    /// Asks for a vector's name along a line that shows it; it may be left out where both ends are lettered.
-    fn name(&self, d: &mut Drawing, style: &Style, a: &Arrow, (from, to): (Point, Point), owner: u32, middle: Point) -> String {
-        // A normal part that is all there is bears the name of the whole, where it has one.
-        let whole = a.symbols.iter().any(|s| !s.contains("^{n}"));
-        let names: Vec<&String> = a.symbols.iter().filter(|s| !whole || !s.contains("^{n}")).collect();
-        let symbol = names.iter().map(|s| s.as_str()).collect::<Vec<_>>().join(" = ");
-        let lettered = |p: Point| self.letters.iter().any(|l| is_one(l.at, p));
-        let request = LabelRequest::along(Label::math(symbol), style.label_mm, from, to, style.vector.width_mm / 2.0);
-        let outward = (from + (to - from) * 0.5) - middle;
-        let request = request.owned(owner).towards(outward).optional(lettered(a.from) && lettered(a.to));
-        d.label(&a.symbols[0], &a.classes(), request)
     }
 }
 
@@ -350,12 +324,6 @@ impl Arrow {
     /// What it is, in one word.
     fn word(&self) -> &'static str {
         self.class.split(' ').next().unwrap_or_default()
-    }
-}
-
-impl Letter {
-    fn class(&self, index: usize) -> String {
-        if index == 0 { "pole".to_owned() } else { format!("point step-{}", self.step) }
     }
 }
 

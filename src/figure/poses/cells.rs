@@ -75,7 +75,7 @@ impl Table<'_> {
         let courses = courses(&poses, style, notation);
         let behind = self.behind(shows);
         let full = self.rows.iter().filter_map(|row| self.polygon(row, shows)).any(|(w, p)| polygon::is_full(&w, p));
-        let mut habits = Habits::new();
+        let (mut habits, mut of_polygon) = (Habits::new(), Habits::new());
         let mut parts = Vec::new();
         for (k, row) in self.rows.iter().enumerate() {
             let mut part = match shows {
@@ -89,6 +89,7 @@ impl Table<'_> {
                 }
                 Shows::Polygon(_) => match self.polygon(row, shows) {
                     // An inset would take more room than the pose.
+                    Some((w, p)) if self.still => polygon::drawing(style, &w, p, full).finish_after(&mut of_polygon),
                     Some((w, p)) => polygon::drawing(style, &w, p, full).finish(),
                     None => Part::of(self.absent(row)),
                 },
@@ -120,7 +121,7 @@ impl Table<'_> {
 
     /// Paths behind the mechanism, hodographs behind the polygons: they are the same in all rows.
     fn behind(&self, shows: Shows) -> Vec<Item> {
-        let (Some(moved), Some(first)) = (&self.moved, self.rows.first()) else { return Vec::new() };
+        let (Some(moved), Some(first)) = (self.moved, self.rows.first()) else { return Vec::new() };
         let stroke = Stroke { dash: Dash::Solid, ..self.options.style.thin.coloured(BEHIND) };
         let mut items = Vec::new();
         for (k, point) in moved.points.iter().enumerate() {

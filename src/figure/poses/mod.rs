@@ -2,10 +2,13 @@
 //! in the rows of a table, as in a course's design work.
 //!
 //! Decided here: which poses there are, and their scales. What stands in the cells is decided by [`cells`], how they make pages by
-//! [`page`].
+//! [`page`]; [`turn`](mod@turn) shows them one after the other.
 
 mod cells;
 mod page;
+mod turn;
+
+pub use turn::{Turn, turn};
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, Warned, both};
@@ -57,54 +60,82 @@ pub struct Wanted {
 /// # Ok::<(), hodograph::diag::Faults>(())
 /// ```
 pub fn sheets(scene: &Scene, worked: &Worked, options: &Options, wanted: &Wanted) -> Result<Warned<Vec<Figure>>, Faults> {
-    let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver);
-    let sweep = follower.sweep(STEPS);
-    let poses = at_equal_steps(&follower, &sweep, wanted.count);
-    let work = |scene: &Scene, pose: &Pose| {
-        let (m, demand) = (worked.mechanism.clone(), worked.demand.clone());
-        work_placed(scene, m, demand, pose.configuration.clone()).ok().map(|w| w.value)
-    };
-    // Their own scales first, to see how large everything is.
-    let trials: Vec<(&Pose, Worked)> =
-        poses.iter().filter_map(|p| Some((p, work(&scene_at(scene, wanted.driver, p.travel), p)?))).collect();
-    let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
-    let scales = Scales::of(&scene.paper, &sized, sweep.full, BOXES);
-    let now = position_now(scene, &worked.configuration, wanted.driver);
-    let rows: Vec<Row> = trials
-        .iter()
-        .filter_map(|(pose, trial)| {
-            let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
-            let mut scene = scene_at(scene, wanted.driver, pose.travel);
-            scales.fix(&mut scene.paper);
-            let worked = work(&scene, pose)?;
-            let shown = Level::RATES.map(|level| scales.holds(trial, level));
-            let driver = now + pose.travel;
-            Some(Row { scene, worked, shown, end, driver })
-        })
-        .collect();
-    // A table has at least one row.
-    if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
-        let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
-        return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
-    }
-    let moved = (!wanted.points.is_empty())
-        .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
+    let poses = Poses::of(scene, worked, wanted)?;
     let style = Style { label_mm: options.style.small_mm, ..options.style.clone() };
     let options = Options { style, ..options.clone() };
-    let table = Table { options: &options, rows: &rows, full: sweep.full, driver: wanted.driver, moved, scales };
-    let pages = table.pages(scene.paper.size_mm)?;
-    let mut notes = Vec::new();
-    if rows.len() < wanted.count {
-        notes.push(Diagnostic::note("poses", both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count)));
+    let pages = poses.table(&options, wanted.driver, false).pages(scene.paper.size_mm)?;
+    Ok(Warned { value: pages, notes: poses.notes(scene, wanted) })
+}
+
+/// All poses worked through to one set of scales.
+struct Poses {
+    rows: Vec<Row>,
+    full: bool,
+    moved: Option<Motion>,
+    scales: Scales,
+}
+
+impl Poses {
+    fn of(scene: &Scene, worked: &Worked, wanted: &Wanted) -> Result<Poses, Faults> {
+        let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver);
+        let sweep = follower.sweep(STEPS);
+        let poses = at_equal_steps(&follower, &sweep, wanted.count);
+        let work = |scene: &Scene, pose: &Pose| {
+            let (m, demand) = (worked.mechanism.clone(), worked.demand.clone());
+            work_placed(scene, m, demand, pose.configuration.clone()).ok().map(|w| w.value)
+        };
+        // Their own scales first, to see how large everything is.
+        let trials: Vec<(&Pose, Worked)> =
+            poses.iter().filter_map(|p| Some((p, work(&scene_at(scene, wanted.driver, p.travel), p)?))).collect();
+        let sized: Vec<(f64, &Worked)> = trials.iter().map(|(p, w)| (p.travel, w)).collect();
+        let scales = Scales::of(&scene.paper, &sized, sweep.full, BOXES);
+        let now = position_now(scene, &worked.configuration, wanted.driver);
+        let rows: Vec<Row> = trials
+            .iter()
+            .filter_map(|(pose, trial)| {
+                let end = sweep.limits.iter().flatten().any(|limit| *limit == pose.travel);
+                let mut scene = scene_at(scene, wanted.driver, pose.travel);
+                scales.fix(&mut scene.paper);
+                let worked = work(&scene, pose)?;
+                let shown = Level::RATES.map(|level| scales.holds(trial, level));
+                let driver = now + pose.travel;
+                Some(Row { scene, worked, shown, end, driver })
+            })
+            .collect();
+        // A table has at least one row.
+        if rows.is_empty() || rows.len() < 2 && wanted.count > 1 {
+            let d = Diagnostic::error("no-motion", both!("the mechanism cannot be followed from its pose", "从该位置无法跟踪机构的运动"));
+            return Err(d.help(both!("give another pose, or ask for the sheet of this one", "请改变位置，或只画该位置的图")).into());
+        }
+        let moved = (!wanted.points.is_empty())
+            .then(|| motion(scene, &worked.mechanism, &worked.demand, &worked.configuration, wanted.driver, &wanted.points, 0));
+        Ok(Poses { rows, full: sweep.full, moved, scales })
     }
-    if scene.own_drivers() > 1 {
-        let text = both!(
-            "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
-            "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
-        );
-        notes.push(Diagnostic::note("poses-driver", text));
+
+    fn table<'a>(&'a self, options: &'a Options, driver: usize, still: bool) -> Table<'a> {
+        let Poses { rows, full, moved, scales } = self;
+        Table { options, rows, full: *full, driver, moved: moved.as_ref(), scales: *scales, still }
     }
-    Ok(Warned { value: pages, notes })
+
+    /// What is to be known of the poses that were asked for.
+    fn notes(&self, scene: &Scene, wanted: &Wanted) -> Vec<Diagnostic> {
+        let rows = &self.rows;
+        let mut notes = Vec::new();
+        if rows.len() < wanted.count {
+            notes.push(Diagnostic::note(
+                "poses",
+                both!("{} of {} poses can be drawn", "{1} 个位置中可画出 {0} 个", rows.len(), wanted.count),
+            ));
+        }
+        if scene.own_drivers() > 1 {
+            let text = both!(
+                "the scene has several drivers: one of them moves from pose to pose, the others hold their positions, with their rates",
+                "有几个原动件：其中一个逐个位置运动，其余保持位置和速度"
+            );
+            notes.push(Diagnostic::note("poses-driver", text));
+        }
+        notes
+    }
 }
 
 /// A pose to the common scales.
@@ -130,8 +161,10 @@ struct Table<'a> {
     rows: &'a [Row],
     full: bool,
     driver: usize,
-    moved: Option<Motion>,
+    moved: Option<&'a Motion>,
     scales: Scales,
+    /// Whether names stay where they were in the pose before, as the poses follow one another in time.
+    still: bool,
 }
 
 fn text(class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor) -> Item {

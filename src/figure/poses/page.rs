@@ -23,6 +23,17 @@ const HEAD_MM: f64 = 15.0;
 const TITLE_MM: f64 = 14.0;
 
 impl Table<'_> {
+    /// Where the driver stands in a pose, with its unit.
+    pub(super) fn position(&self, row: usize) -> String {
+        let scene = &self.rows[0].scene;
+        let (_, kind) = driver_symbol(scene, self.driver);
+        let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
+        let value = self.rows[row].driver;
+        let shown = if kind == Kind::Angle { turned(value, factor, self.full) } else { value * factor };
+        let shown = inked(&shortest((shown * parts).round() / parts));
+        if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") }
+    }
+
     /// Titles and captions are those of any pose, and nothing of the results is shown.
     fn maker(&self) -> Maker<'_> {
         let first = &self.rows[0];
@@ -200,15 +211,8 @@ impl Page<'_> {
 
     /// Which pose a row shows.
     fn name(&self, row: usize, at: Point) -> Vec<Item> {
-        let table = self.table;
-        let style = &table.options.style;
-        let scene = &table.rows[0].scene;
-        let (_, kind) = driver_symbol(scene, table.driver);
-        let ((unit, factor), parts) = (scene.book.fine(kind), scene.book.parts(kind, 100.0));
-        let value = table.rows[row].driver;
-        let shown = if kind == Kind::Angle { turned(value, factor, table.full) } else { value * factor };
-        let shown = inked(&shortest((shown * parts).round() / parts));
-        let value = if unit == "\\degree" { format!("{shown}{unit}") } else { format!("{shown}\\,{unit}") };
+        let style = &self.table.options.style;
+        let value = self.table.position(row);
         vec![
             text("position", at + Vec2::new(0.0, 1.5), Label::math((row + 1).to_string()), style.caption_mm * 1.5, Anchor::Middle)
                 .with_id(format!("position-{}", row + 1))

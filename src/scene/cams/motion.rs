@@ -54,6 +54,11 @@ impl Scene {
         scene
     }
 
+    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line.
+    pub fn kept_cams(&self) -> impl Iterator<Item = &Cam> {
+        self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_some_and(|t| t.by_law.is_none()))
+    }
+
     /// The driver of a follower on the ground; `None` for a face without a line whose angle could be given.
     fn follower_driver(&self, c: &Cam, t: &Turning) -> Option<DriverKind> {
         let given = |value: f64| Given { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
@@ -64,7 +69,8 @@ impl Scene {
             }
             Follower::Oscillating { .. } => {
                 let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[self.ground.0].points.contains(p))?;
-                let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b)?;
+                // A face through the pivot turns with the line along which it lies.
+                let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b).or_else(|| self.face_line(c, pivot))?;
                 Some(DriverKind::Turn {
                     link: c.follower,
                     against: self.ground,
@@ -73,6 +79,15 @@ impl Scene {
                     angle: Some(angle(0.0, c.span)),
                 })
             }
+        }
+    }
+
+    /// The line of a flat face that begins in its pivot.
+    fn face_line(&self, c: &Cam, pivot: PointId) -> Option<(PointId, PointId)> {
+        match self.guides[c.contact?.0].path {
+            GuidePath::Line { direction: Direction::Along(a, b, None), .. } => Some((a, b)).filter(|(a, _)| *a == pivot),
+            GuidePath::Line { direction: Direction::Along(_, _, Some(_)) | Direction::Own | Direction::Instant(_), .. }
+            | GuidePath::Arc { .. } => None,
         }
     }
 

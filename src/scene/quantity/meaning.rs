@@ -17,6 +17,8 @@ pub enum Meaning {
     Seen(Seen, OnLink, Frame, Option<PointId>),
     /// The angular velocity or acceleration of a link; with a second one, against that.
     Turning(LinkId, Option<LinkId>),
+    /// The angular velocity of the first link over that of the second; with an arm, both against it.
+    Ratio([LinkId; 2], Option<LinkId>),
 }
 
 /// The parts of the motion of one point against another.
@@ -47,9 +49,27 @@ impl Meaning {
             Meaning::Relative(split, a, b) => relative(split, level, known, &a, &b),
             Meaning::Seen(seen, of, frame, about) => seen.value(known, &of, frame, about),
             Meaning::Turning(l, None) => known.turning(level, l).map(Value::Scalar),
+            Meaning::Ratio(links, arm) => {
+                let of = |l| known.turning(level, l);
+                ratio([of(links[0])?, of(links[1])?], arm.map_or(Some(N::from_f64(0.0)), of)?).map(Value::Scalar)
+            }
             Meaning::Turning(l, Some(against)) => Some(Value::Scalar(known.turning(level, l)? - known.turning(level, against)?)),
         }
     }
+}
+
+/// What rounding leaves of a difference of two angular velocities, as a part of the larger one.
+const ROUNDING: f64 = 1e-13;
+
+/// (ω₁ − ω_h)/(ω₂ − ω_h); `None` where the second does not turn against the arm.
+pub(crate) fn ratio<N: Real>([a, b]: [N; 2], arm: N) -> Option<N> {
+    // Plain numbers do not tell a difference that is all rounding from none.
+    let largest = [a, b, arm].map(|w| w.approx().abs()).into_iter().fold(0.0, f64::max);
+    if !N::refines() && (b - arm).approx().abs() <= ROUNDING * largest {
+        return None;
+    }
+    let ratio = (a - arm) / (b - arm);
+    ratio.is_decided().then_some(ratio)
 }
 
 fn relative<N: Real, K: Known<N>>(split: Split, level: Level, known: &K, a: &OnLink, b: &OnLink) -> Option<Value<N>> {

@@ -19,6 +19,7 @@ mod level;
 mod meaning;
 mod place;
 mod point;
+mod ratio;
 pub mod relative;
 mod seen;
 pub mod sliding;
@@ -36,9 +37,11 @@ pub(crate) use frame::owns;
 pub use frame::{Frame, RelativePath, relative_path};
 pub use joined::{Joined, joined};
 pub use level::{Level, Need, Rate};
+pub(crate) use meaning::ratio;
 pub use meaning::{Meaning, Split};
 pub use place::{Axis, Place};
 pub use point::PointMotion;
+pub use ratio::Ratio;
 pub use relative::Relative;
 pub use seen::Seen;
 pub(crate) use seen::split;
@@ -166,6 +169,8 @@ families! {
     CamQuantity,
     /// `P_24`: the instantaneous centre of two links.
     InstantCentre,
+    /// `i_24`: the transmission ratio of two links.
+    Ratio,
 }
 
 impl Asked {
@@ -185,7 +190,7 @@ impl Asked {
             Some(Meaning::Vector(p)) => vec![p],
             Some(Meaning::Relative(_, a, b)) => vec![a, b],
             Some(Meaning::Seen(_, of, frame, _)) => vec![of, frame.transport_point(of)],
-            Some(Meaning::Turning(..) | Meaning::Place(_)) | None => Vec::new(),
+            Some(Meaning::Turning(..) | Meaning::Ratio(..) | Meaning::Place(_)) | None => Vec::new(),
         }
     }
 }

@@ -63,3 +63,31 @@ fn places_agree_by_their_distance() {
     assert_eq!(agree(1e-3).difference, 2e-3);
     assert!(!crate::accuracy::compare(Value::Point(Point::ORIGIN), Value::Scalar(0.0), 1.0, 1.0).holds());
 }
+
+#[test]
+fn ratios_are_those_of_the_teeth() {
+    // Sun 2 of 40 teeth, planet 4 of 20, ring 1 of 80 fixed, arm 3.
+    let text = templates::get("planetary-gear").unwrap();
+    let asking = |find: &str| text.replace(r#""find": ["#, &format!(r#""find": ["{find}", "#));
+    for (find, expected) in
+        [("i_2,3", 3.0), ("i_3/2", 1.0 / 3.0), ("i_24", -1.0), ("i_24/3", -0.5), ("i_21/3", -2.0), ("i_41/3", 4.0), ("i_14/3", 0.25)]
+    {
+        let scene = read(asking(find)).unwrap_or_else(|f| panic!("{find}: {f}")).value;
+        let worked = work(&scene, Scope::Questions).unwrap().value;
+        let outcome = worked.results.iter().find(|r| r.find == 0).unwrap_or_else(|| panic!("{find} is not answered"));
+        for value in [outcome.drawn.as_ref().map(|d| d.value), Some(outcome.computed)] {
+            let Some(Value::Scalar(i)) = value else { panic!("{find}: {value:?}") };
+            assert!((i - expected).abs() < 1e-13, "{find}: {i}");
+        }
+    }
+    for wrong in ["i_22", "i_1,2", "i_24/4", "i_3", "i_24/9"] {
+        let faults = read(asking(wrong)).unwrap_err();
+        assert!(faults.list.iter().all(|d| d.code == "find" || d.help.is_some()), "{wrong}: {faults}");
+    }
+    // A link that stands still divides nothing.
+    let still = text.replace("240 rpm", "0 rpm").replace(r#""find": ["#, r#""find": ["i_24", "#);
+    let scene = read(still).unwrap().value;
+    let worked = work(&scene, Scope::Questions).unwrap().value;
+    assert!(worked.results.iter().all(|r| r.find != 0));
+    assert!(worked.unanswered.iter().any(|u| u.find == 0));
+}

@@ -84,10 +84,16 @@ pub(in crate::scene) fn begins_a_question(text: &str) -> bool {
     text.split_once('_').is_some_and(|(symbol, _)| quantity::symbols().iter().any(|e| e.symbol == spelt(symbol)))
 }
 
-fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
+pub(super) fn asked(c: &Context, word: &Word) -> Result<Asked, Diagnostic> {
     let fault = |message: Both| Diagnostic::error("find", message).at(word.span);
     let Some((symbol, rest)) = word.text.split_once('_') else {
         let d = fault(both!("`{}` is not a quantity that can be asked", "`{}` 不是可求的量", word.text));
+        if matches!(word.text.as_str(), "F" | "class") {
+            return Err(d.help(both!(
+                "`hodograph mobility` counts the freedoms of the scene and tells the class of its groups",
+                "`hodograph mobility` 给出自由度和杆组级别"
+            )));
+        }
         return Err(d.help(both!(
             "write the symbol, _ and the points or links, such as v_E, a_CB, omega_3, ak_B3B2",
             "请写符号、_ 和点名或构件名，如 v_E、a_CB、omega_3、ak_B3B2"
@@ -159,7 +165,14 @@ impl Question<'_> {
     /// # Errors
     /// Names that are no two links, that could be read in two ways, or twice the same.
     pub fn two_links(&self) -> Result<[LinkId; 2], Diagnostic> {
-        let names = self.names;
+        self.two_links_of(self.names)
+    }
+
+    /// The same of a part of the names.
+    ///
+    /// # Errors
+    /// As [`Question::two_links`].
+    pub fn two_links_of(&self, names: &str) -> Result<[LinkId; 2], Diagnostic> {
         if let Some((a, b)) = names.split_once([',', '/']) {
             return self.different([self.link(a.trim())?, self.link(b.trim())?]);
         }

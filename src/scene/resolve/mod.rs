@@ -4,6 +4,7 @@
 //! broken part is passed over in silence. Whether the given things suffice to fix the mechanism is not decided here.
 
 mod answers;
+mod attempts;
 mod composite;
 mod declare;
 mod drivers;
@@ -173,6 +174,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
         }
         lengths.extend(rolling.lengths);
         let composite = composite::composite(&context, faults);
+        let attempts = attempts::attempts(&context, faults);
         let book = answers::book(raw, faults);
         let paper = paper::paper(raw, &values, &book, faults);
         let length_unit = lengths::unit(&context);
@@ -195,6 +197,7 @@ fn sections(raw: &RawScene, source: &str, faults: &mut Faults) -> Option<Scene> 
             sides,
             find: find?,
             composite,
+            attempts,
             language,
             notation,
             paper,

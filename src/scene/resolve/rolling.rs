@@ -310,16 +310,15 @@ fn distance(
 /// Pressure angles beyond this (rad) are mistyped: 20° is usual, 14.5° to 30° are made.
 const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// The flanks of two gears; `None` where something about them is wrong, `Some(None)` where nothing is known of them.
+/// The flanks of two gears, or of a gear on its rack; `None` where something about them is wrong, `Some(None)` where nothing is known of them.
 fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<Flanks>> {
     let RawFlanks { pressure_angle, shift, addendum, clearance } = &raw.flanks;
     let any = [pressure_angle, addendum, clearance].into_iter().flatten().chain(shift.iter().flatten()).next();
     let (teeth, module) = match &raw.sizes {
-        RawSizes::Teeth(teeth, module) if raw.sides.iter().all(|s| s.centre.is_some()) && teeth.len() == 2 => (teeth, module),
+        RawSizes::Teeth(teeth, module) if teeth.len() == raw.sides.iter().filter(|s| s.centre.is_some()).count() => (teeth, module),
         RawSizes::Teeth(..) | RawSizes::Radii(_) => {
             let Some(first) = any else { return Some(None) };
-            let message =
-                both!("flanks are given of a pair that is not two gears with `teeth`", "给出了齿廓参数，但该副不是给出 `teeth` 的两个齿轮");
+            let message = both!("flanks are given of a pair without `teeth`", "给出了齿廓参数，但该副没有给出 `teeth`");
             faults.push(
                 Diagnostic::error("gear-flanks", message)
                     .at(first.span)
@@ -368,15 +367,29 @@ fn flanks(c: &Context, raw: &RawRolling, faults: &mut Faults) -> Option<Option<F
             })
         })
         .collect();
-    if shifts.len() > 2 {
-        wrong(&shift.as_ref()?[2], both!("two gears have two profile shifts", "两个齿轮只有两个变位系数"));
+    let most = teeth.len();
+    if let Some(extra) = shift.as_ref().and_then(|s| s.get(most)) {
+        wrong(
+            extra,
+            if most == 1 {
+                both!("a gear on a rack has one profile shift", "齿轮齿条副只有一个变位系数")
+            } else {
+                both!("two gears have two profile shifts", "两个齿轮只有两个变位系数")
+            },
+        );
     }
-    let teeth: Vec<u32> = teeth.iter().filter_map(|z| z.text.trim().parse().ok()).collect();
+    // Faults of the numbers of teeth are told where the sizes are read.
+    let teeth: Vec<u32> = teeth.iter().filter_map(|z| whole(c, z, &mut Faults::default())).collect();
     let module = module.as_ref().and_then(|q| c.values.si(q, Wanted::Length, &mut Faults::default())).map(|g| g.value);
     let shifts = shifts.into_iter().collect::<Option<Vec<f64>>>()?;
-    let &[a, b] = &teeth[..] else { return Some(None) };
+    let teeth = match &teeth[..] {
+        // A straight contour comes first.
+        &[z] => [None, Some(z)],
+        &[y, z] => [Some(y), Some(z)],
+        _ => return Some(None),
+    };
     let (pressure_angle, addendum, clearance) = (alpha?, addendum?, clearance?);
-    (shifts.len() <= 2).then_some(Some(Flanks { teeth: [a, b], module, pressure_angle, shifts, addendum, clearance }))
+    (shifts.len() <= most).then_some(Some(Flanks { teeth, module, pressure_angle, shifts, addendum, clearance }))
 }
 
 /// A number of teeth.

@@ -75,7 +75,9 @@ impl Compiler<'_> {
                 vector(self, V, v)
             }
             // No kernel is of these: the loop equations answer them.
-            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => return Err(no_kernel(find)),
+            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) | Meaning::Ratio(..) => {
+                return Err(no_kernel(find));
+            }
             Meaning::Turning(l, None) => {
                 let reg = self.turning(l, level)?;
                 one(self, reg)

@@ -73,8 +73,9 @@ impl Maker<'_> {
         let [a, b] = pair.links.map(|l| crate::plan::names::name_label(self.link(l)));
         let radius = |of: &str, r| format!("$r_{{{of}}} = {}$", self.length(r));
         match (&pair.flanks, &pair.contours) {
-            (Some(Flanks { teeth: [y, z], module, .. }), _) => {
-                let mut parts = vec![format!("$z_{{{a}}} = {y}$"), format!("$z_{{{b}}} = {z}$")];
+            (Some(Flanks { teeth, module, .. }), _) => {
+                let number = |(of, z): (&String, &Option<u32>)| z.map(|z| format!("$z_{{{of}}} = {z}$"));
+                let mut parts: Vec<String> = [a, b].iter().zip(teeth).filter_map(number).collect();
                 parts.extend(module.map(|m| format!("$m = {} mm$", super::inked(m * 1e3))));
                 parts
             }

@@ -1,0 +1,77 @@
+//! Accelerations from the instantaneous centre of velocity, as if it had no acceleration: the image of the link hung on the pole at that point.
+
+use super::rewrite::{crossing, replace_crossing};
+use super::{At, Shown, Side, Topology};
+use crate::diag::{Both, both};
+use crate::mechanism::{ConstraintLine, Level};
+use crate::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
+use crate::scene::{GuidePath, LinkId, PointId, Scene};
+
+/// What is needed to build it.
+struct Found {
+    target: VertexId,
+    known: VertexId,
+    lines: [ConstraintLine; 2],
+}
+
+fn point(plan: &Plan, v: VertexId) -> Option<PointId> {
+    match plan.vertex(v) {
+        Vertex { spot: Spot::Point(p), on: None, .. } => Some(*p),
+        Vertex { .. } => None,
+    }
+}
+
+/// The line square to the velocity of a pin that another link leads about a fixed pivot, or a fixed straight guide leads.
+fn normal_line(scene: &Scene, link: LinkId, pin: PointId) -> Option<ConstraintLine> {
+    let fixed = |q: &&PointId| **q != pin && scene.links[scene.ground.0].points.contains(q);
+    let turning = scene.carriers(pin).filter(|l| *l != link && *l != scene.ground).find_map(|l| scene.links[l.0].points.iter().find(fixed));
+    if let Some(far) = turning {
+        return Some(ConstraintLine::Along { near: pin, far: *far });
+    }
+    let leads = |g: &&crate::scene::Guide| g.pin == Some(pin) && g.on == scene.ground && matches!(g.path, GuidePath::Line { .. });
+    let guide = scene.guides.iter().position(|g| leads(&g))?;
+    Some(ConstraintLine::Normal { pin, guide: crate::scene::GuideId(guide) })
+}
+
+/// The crossing that finds one end of a link from the other, both of whose velocities have known directions.
+fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
+    crossing(plan, Level::Acceleration, |target, chains| {
+        let turns = |c: &&Chain| matches!(c.unknown[..], [t] if t.kind == TermKind::Tangential && t.by == By::Turning(Body::Link(link)));
+        let chain = chains.iter().find(turns)?;
+        let from = chain.start;
+        if plan.vertex(from).fixed {
+            return None;
+        }
+        let lines = [normal_line(scene, link, point(plan, target)?)?, normal_line(scene, link, point(plan, from)?)?];
+        Some(Found { target, known: from, lines })
+    })
+}
+
+/// Each link between two points led about fixed pivots or in fixed guides.
+pub fn sites(t: &Topology) -> Vec<At> {
+    let links = (0..t.scene.links.len()).map(LinkId).filter(|l| *l != t.scene.ground && !t.plan.rest.links[l.0]);
+    links.filter(|l| found(t.scene, t.plan, *l).is_some()).map(At::Link).collect()
+}
+
+/// The plan in which the second end follows from the first by an image on the pole.
+pub fn hung_on_pole(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
+    let (group, f) = found(scene, plan, link)?;
+    let mut wrong = plan.clone();
+    wrong.specials.push(Special { group, link, lines: f.lines.map(SpecialLine::Leg), legs: None });
+    let spot = Spot::Special(wrong.specials.len() - 1);
+    wrong.vertices.push(Vertex { spot, on: None, number: None, fixed: true });
+    let centre = VertexId(wrong.vertices.len() - 1);
+    let step = Step::Image { link, target: f.target, from: (centre, f.known) };
+    replace_crossing(&mut wrong, Level::Acceleration, f.target, &step);
+    let shown = Shown { level: Level::Acceleration, step, side: Side::Wrong, framed: Vec::new(), missing: None };
+    Some((wrong, shown))
+}
+
+/// Why the centre does not serve.
+pub fn why(scene: &Scene, l: LinkId) -> Both {
+    let l = scene.link_name(l);
+    both!(
+        "The instantaneous centre of link {l} has no velocity at the instant, but another point of the link takes its place at the next: its acceleration is not zero, and accelerations are not square to the lines from it.",
+        "构件 {l} 的速度瞬心该瞬时速度为零，但下一瞬时瞬心已是构件上的另一点，其加速度不为零，因此不能用它求加速度。"
+    )
+}

@@ -1,0 +1,76 @@
+//! The Coriolis acceleration at a turning guide: left out, or with the angular velocity of another link.
+
+use super::rewrite::{known_terms, leave_out};
+use super::{At, Shown, Side, Topology};
+use crate::diag::{Both, both};
+use crate::mechanism::Level;
+use crate::plan::{Body, By, Plan, Term, TermKind};
+use crate::scene::{GuideId, LinkId, Scene};
+
+fn is_at(guide: GuideId) -> impl Fn(&Term) -> bool {
+    move |t| t.kind == TermKind::Coriolis && matches!(t.by, By::Guide { guide: g, .. } if g == guide)
+}
+
+fn guides(t: &Topology) -> Vec<GuideId> {
+    let mut all: Vec<GuideId> = Vec::new();
+    for term in known_terms(t, true).filter(|term| term.kind == TermKind::Coriolis) {
+        if let By::Guide { guide, .. } = term.by
+            && !all.contains(&guide)
+        {
+            all.push(guide);
+        }
+    }
+    all
+}
+
+/// Each guide whose Coriolis acceleration stands in an equation.
+pub fn without(t: &Topology) -> Vec<At> {
+    guides(t).into_iter().map(At::Guide).collect()
+}
+
+/// Each such guide with a link that carries its runner, turns, and whose angular velocity is known by then.
+pub fn by_another(t: &Topology) -> Vec<At> {
+    let known = |l: &LinkId| t.plan.velocity.iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
+    let mut all = Vec::new();
+    for g in guides(t) {
+        let guide = &t.scene.guides[g.0];
+        let Some(pin) = guide.pin else { continue };
+        let other = |l: &LinkId| *l != guide.on && Some(*l) != guide.slider && !t.mechanism.never_turns[l.0] && !t.plan.rest.links[l.0];
+        all.extend(t.scene.carriers(pin).filter(|l| other(l) && known(l)).map(|l| At::GuideBy(g, l)));
+    }
+    all
+}
+
+/// The plan without the term.
+pub fn left_out(plan: &Plan, guide: GuideId) -> Option<(Plan, Shown)> {
+    let shown = Shown::with(plan, Level::Acceleration, Side::Right, is_at(guide))?;
+    let mut wrong = plan.clone();
+    leave_out(&mut wrong, is_at(guide));
+    Some((wrong, shown))
+}
+
+/// The plan with the term by another link's angular velocity.
+pub fn turned_by(plan: &Plan, guide: GuideId, link: LinkId) -> Option<(Plan, Shown)> {
+    let mut wrong = plan.clone();
+    wrong.coriolis_by = Some((guide, link));
+    let shown = Shown::with(&wrong, Level::Acceleration, Side::Wrong, is_at(guide))?;
+    Some((wrong, shown))
+}
+
+/// Why the term is needed.
+pub fn why_needed(scene: &Scene, g: GuideId) -> Both {
+    let on = scene.link_name(scene.guides[g.0].on);
+    both!(
+        "The guide turns with link {on} while the point slides in it: the relative velocity is carried round, which takes $2\\omega_{{{on}}} \\times v_r$ more.",
+        "导路随构件 {on} 转动，点又沿导路滑动，相对速度的方向随之改变，故必有科氏加速度 $2\\omega_{{{on}}} \\times v_r$。"
+    )
+}
+
+/// Why it is the link of the guide.
+pub fn why_of_carrier(scene: &Scene, g: GuideId, other: LinkId) -> Both {
+    let (on, other) = (scene.link_name(scene.guides[g.0].on), scene.link_name(other));
+    both!(
+        "The relative velocity is seen from link {on}, which carries the guide: the Coriolis acceleration is $2\\omega_{{{on}}} \\times v_r$; link {other} is not the frame.",
+        "相对速度是相对于带导路的构件 {on} 而言的，科氏加速度应为 $2\\omega_{{{on}}} \\times v_r$；构件 {other} 不是动参考系。"
+    )
+}

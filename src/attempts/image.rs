@@ -1,0 +1,71 @@
+//! An image built on points of two links: the triangle of points that belong to no one link keeps no shape.
+
+use super::rewrite::{each, steps};
+use super::{At, Shown, Side, Topology};
+use crate::diag::{Both, both};
+use crate::mechanism::Level;
+use crate::plan::{Plan, Spot, Step, VertexId};
+use crate::scene::{LinkId, PointId, Scene};
+
+/// A point found by an image of its link, and a pin of the link with a fixed point of another link that hangs on the pin.
+fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
+    let Step::Image { link, target, from } = step else { return None };
+    let Spot::Point(point) = plan.vertex(*target).spot else { return None };
+    let pin_of = |v: VertexId| match plan.vertex(v) {
+        vertex if vertex.on.is_none() && !vertex.fixed => match vertex.spot {
+            Spot::Point(p) => Some(p),
+            Spot::Special(_) => None,
+        },
+        _ => None,
+    };
+    [from.1, from.0].into_iter().find_map(|v| {
+        let pin = pin_of(v)?;
+        let other = |l: &LinkId| l != link && *l != scene.ground;
+        scene.carriers(pin).filter(other).find_map(|l| {
+            let fixed = |q: &&PointId| scene.links[scene.ground.0].points.contains(q);
+            let pivot = scene.links[l.0].points.iter().find(fixed)?;
+            Some((point, *link, l, [v, plan.find_vertex(scene, *pivot, None)?]))
+        })
+    })
+}
+
+/// Each point of a link that is found by an image, and beside whose link another one with a fixed pivot hangs.
+pub fn sites(t: &Topology) -> Vec<At> {
+    let mut all: Vec<At> = Vec::new();
+    for step in t.plan.velocity.iter().flat_map(each) {
+        if let Some((p, own, other, _)) = across(t.scene, t.plan, step)
+            && !all.iter().any(|a| matches!(a, At::Image(q, l, _) if (*q, *l) == (p, own)))
+        {
+            all.push(At::Image(p, own, other));
+        }
+    }
+    all
+}
+
+/// The plan with the image on the points of the other link, at both levels.
+pub fn on_points_of(scene: &Scene, plan: &Plan, point: PointId) -> Option<(Plan, Shown)> {
+    let mut wrong = plan.clone();
+    let mut shown = None;
+    for level in Level::RATES {
+        for group in steps(&mut wrong, level) {
+            for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
+                let Some((p, link, _, [pin, pivot])) = across(scene, plan, step) else { continue };
+                let Step::Image { target, .. } = *step else { continue };
+                if p == point {
+                    *step = Step::Image { link, target, from: (pin, pivot) };
+                    shown = Some(Shown { level, step: step.clone(), side: Side::Wrong, framed: Vec::new(), missing: None });
+                }
+            }
+        }
+    }
+    Some((wrong, shown?))
+}
+
+/// Why there is no such image.
+pub fn why(scene: &Scene, p: PointId, own: LinkId, other: LinkId) -> Both {
+    let (p, own, other) = (scene.point_name(p), scene.link_name(own), scene.link_name(other));
+    both!(
+        "Only the points of one rigid link have images similar to them: {p} belongs to link {own}, the side it is set on to link {other}, and the angle between the two links changes.",
+        "影像原理只适用于同一构件上的点：{p} 属于构件 {own}，而所取的边属于构件 {other}，两构件间的夹角是变化的。"
+    )
+}

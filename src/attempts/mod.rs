@@ -1,0 +1,217 @@
+//! Wrong solutions: where a scene lets a known mistake be made, and what comes of it.
+//!
+//! A mistake changes the equations, not the drawing: the changed plan is carried out on the same board, from the same pole, to the same
+//! scales, and read off as the right one is. So the number that a book prints can be shown to come from the equation that it prints. Sites come from
+//! the plan, which holds no numbers; a mistake that has no consequence in the pose (its term is zero there) is left out when the plan has been drawn.
+//! Each mistake is a file that knows where it can be made, how it is made, and why it is wrong.
+
+mod by_centre;
+mod contact_point;
+mod coriolis;
+mod image;
+mod normal;
+mod rewrite;
+mod rolling_point;
+mod shown;
+mod solved;
+
+pub use shown::{Missing, Shown, Side};
+pub use solved::{Attempt, Gap, Row, Stage, solved};
+
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::mechanism::Mechanism;
+use crate::plan::Plan;
+use crate::scene::{Attempted, GuideId, LinkId, Mistake, PointId, RollingId, Scene};
+use crate::worked::Worked;
+
+/// Where a mistake is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum At {
+    /// At the pin of a guide.
+    Guide(GuideId),
+    /// At the pin of a guide, with the turning of another link than that which carries the guide.
+    GuideBy(GuideId, LinkId),
+    /// In the motion of a link.
+    Link(LinkId),
+    /// At the contact of a rolling pair.
+    Contact(RollingId),
+    /// At the contact of a cam (index into the scene's list).
+    Cam(usize),
+    /// At a point of the first link, found by an image on points of the second.
+    Image(PointId, LinkId, LinkId),
+}
+
+/// A mistake that the scene lets one make.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Site {
+    /// The mistake.
+    pub mistake: Mistake,
+    /// Where.
+    pub at: At,
+}
+
+/// What sites are told from.
+#[derive(Clone, Copy)]
+struct Topology<'a> {
+    scene: &'a Scene,
+    mechanism: &'a Mechanism,
+    plan: &'a Plan,
+}
+
+/// All mistakes that can be made with a scene's equations, in the order of [`Mistake::ALL`].
+pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
+    let t = Topology { scene, mechanism: &worked.mechanism, plan: &worked.plan };
+    let of = |mistake| {
+        let at = match mistake {
+            Mistake::ContactPoint => contact_point::sites(&t),
+            Mistake::NoCoriolis => coriolis::without(&t),
+            Mistake::CoriolisWrongOmega => coriolis::by_another(&t),
+            Mistake::RollingPointAZero => rolling_point::sites(&t),
+            Mistake::ImageAcrossLinks => image::sites(&t),
+            Mistake::NoNormal => normal::sites(&t),
+            Mistake::AccelerationByCentre => by_centre::sites(&t),
+        };
+        at.into_iter().map(move |at| Site { mistake, at })
+    };
+    Mistake::ALL.into_iter().flat_map(of).collect()
+}
+
+impl Site {
+    /// The point by which a scene names the site, if it has one.
+    pub fn point(&self, scene: &Scene) -> Option<String> {
+        let name = |p: PointId| scene.point_name(p).to_owned();
+        match self.at {
+            At::Guide(g) | At::GuideBy(g, _) => scene.guides[g.0].pin.map(name),
+            At::Link(_) => None,
+            At::Contact(r) => Some(name(scene.rolling[r.0].at)),
+            At::Cam(c) => Some(contact_point::name(scene, c)),
+            At::Image(p, ..) => Some(name(p)),
+        }
+    }
+
+    /// The link by which a scene names the site.
+    pub fn link(&self, scene: &Scene) -> Option<LinkId> {
+        match self.at {
+            At::Guide(g) => Some(scene.guides[g.0].on),
+            At::GuideBy(_, l) | At::Link(l) | At::Image(_, l, _) => Some(l),
+            At::Contact(r) => scene.rolling[r.0].links.into_iter().find(|l| *l != scene.ground),
+            At::Cam(c) => Some(scene.cams[c].follower),
+        }
+    }
+
+    /// Where it is, in words: `at B`, `of link 3`.
+    pub fn place(&self, scene: &Scene) -> Both {
+        match (self.point(scene), self.at) {
+            (_, At::GuideBy(g, l)) => {
+                let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
+                both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l))
+            }
+            (Some(point), _) => both!("at {point}", "{point} 处"),
+            (None, _) => both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l))),
+        }
+    }
+
+    /// Why it is wrong.
+    pub fn why(&self, scene: &Scene) -> Both {
+        match (self.mistake, self.at) {
+            (Mistake::ContactPoint, At::Cam(c)) => contact_point::why(scene, c),
+            (Mistake::NoCoriolis, At::Guide(g)) => coriolis::why_needed(scene, g),
+            (Mistake::CoriolisWrongOmega, At::GuideBy(g, l)) => coriolis::why_of_carrier(scene, g, l),
+            (Mistake::RollingPointAZero, At::Contact(r)) => rolling_point::why(scene, r),
+            (Mistake::ImageAcrossLinks, At::Image(p, own, other)) => image::why(scene, p, own, other),
+            (Mistake::NoNormal, At::Link(l)) => normal::why(scene, l),
+            (Mistake::AccelerationByCentre, At::Link(l)) => by_centre::why(scene, l),
+            // `sites` makes no other pairs.
+            (
+                Mistake::ContactPoint
+                | Mistake::NoCoriolis
+                | Mistake::CoriolisWrongOmega
+                | Mistake::RollingPointAZero
+                | Mistake::ImageAcrossLinks
+                | Mistake::NoNormal
+                | Mistake::AccelerationByCentre,
+                At::Guide(_) | At::GuideBy(..) | At::Link(_) | At::Contact(_) | At::Cam(_) | At::Image(..),
+            ) => Both::default(),
+        }
+    }
+}
+
+/// The sites that a scene's attempts mean, each with its attempt: those of the same mistake whose point and link are those named.
+///
+/// # Errors
+/// `attempt`: the mistake cannot be made there, with where it can be; several sites fit.
+pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>, Vec<Diagnostic>) {
+    let (mut found, mut faults) = (Vec::new(), Vec::new());
+    for attempt in &scene.attempts {
+        let offered: Vec<Site> = all.iter().copied().filter(|s| s.mistake == attempt.mistake).collect();
+        let fits = |s: &&Site| {
+            let point = attempt.pair.as_ref().is_none_or(|p| s.point(scene).as_ref() == Some(p));
+            point && attempt.link.is_none_or(|l| s.link(scene) == Some(l))
+        };
+        let fitting: Vec<Site> = offered.iter().filter(fits).copied().collect();
+        match fitting[..] {
+            [site] => found.push((site, attempt)),
+            _ => faults.push(not_one(scene, attempt, &offered, fitting.len())),
+        }
+    }
+    (found, faults)
+}
+
+fn not_one(scene: &Scene, attempt: &Attempted, offered: &[Site], fitting: usize) -> Diagnostic {
+    let name = attempt.mistake.name();
+    let places: Vec<Both> = offered.iter().map(|s| s.place(scene)).collect();
+    let message = match fitting {
+        0 => both!("`{name}` cannot be made there", "该处不会出现错误 `{name}`"),
+        _ => both!("`{name}` can be made at {fitting} places", "错误 `{name}` 可出现在 {fitting} 处"),
+    };
+    let help = match offered {
+        [] => both!("no equation of this scene offers it; see `hodograph attempts`", "本题的方程中没有此类错误；见 `hodograph attempts`"),
+        _ => both!(
+            "it can be made {}: name \"pair\" or \"link\"",
+            "可出现在：{}；请写明 \"pair\" 或 \"link\"",
+            Both::join(&places, "; ", "；")
+        ),
+    };
+    Diagnostic::error("attempt", message).at(attempt.span).help(help)
+}
+
+/// The wrong solutions that a scene names; where it names none, or `typical` ones are wanted, all that change an answer.
+///
+/// # Errors
+/// `attempt`: a named mistake cannot be made there, or not in this pose.
+pub fn wanted(scene: &Scene, worked: &Worked, typical: bool) -> Result<Vec<Attempt>, Faults> {
+    let all = sites(scene, worked);
+    let (named, mut faults) = named(scene, &all);
+    let mut out = Vec::new();
+    for (site, said) in named {
+        match solved(scene, worked, site, Some(said)) {
+            Some(attempt) => out.push(attempt),
+            None => faults.push(nothing(&site, said)),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(Faults { list: faults });
+    }
+    if typical || scene.attempts.is_empty() {
+        let told = |s: &Site| out.iter().any(|a| a.site == *s);
+        let more: Vec<Site> = all.into_iter().filter(|s| !told(s)).take(MOST).collect();
+        out.extend(more.into_iter().filter_map(|s| solved(scene, worked, s, None)).filter(|a| !a.rows.is_empty()));
+    }
+    Ok(out)
+}
+
+/// More typical mistakes than this are not drawn: a chain of a hundred links has hundreds, all alike.
+const MOST: usize = 40;
+
+fn nothing(site: &Site, said: &Attempted) -> Diagnostic {
+    let name = site.mistake.name();
+    Diagnostic::error(
+        "attempt",
+        both!("`{name}` changes nothing in this pose, or cannot be drawn", "在该位置错误 `{name}` 不改变结果，或无法作图"),
+    )
+    .at(said.span)
+    .help(both!(
+        "choose another pose, or another mistake: `hodograph attempts --all`",
+        "请改变位置，或换一种错误：`hodograph attempts --all`"
+    ))
+}

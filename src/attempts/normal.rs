@@ -1,0 +1,43 @@
+//! The normal acceleration of a link left out of a crossing.
+
+use super::rewrite::{known_terms, leave_out};
+use super::{At, Shown, Side, Topology};
+use crate::diag::{Both, both};
+use crate::mechanism::Level;
+use crate::plan::{Body, By, Plan, Term, TermKind};
+use crate::scene::{LinkId, Scene};
+
+fn is_of(link: LinkId) -> impl Fn(&Term) -> bool {
+    move |t| t.kind == TermKind::Normal && t.by == By::Turning(Body::Link(link))
+}
+
+/// Each link whose normal acceleration is laid off before two lines cross.
+pub fn sites(t: &Topology) -> Vec<At> {
+    let mut all: Vec<At> = Vec::new();
+    for term in known_terms(t, true).filter(|term| term.kind == TermKind::Normal) {
+        if let By::Turning(Body::Link(l)) = term.by
+            && !t.plan.rest.links[l.0]
+            && !all.contains(&At::Link(l))
+        {
+            all.push(At::Link(l));
+        }
+    }
+    all
+}
+
+/// The plan without it.
+pub fn left_out(plan: &Plan, link: LinkId) -> Option<(Plan, Shown)> {
+    let shown = Shown::with(plan, Level::Acceleration, Side::Right, is_of(link))?;
+    let mut wrong = plan.clone();
+    leave_out(&mut wrong, is_of(link));
+    Some((wrong, shown))
+}
+
+/// Why it is needed.
+pub fn why(scene: &Scene, l: LinkId) -> Both {
+    let l = scene.link_name(l);
+    both!(
+        "Link {l} turns at the instant: between two of its points there is $\\omega_{{{l}}}^2 l$ along their line, whether or not $\\omega_{{{l}}}$ changes.",
+        "构件 {l} 在该瞬时转动，其上两点之间必有沿连线的法向加速度 $\\omega_{{{l}}}^2 l$，与角速度是否变化无关。"
+    )
+}

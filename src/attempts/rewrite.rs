@@ -1,0 +1,73 @@
+//! Changes of a plan: terms left out, a crossing replaced by something else.
+
+use super::Topology;
+use crate::mechanism::Level;
+use crate::plan::{Between, Chain, GroupSteps, Plan, Step, Term, TermKind, VertexId};
+
+/// The steps of a level.
+pub fn steps(plan: &mut Plan, level: Level) -> &mut Vec<GroupSteps> {
+    match level {
+        Level::Acceleration => &mut plan.acceleration,
+        Level::Velocity | Level::Position => &mut plan.velocity,
+    }
+}
+
+/// All steps of a group, every alternative.
+pub fn each(group: &GroupSteps) -> impl Iterator<Item = &Step> {
+    group.alternatives.iter().flatten().chain(&group.further)
+}
+
+/// The known terms of acceleration equations that do not vanish; with `crossings` only of those that are closed by crossing two lines.
+pub fn known_terms<'a>(t: &'a Topology, crossings: bool) -> impl Iterator<Item = Term> + 'a {
+    let chains = t.plan.acceleration.iter().flat_map(each).map(Step::chains).filter(move |c| !crossings || c.len() == 2);
+    let known = chains.flatten().flat_map(|c| &c.known).copied();
+    known.filter(|term| !t.plan.vanishes(t.scene, Level::Acceleration, term))
+}
+
+/// Leaves known terms out of the acceleration equations, and out of what is drawn between images.
+pub fn leave_out(plan: &mut Plan, wrong: impl Fn(&Term) -> bool) {
+    for group in &mut plan.acceleration {
+        for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
+            if let Step::Equation { chains, .. } = step {
+                chains.iter_mut().for_each(|c| c.known.retain(|t| !wrong(t)));
+            }
+        }
+        for between in &mut group.between {
+            if let Between::LayOff { known, .. } = between {
+                known.retain(|t| !wrong(t));
+            }
+        }
+        group.between.retain(|b| !matches!(b, Between::LayOff { known, rest } if known.is_empty() && rest.is_empty()));
+    }
+}
+
+/// The first equation closed by crossing two lines for which something is found, with its group.
+pub fn crossing<T>(plan: &Plan, level: Level, found: impl Fn(VertexId, &[Chain]) -> Option<T>) -> Option<(usize, T)> {
+    plan.steps(level).iter().find_map(|group| {
+        let of = |step: &Step| match step {
+            Step::Equation { target, chains, .. } if chains.len() == 2 => found(*target, chains),
+            Step::Equation { .. } | Step::Image { .. } | Step::Same { .. } => None,
+        };
+        each(group).find_map(of).map(|found| (group.group, found))
+    })
+}
+
+/// Puts a step in the place of the crossing that finds a vertex. The turnings that were measured on the crossing's edges are measured on a
+/// perpendicular instead.
+pub fn replace_crossing(plan: &mut Plan, level: Level, target: VertexId, by: &Step) {
+    for group in steps(plan, level) {
+        let mut tangential: Vec<Between> = Vec::new();
+        for step in group.alternatives.iter_mut().flatten().chain(&mut group.further) {
+            let Step::Equation { target: own, chains, .. } = step else { continue };
+            if *own != target || chains.len() != 2 {
+                continue;
+            }
+            let turned = chains.iter().flat_map(|c| &c.unknown).filter(|t| t.kind == TermKind::Tangential);
+            tangential.extend(
+                turned.map(|t| Between::Perpendicular { normal: Term { kind: TermKind::Normal, known: true, ..*t }, tangential: *t }),
+            );
+            *step = by.clone();
+        }
+        group.between.extend(tangential);
+    }
+}

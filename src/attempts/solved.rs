@@ -1,0 +1,244 @@
+//! A wrong solution drawn beside the right one, and what they give.
+
+use super::{At, Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
+use crate::answer::Value;
+use crate::construct::pencil::Exact;
+use crate::construct::{Layout, Polygon, by_hand, read, scale};
+use crate::geom::{Point, Vec2, cross_lines};
+use crate::mechanism::{ConstraintLine, Level};
+use crate::plan::{Plan, Special, SpecialLine, Spot, VertexId};
+use crate::position::{Configuration, Path};
+use crate::scene::{Attempted, Given, Mistake, Scene};
+use crate::worked::Worked;
+
+/// What is drawn of a solution.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    /// Its scene: that of the file, but for a mistake that is another mechanism.
+    pub scene: Scene,
+    /// The same worked through: its equations and their drawing are what counts.
+    pub worked: Worked,
+}
+
+/// A question and its answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// Index into the results of the right solution.
+    pub result: usize,
+    /// By the wrong equations; none where they do not answer it.
+    pub wrong: Option<Value>,
+    /// What was printed (SI; of a vector its magnitude).
+    pub printed: Option<Given>,
+}
+
+/// The distance of the two tips of one vector.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gap {
+    /// In the velocities or the accelerations.
+    pub level: Level,
+    /// The vertex in the right plan.
+    pub right: VertexId,
+    /// The same in the wrong plan.
+    pub wrong: VertexId,
+    /// From the right tip to the wrong one (SI).
+    pub vector: Vec2,
+}
+
+/// A wrong solution.
+#[derive(Clone, Debug)]
+pub struct Attempt {
+    /// The mistake and its place.
+    pub site: Site,
+    /// What the scene says of it.
+    pub said: Option<Attempted>,
+    /// The right solution.
+    pub right: Stage,
+    /// The wrong one.
+    pub wrong: Stage,
+    /// Where the mistake is seen.
+    pub shown: Shown,
+    /// The questions whose answers it changes, or of which something was printed.
+    pub rows: Vec<Row>,
+    /// How far the tips are apart.
+    pub gap: Gap,
+}
+
+/// Room for the polygons of a page.
+const PAGE_MM: [f64; 2] = [150.0, 150.0];
+/// Two tips nearer than this (mm of paper) are one.
+const APART_MM: f64 = 0.05;
+/// Answers nearer than this share of the largest of their kind agree.
+const SAME: f64 = 1e-7;
+/// A value below this share of the largest of its kind is what rounding leaves of zero.
+const ROUNDING: f64 = 1e-12;
+/// A centre further off than so many sizes of the mechanism is at infinity for a pencil.
+const FAR: f64 = 1e4;
+
+/// The wrong solution of a site; `None` where it cannot be drawn in the pose, or differs in nothing.
+pub fn solved(scene: &Scene, worked: &Worked, site: Site, said: Option<&Attempted>) -> Option<Attempt> {
+    let at = &worked.configuration;
+    let stage = |worked: Worked| Stage { scene: scene.clone(), worked };
+    let (right, wrong, answers, shown): (Stage, Stage, Vec<Option<Value>>, Shown) = match changed(scene, worked, &site)? {
+        Changed::Plan(wrong, shown) => {
+            if !special_points_are_near(&wrong, at) {
+                return None;
+            }
+            let layout = Layout::of(&worked.construction);
+            let (construction, _) = by_hand(scene, &worked.mechanism, at, &wrong, &layout, &mut Exact).ok()?;
+            let answers = read(scene, &worked.mechanism, at, &wrong, &construction);
+            let wrong = Worked { plan: wrong, construction, ..worked.clone() };
+            let answers = answers.into_iter().map(|a| a.map(|a| a.value)).collect();
+            (stage(worked.clone()), stage(wrong), answers, shown)
+        }
+        Changed::Mechanism(right, wrong, shown) => {
+            let (other, w) = *wrong;
+            let of = |text: &str| w.results.iter().find(|r| other.find[r.find].text == text).map(|r| r.value());
+            let answers = scene.find.iter().map(|f| of(&f.text)).collect();
+            (right, Stage { scene: other, worked: w }, answers, shown)
+        }
+    };
+    let rows = rows(scene, worked, &answers, said);
+    let (right, wrong) = to_one_scale(right, wrong)?;
+    let gap = gap(&right, &wrong, &shown)?;
+    Some(Attempt { site, said: said.cloned(), right, wrong, shown, rows, gap })
+}
+
+/// Both drawn again, to the largest scales at which they fit a page over one another.
+fn to_one_scale(right: Stage, wrong: Stage) -> Option<(Stage, Stage)> {
+    let extent = |level: Level| {
+        let marks = |p: &Polygon| -> Vec<Point> {
+            let ends = p.edges.iter().flat_map(|e| [e.from.1, e.to.1]).chain(p.images.iter().flatten().copied());
+            ends.map(|q| (q.to_vec2() * p.mu).to_point()).collect()
+        };
+        let polygons = [&right, &wrong].map(|s| s.worked.construction.polygon(level));
+        let all = polygons.into_iter().flatten().flat_map(marks).chain([Point::ORIGIN]);
+        scale::extent(all)
+    };
+    let [fixed_v, fixed_a] = [right.scene.paper.mu_v, right.scene.paper.mu_a];
+    let mu = |level: Level, fixed: Option<f64>| {
+        let size = extent(level);
+        let drawn = right.worked.construction.polygon(level)?;
+        if size == [0.0, 0.0] {
+            Some(drawn.mu)
+        } else {
+            Some(fixed.unwrap_or_else(|| scale::choose_in(right.scene.paper.unit(level as usize), size, PAGE_MM)))
+        }
+    };
+    let [mu_v, mu_a] = [mu(Level::Velocity, fixed_v), mu(Level::Acceleration, fixed_a)];
+    let again = |s: Stage| {
+        let layout = Layout { mu_v, mu_a, ..Layout::of(&s.worked.construction) };
+        let (construction, _) =
+            by_hand(&s.scene, &s.worked.mechanism, &s.worked.configuration, &s.worked.plan, &layout, &mut Exact).ok()?;
+        Some(Stage { worked: Worked { construction, ..s.worked }, ..s })
+    };
+    Some((again(right)?, again(wrong)?))
+}
+
+/// What a mistake makes of a solution.
+enum Changed {
+    Plan(Plan, Shown),
+    Mechanism(Stage, Box<(Scene, Worked)>, Shown),
+}
+
+fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
+    let plan = &worked.plan;
+    let of_plan = |(plan, shown)| Changed::Plan(plan, shown);
+    match (site.mistake, site.at) {
+        (Mistake::NoCoriolis, At::Guide(g)) => coriolis::left_out(plan, g).map(of_plan),
+        (Mistake::CoriolisWrongOmega, At::GuideBy(g, l)) => coriolis::turned_by(plan, g, l).map(of_plan),
+        (Mistake::RollingPointAZero, At::Contact(r)) => rolling_point::as_track(plan, r).map(of_plan),
+        (Mistake::ImageAcrossLinks, At::Image(p, ..)) => image::on_points_of(scene, plan, p).map(of_plan),
+        (Mistake::NoNormal, At::Link(l)) => normal::left_out(plan, l).map(of_plan),
+        (Mistake::AccelerationByCentre, At::Link(l)) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
+        (Mistake::ContactPoint, At::Cam(c)) => {
+            let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c)?;
+            Some(Changed::Mechanism(right, Box::new(wrong), shown))
+        }
+        (
+            Mistake::ContactPoint
+            | Mistake::NoCoriolis
+            | Mistake::CoriolisWrongOmega
+            | Mistake::RollingPointAZero
+            | Mistake::ImageAcrossLinks
+            | Mistake::NoNormal
+            | Mistake::AccelerationByCentre,
+            At::Guide(_) | At::GuideBy(..) | At::Link(_) | At::Contact(_) | At::Cam(_) | At::Image(..),
+        ) => None,
+    }
+}
+
+/// Whether the centres that a wrong plan hangs on the pole lie where they can be drawn.
+fn special_points_are_near(plan: &Plan, at: &Configuration) -> bool {
+    let hung = plan.vertices.iter().filter(|v| v.fixed).filter_map(|v| match v.spot {
+        Spot::Special(k) => Some(&plan.specials[k]),
+        Spot::Point(_) => None,
+    });
+    hung.into_iter().all(|s| is_near(s, at).unwrap_or(false))
+}
+
+fn is_near(special: &Special, at: &Configuration) -> Option<bool> {
+    let line = |l: &SpecialLine| {
+        let SpecialLine::Leg(leg) = *l else { return None };
+        let p = at.points[leg.pin().0]?;
+        let along = match leg {
+            ConstraintLine::Along { far, .. } => p - at.points[far.0]?,
+            ConstraintLine::Normal { guide, .. } => match at.guides[guide.0]? {
+                Path::Line { direction, .. } => direction.perp(),
+                Path::Arc { centre, .. } => p - centre,
+            },
+            ConstraintLine::Tangent { .. } => return None,
+        };
+        Some((p, along))
+    };
+    let [(p, u), (q, w)] = [line(&special.lines[0])?, line(&special.lines[1])?];
+    let c = cross_lines(p, u, q, w);
+    Some(c.at.is_finite() && c.at.distance(p) < FAR * at.extent())
+}
+
+fn rows(scene: &Scene, worked: &Worked, wrong: &[Option<Value>], said: Option<&Attempted>) -> Vec<Row> {
+    let printed = |text: &str| said.and_then(|s| s.printed.iter().find(|(f, _)| f.text == text).map(|(_, v)| v.clone()));
+    let row = |(k, r): (usize, &crate::worked::Outcome)| {
+        let find = &scene.find[r.find];
+        // What is no more than rounding is zero.
+        let wrong = wrong[r.find].map(|v| v.above(ROUNDING * r.scale));
+        let printed = printed(&find.text);
+        let differs = match (r.value(), wrong) {
+            (Value::Scalar(a), Some(Value::Scalar(b))) => (a - b).abs() > SAME * r.scale.max(a.abs()),
+            (Value::Vector(a), Some(Value::Vector(b))) => (a - b).norm() > SAME * r.scale.max(a.norm()),
+            (Value::Scalar(_) | Value::Vector(_) | Value::Point(_), _) => false,
+        };
+        (printed.is_some() || find.what.level() > Level::Position && differs).then_some(Row { result: k, wrong, printed })
+    };
+    worked.results.iter().enumerate().filter_map(row).collect()
+}
+
+/// The tips furthest apart: of the vertex that the wrong step finds, where these differ.
+fn gap(right: &Stage, wrong: &Stage, shown: &Shown) -> Option<Gap> {
+    let of = |level: Level, v: VertexId| {
+        let vertex = right.worked.plan.vertex(v);
+        let same = |w: &crate::plan::Vertex| w.spot == vertex.spot && w.on == vertex.on;
+        let other = VertexId(wrong.worked.plan.vertices.iter().position(same)?);
+        let tips = [right.worked.construction.vector(level, v)?, wrong.worked.construction.vector(level, other)?];
+        let mu = right.worked.construction.polygon(level)?.mu;
+        let vector = tips[1] - tips[0];
+        (vector.norm() > APART_MM * mu).then_some(Gap { level, right: v, wrong: other, vector })
+    };
+    let levels = [shown.level, Level::Acceleration, Level::Velocity];
+    levels.into_iter().find_map(|level| {
+        let target = shown.step.target();
+        let stage = match shown.side {
+            Side::Right => right,
+            Side::Wrong => wrong,
+        };
+        let named = stage.worked.plan.vertex(target);
+        let meant = (0..right.worked.plan.vertices.len()).map(VertexId).find(|v| {
+            let own = right.worked.plan.vertex(*v);
+            own.spot == named.spot && own.on == named.on
+        });
+        if let Some(gap) = meant.and_then(|v| of(level, v)) {
+            return Some(gap);
+        }
+        let all = (0..right.worked.plan.vertices.len()).filter_map(|v| of(level, VertexId(v)));
+        all.max_by(|a, b| a.vector.norm().total_cmp(&b.vector.norm()))
+    })
+}

@@ -1,0 +1,60 @@
+//! A wrong solution set as a problem: find the mistake.
+//!
+//! The problem's side shows the wrong equations, their polygon and their values as an author would print them; the solution's side the mistake,
+//! drawn over the right solution, why it is one, and then the right solution as in any worksheet.
+
+use super::{Block, Document, Maker, Options, Sides, document};
+use crate::accuracy::{certify, steps};
+use crate::attempts::Attempt;
+use crate::figure::attempts::{as_printed, page_of};
+use crate::report::attempts::Words;
+use crate::report::phrase::Phrase;
+use crate::scene::Scene;
+use crate::worked::Worked;
+
+/// Makes the worksheet.
+pub fn find_the_mistake(scene: &Scene, worked: &Worked, attempt: &Attempt, options: &Options) -> Document {
+    let certified = certify(scene, worked, options.sheet.digits);
+    let told = steps(scene, worked, worked.drafting.as_ref().map(|d| d.pencil_mm));
+    let maker = Maker { scene, worked, options: &options.sheet, certified: &certified, told: &told };
+    let wrong = Maker { scene: &attempt.wrong.scene, worked: &attempt.wrong.worked, ..maker };
+    let (lang, notation, digits) = (options.sheet.lang, &options.sheet.notation, options.sheet.digits);
+    let words = Words { scene, worked, certified: &certified, notation, lang, digits };
+    let mut blocks = Vec::new();
+    if options.sides != Sides::Solution {
+        maker.problem(&mut blocks);
+        wrong.examined(&mut blocks, attempt, &words);
+    }
+    if options.sides != Sides::Problem {
+        blocks.push(maker.heading(1, "The mistake", "错误所在"));
+        blocks.push(Block::Paragraph(Phrase::of_words(&words.heading(attempt))));
+        blocks.push(Block::Figure { name: "mistake", figure: Box::new(page_of(scene, worked, &options.sheet, attempt)) });
+        maker.solution(&mut blocks, options.sides == Sides::Solution);
+    }
+    document(scene, options, blocks)
+}
+
+impl Maker<'_> {
+    /// The wrong solution, with nothing that tells it from a right one.
+    fn examined(&self, blocks: &mut Vec<Block>, attempt: &Attempt, words: &Words) {
+        blocks.push(self.heading(2, "A solution to be examined", "待检查的解法"));
+        blocks.push(self.paragraph(
+            "The solution below contains one mistake. Find it, say why it is one, and give the right values.",
+            "下面的解法中有一处错误。请指出错误，说明理由，并求出正确结果。",
+        ));
+        let level = attempt.gap.level;
+        for group in self.worked.plan.steps(level) {
+            let chosen = group.drawn(self.worked.construction.chosen[group.group]);
+            for step in group.steps(chosen) {
+                self.step(blocks, level, step);
+            }
+        }
+        let figure = as_printed(attempt, self.options);
+        blocks.extend(figure.map(|f| Block::Figure { name: "examined", figure: Box::new(f) }));
+        let members: Vec<Phrase> = attempt.rows.iter().filter_map(|r| words.claimed(r)).collect();
+        if !members.is_empty() {
+            blocks.push(self.paragraph("Its results:", "其结果："));
+            blocks.push(Block::List { numbered: false, members });
+        }
+    }
+}

@@ -1,0 +1,63 @@
+//! Whether a reader can tell on a sheet what belongs to what, measured on the written SVG by `usvg`: ink boxes of letters, flattened
+//! paths of lines. Nothing here knows how labels are placed.
+//!
+//! The gate looks at a few poses of each template; all of them (every 15° from 4°, both languages, three styles):
+//! `HODOGRAPH_INK=all cargo test --release --test ink -- --nocapture`. One template: `HODOGRAPH_ONLY=shaper`.
+
+mod faults;
+mod read;
+
+use faults::Faults;
+use hodograph::accuracy::toggle::{driver_position, with_driver_at};
+use hodograph::figure::sheet::{Options, sheet};
+use hodograph::figure::style::Style;
+use hodograph::render::svg;
+use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::worked::{Scope, work};
+
+/// Angles of the whole check: every so many degrees from this one, so that nothing stands square by accident.
+const FIRST_DEG: usize = 4;
+const STEP_DEG: usize = 15;
+/// Of these the gate looks at every so many, each template beginning with another one.
+const SAMPLE: usize = 12;
+
+fn all() -> bool {
+    std::env::var("HODOGRAPH_INK").is_ok_and(|v| v == "all")
+}
+
+/// The scene as it is written and at the odd angles of its first driver that is turned.
+fn poses(scene: &Scene, template: usize) -> Vec<Scene> {
+    let mut out = vec![scene.clone()];
+    let turns = matches!(scene.drivers.first().map(|d| &d.kind), Some(DriverKind::Turn { .. }));
+    if turns && driver_position(scene, 0).is_some() {
+        let picked = |k: &usize| all() || k % SAMPLE == template % SAMPLE;
+        let angle = |k: usize| ((FIRST_DEG + STEP_DEG * k) as f64).to_radians();
+        out.extend((0..360 / STEP_DEG).filter(picked).map(|k| with_driver_at(scene, 0, angle(k))));
+    }
+    out
+}
+
+#[test]
+fn what_belongs_to_what_is_seen() {
+    let only = std::env::var("HODOGRAPH_ONLY").unwrap_or_default();
+    let looks: &[(Lang, &str)] = &[(Lang::En, "print"), (Lang::Zh, "slides"), (Lang::En, "dark"), (Lang::Zh, "print")];
+    let (mut total, mut told, mut sheets) = (Faults::default(), Vec::new(), 0);
+    for (t, template) in templates::list().iter().enumerate().filter(|(_, t)| only.is_empty() || only.split(',').any(|o| o == t.name)) {
+        let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
+        for (k, pose) in poses(&scene, t).iter().enumerate() {
+            let Ok(worked) = work(pose, Scope::Figure) else { continue };
+            for (lang, style) in looks.iter().enumerate().filter(|(l, _)| all() || (k + t) % 2 == *l).map(|(_, l)| *l) {
+                let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(lang) };
+                let figure = sheet(pose, &worked.value, &options).unwrap();
+                let found = faults::of(&read::read(&svg::write(&figure).unwrap().value));
+                sheets += 1;
+                let angle = driver_position(pose, 0).unwrap_or_default().to_degrees();
+                told.extend(found.list.iter().map(|f| format!("{} at {angle:.1} {lang:?} {style}: {f}", template.name)));
+                total.add(found);
+            }
+        }
+    }
+    assert!(sheets > 0);
+    println!("{sheets} sheets\n{}\n{}", total.table(), told.join("\n"));
+    assert!(total.graver() == 0, "{}", total.table());
+}

@@ -1,0 +1,102 @@
+//! Whether the figures of gears and cams can be read: teeth, Kutzbach's plan and the figures of `hodograph cam`, in 24 positions of the
+//! driver and both languages. No label lies on another, none beside the paper.
+//!
+//! The table: `cargo test --release --test sheet geared -- --nocapture`
+
+use hodograph::cam::Survey;
+use hodograph::figure::cam::{inversion, motion};
+use hodograph::figure::groups;
+use hodograph::figure::item::Figure;
+use hodograph::figure::list::{self, Extras, Wanted};
+use hodograph::figure::sheet::Options;
+use hodograph::report::cam::Report;
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+
+use super::legible::{Found, look, poses};
+
+/// Type of these figures at the size in which they are drawn (mm).
+const SMALLEST_MM: f64 = 1.5;
+
+fn judge(name: &str, figure: &Figure, faults: &mut Vec<String>) -> Found {
+    let found = look(figure, usize::MAX);
+    if found.overlaps + found.outside > 0 || found.smallest_mm < SMALLEST_MM {
+        faults.push(format!("{name}: {} overlaps, {} outside, smallest type {:.2} mm", found.overlaps, found.outside, found.smallest_mm));
+    }
+    found
+}
+
+#[test]
+fn geared_figures_can_be_read() {
+    let (mut faults, mut drawn) = (Vec::new(), 0);
+    for t in templates::list() {
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        if scene.rolling.is_empty() {
+            continue;
+        }
+        for (k, pose) in poses(&scene).iter().enumerate() {
+            let Ok(worked) = work(pose, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                let options = Options::of_language(lang);
+                for name in ["gears", "kutzbach"] {
+                    let entry = list::named(name).unwrap();
+                    let wanted = Wanted { scene: pose, worked: &worked.value, options: &options, extras: &Extras::default() };
+                    // Pairs by radii have no teeth.
+                    let Ok(pages) = (entry.draw)(&wanted) else { continue };
+                    for (page, figure) in pages.value {
+                        judge(&format!("{} pose {k} {lang:?} {page}", t.name), &figure, &mut faults);
+                        drawn += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(drawn > 200, "only {drawn} figures");
+    assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn figures_of_cams_can_be_read() {
+    let (mut faults, mut drawn) = (Vec::new(), 0);
+    for t in templates::list() {
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        for (k, pose) in poses(&scene).iter().enumerate() {
+            for cam in &pose.cams {
+                let Some(turning) = &cam.disc else { continue };
+                let survey = Survey::of(&turning.disc);
+                let report = Report { scene: pose, cam, turning, survey: &survey };
+                for lang in [Lang::En, Lang::Zh] {
+                    let style = Options::of_language(lang).style;
+                    for (what, figure) in
+                        [("motion", motion::figure(&report, &style, lang)), ("profile", inversion::figure(&report, &style, lang))]
+                    {
+                        judge(&format!("{} pose {k} {lang:?} {what}", t.name), &figure, &mut faults);
+                        drawn += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(drawn > 200, "only {drawn} figures");
+    assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Groups drawn apart, of every template.
+#[test]
+fn groups_drawn_apart_can_be_read() {
+    let (mut faults, mut drawn) = (Vec::new(), 0);
+    for t in templates::list() {
+        let scene = scene::read(templates::get(t.name).unwrap()).unwrap().value;
+        for (k, pose) in poses(&scene).iter().enumerate() {
+            let Ok(worked) = work(pose, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                let Options { style, notation, .. } = Options::of_language(lang);
+                let figure = groups::figure(pose, &worked.value, &style, &notation, lang);
+                judge(&format!("{} pose {k} {lang:?}", t.name), &figure, &mut faults);
+                drawn += 1;
+            }
+        }
+    }
+    assert!(drawn > 1000, "only {drawn} figures");
+    assert!(faults.is_empty(), "{} of {drawn} figures:\n{}", faults.len(), faults.join("\n"));
+}
