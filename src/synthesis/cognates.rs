@@ -127,6 +127,11 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
     found().ok_or_else(|| none(scene))
 }
 
+/// A position of the given linkage: crank, coupler, E.
+type Position = (Vec2, Vec2, Point);
+/// The link of it that turns as a cognate's driver.
+type TurnsAs = fn(&Position) -> Vec2;
+
 #[derive(Clone, Debug)]
 struct Task {
     cognates: Cognates,
@@ -199,7 +204,7 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
 
 impl Task {
     /// Positions of the given linkage over a turn of its crank, or as far as its dyad reaches: crank angle, coupler angle, E.
-    fn positions(&self) -> Vec<(Vec2, Vec2, Point)> {
+    fn positions(&self) -> Vec<Position> {
         let given = &self.cognates.given;
         let start = (given.b - given.a).angle();
         let place = |k: usize| {
@@ -209,7 +214,7 @@ impl Task {
         (0..POSITIONS).map_while(place).collect()
     }
 
-    fn draft(&self, which: Both, linkage: &FourBar, heading: &Heading, link: fn(&(Vec2, Vec2, Point)) -> Vec2) -> Draft {
+    fn draft(&self, which: Both, linkage: &FourBar, heading: &Heading, link: TurnsAs) -> Draft {
         let positions = self.positions();
         let first = positions.first().map_or(Vec2::new(1.0, 0.0), link);
         let crank = linkage.b - linkage.a;
@@ -245,7 +250,7 @@ impl Wish for Task {
             both!("left cognate A A1 P1 F (its AB turns as the given BC)", "左同源机构 A A1 P1 F（其 AB 与原 BC 转角相同）"),
             both!("right cognate F P2 D1 D (its AB turns as the given AB)", "右同源机构 F P2 D1 D（其 AB 与原 AB 转角相同）"),
         ];
-        let links: [fn(&(Vec2, Vec2, Point)) -> Vec2; 2] = [|p| p.1, |p| p.0];
+        let links: [TurnsAs; 2] = [|p| p.1, |p| p.0];
         for ((linkage, name), link) in [left, right].into_iter().zip(names).zip(links) {
             match linkage {
                 Some(linkage) => drafts.push(self.draft(name, &linkage, heading, link)),

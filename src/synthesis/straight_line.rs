@@ -80,7 +80,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         Linkage::Peaucellier => 65.0_f64.to_radians(),
         Linkage::Chebyshev | Linkage::Hoeken | Linkage::ScottRussell => 89.0_f64.to_radians(),
     };
-    if form.has("swing") && (!swings || !(swing > 0.0 && swing <= most)) {
+    let taken = swings && swing > 0.0 && swing <= most;
+    if form.has("swing") && !taken {
         let message = if swings {
             both!(
                 "\"swing\" is to be more than 0 and at most {}°",
