@@ -325,8 +325,8 @@ fn labels_do_not_overlap() {
     use hodograph::worked::{Scope, work};
     let (mut figures, mut faults) = (0, Vec::new());
     for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "oscillating-cylinder"] {
-        for k in 0..6 {
-            let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 60 * k))]);
+        for k in 0..3 {
+            let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 120 * k))]);
             let Ok(worked) = work(&scene, Scope::Figure) else { continue };
             for lang in [Lang::En, Lang::Zh] {
                 let options = Options::of_language(lang);
@@ -348,7 +348,7 @@ fn labels_do_not_overlap() {
             }
         }
     }
-    assert!(figures > 100 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
+    assert!(figures > 50 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
 }
 
 /// What is said where something is nowhere.
