@@ -69,7 +69,7 @@ fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let (_, mu) = maker.caption(Level::Position);
     let words = tr(w.options.lang, "Cognates (Roberts–Chebyshev): ", "同源机构（罗伯茨–切比雪夫）：");
-    let caption = Label::text(words).then(Label::math("ABCD,\\; AA_{1}P_{1}F,\\; DD_{1}P_{2}F"));
+    let caption = Label::text(words).then(Label::math("ABCD,\\quad AA_{1}P_{1}F,\\quad DD_{1}P_{2}F"));
     let figure = maker.alone(maker.titled(d.finish(), caption, &mu, "cognates"));
     page(ENTRY.name, Some(figure))
 }
