@@ -314,6 +314,43 @@ fn cardans_centrodes_are_circles() {
     assert!(poles.len() > 100 && poles.iter().all(|p| (p.distance(centre) - radius).abs() < 1e-9 * radius));
 }
 
+/// Labels stand clear of one another on all figures, over positions and in both languages.
+#[test]
+fn labels_do_not_overlap() {
+    use hodograph::figure::extent::bounds;
+    use hodograph::figure::item::Shape;
+    use hodograph::figure::list::{Extras, Wanted, named};
+    use hodograph::figure::sheet::Options;
+    use hodograph::scene::Lang;
+    use hodograph::worked::{Scope, work};
+    let (mut figures, mut faults) = (0, Vec::new());
+    for name in ["crank-rocker", "slider-crank", "shaper", "watt-six-bar", "oscillating-cylinder"] {
+        for k in 0..3 {
+            let scene = template(name, &[("phi_1", &format!("{} deg", 23 + 120 * k))]);
+            let Ok(worked) = work(&scene, Scope::Figure) else { continue };
+            for lang in [Lang::En, Lang::Zh] {
+                let options = Options::of_language(lang);
+                let wanted = Wanted { scene: &scene, worked: &worked.value, options: &options, extras: &Extras::default() };
+                for figure in ["curvature", "centrodes"] {
+                    for (word, page) in (named(figure).unwrap().draw)(&wanted).unwrap().value {
+                        let labels: Vec<_> = page.items.iter().filter(|i| matches!(i.shape, Shape::Label { .. })).collect();
+                        let boxes: Vec<_> = labels.iter().map(|i| bounds(std::slice::from_ref(*i)).unwrap()).collect();
+                        figures += 1;
+                        for i in 0..boxes.len() {
+                            for j in 0..i {
+                                if boxes[i].overlap_mm2(boxes[j]) > 0.05 {
+                                    faults.push(format!("{name} {k} {lang:?} {word}: {} {}", labels[i].id, labels[j].id));
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    }
+    assert!(figures > 50 && faults.is_empty(), "{figures} figures, {}:\n{}", faults.len(), faults.join("\n"));
+}
+
 /// What is said where something is nowhere.
 #[test]
 fn degenerate_poses_are_told() {

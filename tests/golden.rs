@@ -10,7 +10,9 @@ mod pdf;
 #[path = "golden/worksheet.rs"]
 mod worksheet;
 
-use files::{CENTRES, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden};
+use files::{
+    CENTRES, CURVATURE, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden,
+};
 use hodograph::accuracy::{certify, steps};
 use hodograph::centres;
 use hodograph::effort::Work;
@@ -176,6 +178,27 @@ fn centres_look_as_accepted() {
             assert!(drawn.notes.is_empty(), "{name}: {:?}", drawn.notes);
             check_png(&golden(name, &format!("centres.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
             check_text(&golden(name, &format!("centres.{suffix}.txt")), &report_of_centres::text(&found, lang), &mut failures);
+        }
+    }
+    finish(&failures);
+}
+
+/// Inflection circle, centrodes, cognates, inversions.
+#[test]
+fn curvature_looks_as_accepted() {
+    let mut failures = Vec::new();
+    for (name, figures) in CURVATURE {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for (lang, suffix) in LANGS {
+            let options = Options::of_language(lang);
+            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &Extras::default() };
+            for figure in figures {
+                let page = (list::named(figure).unwrap().draw)(&wanted).unwrap().value.swap_remove(0).1;
+                let drawn = svg::write(&page).unwrap();
+                assert!(drawn.notes.is_empty(), "{name} {figure}: {:?}", drawn.notes);
+                check_png(&golden(name, &format!("{figure}.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
+            }
         }
     }
     finish(&failures);

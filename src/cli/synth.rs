@@ -2,6 +2,7 @@
 
 use super::{Failure, Run, args, edit, files, lang, values};
 use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::json;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
@@ -21,6 +22,22 @@ pub struct Solved {
     notes: Vec<Diagnostic>,
 }
 
+/// The task with the scene file that it names (`"scene": "linkage.json"`, beside the task) put in its place.
+fn with_scene(path: &str, bytes: Vec<u8>) -> Result<Vec<u8>, Failure> {
+    let Ok((text, root)) = json::parse(&bytes, &mut Faults::default()) else { return Ok(bytes) };
+    let json::Kind::Object(members) = &root.kind else { return Ok(bytes) };
+    let named = members.iter().find_map(|(key, node)| match &node.kind {
+        json::Kind::Text(name) if key.text == "scene" && name.ends_with(".json") => Some((name, node.span)),
+        _ => None,
+    });
+    let Some((name, span)) = named else { return Ok(bytes) };
+    let beside = Path::new(path).parent().filter(|_| path != "-").unwrap_or(Path::new("")).join(name);
+    let (_, scene) = files::scene(&beside.to_string_lossy()).map_err(|d| Failure::input(d.at(span), path, text))?;
+    let mut out = text.to_owned();
+    out.replace_range(span.start..span.end, &String::from_utf8_lossy(&scene));
+    Ok(out.into_bytes())
+}
+
 impl Solved {
     /// Reads and solves.
     pub fn read(path: &str, set: &[String]) -> Result<Solved, Failure> {
@@ -31,6 +48,7 @@ impl Solved {
         {
             bytes = values::with_values(set, |values| edit::with_parameters(text, values))?.into_bytes();
         }
+        bytes = with_scene(path, bytes)?;
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         let Warned { value: task, notes } = synthesis::read(&bytes).map_err(|f| Failure::input(f, &name, &source))?;

@@ -61,6 +61,24 @@ impl Node {
     }
 }
 
+impl Node {
+    /// The value as a text again, its numbers as they are written.
+    pub fn text(&self) -> String {
+        let quoted = |text: &str| serde_json::Value::from(text).to_string();
+        match &self.kind {
+            Kind::Text(text) => quoted(text),
+            Kind::Number(literal) => literal.clone(),
+            Kind::Bool(value) => value.to_string(),
+            Kind::Null => "null".to_owned(),
+            Kind::Array(items) => format!("[{}]", items.iter().map(Node::text).collect::<Vec<_>>().join(", ")),
+            Kind::Object(members) => {
+                let all: Vec<String> = members.iter().map(|(key, value)| format!("{}: {}", quoted(&key.text), value.text())).collect();
+                format!("{{{}}}", all.join(", "))
+            }
+        }
+    }
+}
+
 /// Reads one JSON value. Duplicate keys go to `faults` (the first one counts); whatever leaves no tree at all is the error.
 pub(crate) fn parse<'a>(bytes: &'a [u8], faults: &mut Faults) -> Result<(&'a str, Node), Diagnostic> {
     if bytes.len() > MAX_BYTES {

@@ -19,6 +19,7 @@
 
 pub mod body;
 pub mod candidate;
+pub mod cognates;
 pub(crate) mod form;
 pub mod fourbar;
 pub mod function;
@@ -27,6 +28,7 @@ pub mod limits;
 mod order;
 pub mod path;
 mod poly;
+pub mod straight_line;
 pub mod time_ratio;
 
 pub use candidate::{Candidate, Draft, Number, Wanted};
@@ -77,7 +79,8 @@ pub struct KindOfTask {
 }
 
 /// All kinds.
-pub const KINDS: &[&KindOfTask] = &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND];
+pub const KINDS: &[&KindOfTask] =
+    &[&function::KIND, &time_ratio::KIND, &limits::KIND, &body::KIND, &path::KIND, &cognates::KIND, &straight_line::KIND];
 
 /// The keys of every task.
 const COMMON: [&str; 3] = ["synthesis", "omega", "transmission"];
@@ -101,7 +104,8 @@ pub struct Task {
 /// All that a task comes to.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// All solutions, the best first: without defect, with a crank that turns fully, the greatest least transmission angle, the smallest.
+    /// All solutions, the best first: without defect, with a crank that turns fully, of approximations the
+    /// nearest, the greatest least transmission angle, the smallest.
     pub candidates: Vec<Candidate>,
     /// Numbers of the task as a whole, such as precision points and poles.
     pub numbers: Vec<Number>,
@@ -194,7 +198,11 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
     candidates.sort_by(|a, b| {
         let key = |c: &Candidate| (c.judged.defects.len(), !c.judged.rotates);
         let gamma = |c: &Candidate| c.judged.transmission.map_or(0.0, |t| t.0);
-        key(a).cmp(&key(b)).then(gamma(b).total_cmp(&gamma(a))).then(a.judged.size_m.total_cmp(&b.judged.size_m))
+        key(a)
+            .cmp(&key(b))
+            .then(a.draft.error.total_cmp(&b.draft.error))
+            .then(gamma(b).total_cmp(&gamma(a)))
+            .then(a.judged.size_m.total_cmp(&b.judged.size_m))
     });
     Ok(Design { candidates, numbers, notes })
 }

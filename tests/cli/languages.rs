@@ -50,7 +50,22 @@ fn every_command_that_takes_a_scene_speaks_chinese() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("x.gif");
     let out = out.to_str().unwrap();
-    for command in ["draw", "lesson", "solve", "plan", "worksheet", "accuracy", "sweep", "batch", "curves", "path", "limits", "centres"] {
+    for command in [
+        "draw",
+        "lesson",
+        "solve",
+        "plan",
+        "worksheet",
+        "accuracy",
+        "sweep",
+        "batch",
+        "curves",
+        "path",
+        "limits",
+        "centres",
+        "curvature",
+        "inversions",
+    ] {
         // A scene that is not there; a scene that cannot be assembled; an ending that is none.
         let more: &[&str] = match command {
             "worksheet" => &["-o", "x.md"],

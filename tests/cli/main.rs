@@ -300,6 +300,57 @@ fn limits_of_higher_groups_are_told() {
 }
 
 #[test]
+fn curvature_and_inversions_are_told() {
+    let scene = templates_path("crank-rocker");
+    let run = hodograph().args(["curvature", &scene, "--steps", "--point", "E"]).assert().success();
+    let said = text(&run.get_output().stdout);
+    for line in
+        ["inflection pole", "acceleration pole", "Ball's point", "collineation axis (Bobillier)", "in E_0, the centre of the path of E"]
+    {
+        assert!(said.contains(line), "{line} is not in\n{said}");
+    }
+    let run = hodograph().args(["curvature", &scene, "--steps", "--lang", "zh"]).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(said.contains("拐点圆") && said.contains("鲍尔点") && !said.contains("pole"), "{said}");
+    let run = hodograph().args(["curvature", &scene, "--json", "--centrodes"]).assert().success();
+    let json: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    assert!(json["links"][0]["apart"].as_f64().unwrap() < 1e-11 && json["links"][0]["centrodes"]["fixed"].as_array().unwrap().len() >= 720);
+    // All that is not there is told at once.
+    let run = hodograph().args(["curvature", &scene, "--link", "9", "--point", "Z", "--against", "8"]).assert().code(2);
+    let said = text(&run.get_output().stderr);
+    assert!(["no link `9`", "no link `8`", "no point `Z`"].iter().all(|w| said.contains(w)), "{said}");
+    hodograph().args(["curvature", &scene, "--link", "4"]).assert().code(2);
+    let run = hodograph().args(["inversions", &scene]).assert().success();
+    let said = text(&run.get_output().stdout);
+    assert!(
+        said.contains("link 1 fixed: double crank (drag link); links 2, 4 turn fully") && said.contains("(as in the scene): crank-rocker"),
+        "{said}"
+    );
+    let run = hodograph().args(["inversions", &scene, "--pick", "7"]).assert().code(2);
+    assert!(text(&run.get_output().stderr).contains("the grounds are"));
+    // A written inversion is a scene like any other.
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("inverted.json");
+    hodograph().args(["inversions", &scene, "--pick", "1", "-o", out.to_str().unwrap()]).assert().success();
+    hodograph().args(["solve", out.to_str().unwrap()]).assert().success();
+    hodograph().args(["inversions", &scene, "-o", folder.path().to_str().unwrap()]).assert().success();
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 5);
+    hodograph().args(["inversions", &templates_path("planetary-gear")]).assert().code(2);
+}
+
+#[test]
+fn cognates_take_a_scene_file_beside_the_task() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(templates_path("crank-rocker"), folder.path().join("linkage.json")).unwrap();
+    let task = folder.path().join("task.json");
+    std::fs::write(&task, r#"{"synthesis": "cognates", "scene": "linkage.json", "point": "E"}"#).unwrap();
+    let run = hodograph().args(["synth", task.to_str().unwrap()]).assert().success();
+    assert!(text(&run.get_output().stdout).contains("right cognate"));
+    std::fs::write(&task, r#"{"synthesis": "cognates", "scene": "not-there.json"}"#).unwrap();
+    hodograph().args(["synth", task.to_str().unwrap()]).assert().code(2);
+}
+
+#[test]
 fn centres_are_told_with_how_they_are_found() {
     let shaper = templates_path("shaper");
     let run = hodograph().args(["centres", &shaper]).assert().success();

@@ -50,6 +50,10 @@ pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"),
 /// Figures of centres: a crank-rocker, a shaper with centres at infinity.
 pub const CENTRES: [&str; 2] = ["crank-rocker", "shaper"];
 
+/// Figures of curvature, inversions and cognates, by their names.
+pub const CURVATURE: [(&str, &[&str]); 3] =
+    [("crank-rocker", &["curvature", "centrodes", "cognates"]), ("slider-crank", &["curvature", "inversions"]), ("shaper", &["curvature"])];
+
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -72,6 +76,9 @@ fn kept() -> BTreeSet<String> {
     PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
     POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));
     CENTRES.iter().for_each(|t| in_both(t, &["centres.LANG.png", "centres.LANG.txt"]));
+    for (t, figures) in CURVATURE {
+        figures.iter().for_each(|f| in_both(t, &[&format!("{f}.LANG.png")]));
+    }
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all

@@ -270,7 +270,7 @@ impl Over<'_, '_> {
             if self.board.holds(place) {
                 self.spot(&symbol, place);
             } else if self.board.holds(at) {
-                let label = self.distance(&symbol, &self.words.pole(self.of), place.distance(at) * mu);
+                let label = self.distance(&symbol, place.distance(at) * mu);
                 let along = self.board.cut(at, place);
                 if letter != "J" {
                     self.board.line(letter, "curvature line", along, self.thin.dashed(Dash::Dotted));
@@ -323,34 +323,33 @@ impl Over<'_, '_> {
             };
             let centre = self.at(centre);
             self.chain("ray", &[e, p, centre]);
-            if let (Some(drawn), false) = (q.drawn, pole.stands()) {
-                if let End::At(h) = drawn.helper {
-                    let h = self.at(h);
-                    // Only where the paper holds it: a helper far off explains nothing.
-                    if self.board.holds(h) && h.distance(p) > 1.0 && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_)) {
-                        self.chain("helper", &[p, h]);
-                        let to_j = self.board.cut(e, j);
-                        let toward = if (h - e).dot(j - e) >= 0.0 && h.distance(e) > j.distance(e) { self.board.cut(e, h) } else { to_j };
-                        self.board.line("helper", "curvature line", toward, self.thin.dashed(Dash::Dashed));
-                        self.chain("helper", &[e, h]);
-                        self.chain("helper", &[h, centre]);
-                        self.spot("H", h);
-                    }
+            if let (Some(drawn), false) = (q.drawn, pole.stands())
+                && let End::At(h) = drawn.helper
+            {
+                let h = self.at(h);
+                // Only where the paper holds it: a helper far off explains nothing.
+                if self.board.holds(h) && h.distance(p) > 1.0 && matches!(self.of.drawing, Ruler::Rays(_) | Ruler::Rolling(_)) {
+                    self.chain("helper", &[p, h]);
+                    let to_j = self.board.cut(e, j);
+                    let toward = if (h - e).dot(j - e) >= 0.0 && h.distance(e) > j.distance(e) { self.board.cut(e, h) } else { to_j };
+                    self.board.line("helper", "curvature line", toward, self.thin.dashed(Dash::Dashed));
+                    self.chain("helper", &[e, h]);
+                    self.chain("helper", &[h, centre]);
+                    self.spot("H", h);
                 }
             }
             let symbol = self.words.centre(q.point);
             if self.board.holds(centre) {
                 self.spot(&symbol, centre);
             } else {
-                let from = self.w.scene.point_name(q.point).to_owned();
-                let label = self.distance(&symbol, &from, radius);
+                let label = self.distance(&symbol, radius);
                 self.board.arrow(&Label::math(&symbol).plain(), label, e, centre - e, self.thin);
             }
         }
     }
 
     /// `J_{2}, 2.52 m`: a place off the paper with its distance.
-    fn distance(&self, symbol: &str, _from: &str, m: f64) -> Label {
+    fn distance(&self, symbol: &str, m: f64) -> Label {
         Label::math(format!("{symbol}, ")).then(Label::text(self.w.scene.length_words(m)))
     }
 
@@ -359,7 +358,7 @@ impl Over<'_, '_> {
         let own = self.of.points.first().map(|p| self.at(p.at)).filter(|p| self.board.holds(*p));
         let from = own.unwrap_or(self.board.window.centre());
         let mu = self.w.worked.construction.diagram.mu_l;
-        let label = self.distance(symbol, "", at.distance(from) * mu);
+        let label = self.distance(symbol, at.distance(from) * mu);
         self.board.arrow(&Label::math(symbol).plain(), label, from, at - from, self.thin);
     }
 }

@@ -26,6 +26,9 @@ const REACH_MM: f64 = 45.0;
 /// Parts of the way between two stations.
 const PARTS: usize = 8;
 
+/// A path by its name: the numerator of its places, and its line.
+type Kind = (&'static str, fn(&Station) -> Vec2, Stroke);
+
 /// The figure of one link.
 pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faults> {
     let paths = centrodes(&found.scene, &found.worked, of.link, found.against, STEPS)?;
@@ -40,8 +43,7 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     let now = of.pole().map(|p| to_paper(p.pole)).filter(|p| holds(d.bounds().grown(2.0 * REACH_MM), *p));
     let window = all().filter(|p| holds(reach, *p)).chain(now).fold(d.bounds(), |all, p| all.union(Rect::new(p, p))).grown(3.0);
     let mut board = Board::new(style, d, window);
-    let kinds: [(&str, fn(&Station) -> Vec2, Stroke); 2] =
-        [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
+    let kinds: [Kind; 2] = [("fixed", |s| s.fixed, style.vector), ("moving", |s| s.moving, style.vector.dashed(Dash::Dashed))];
     for (name, over, stroke) in kinds {
         let stations: Vec<Option<(Vec2, f64)>> = paths.stations.iter().map(|s| s.as_ref().map(|s| (over(s), s.omega))).collect();
         let runs = runs(&stations, paths.closed, window, &to_paper);

@@ -17,6 +17,7 @@ use crate::worked::Worked;
 
 use super::attempts;
 use super::centres;
+use super::cognates;
 use super::composite;
 use super::curvature;
 use super::inversions;
@@ -54,6 +55,7 @@ pub const LIST: &[&Entry] = &[
     &curvature::ENTRY,
     &curvature::CENTRODES,
     &inversions::ENTRY,
+    &cognates::ENTRY,
 ];
 
 /// The figure that is drawn when none is named.

@@ -1,0 +1,181 @@
+//! The construction of pole, inflection circle and centres of curvature as sentences, one a step.
+
+use super::curvature::Words;
+use super::phrase::{Phrase, tr};
+use crate::curvature::drawing::{Drawing, How, Rays, Rolled};
+use crate::curvature::known::{Known, Why};
+use crate::curvature::plane::End;
+use crate::curvature::{OfLink, OfPoint};
+use crate::geom::Vec2;
+use crate::scene::{Lang, PointId};
+
+impl Words<'_> {
+    /// The construction, step by step.
+    pub fn steps(&self, of: &OfLink) -> Vec<Phrase> {
+        let mut out = match &of.drawing {
+            Drawing::Rays(rays) => self.of_rays(of, rays),
+            Drawing::Rolling(rolled) => self.of_rolling(of, rolled),
+            Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => return Vec::new(),
+        };
+        let (pole, j, lang) = (self.pole(of), self.letter("J", of), self.lang);
+        if of.drawn().is_some_and(|d| d.normal == Vec2::ZERO) {
+            return out.iter().map(|s| Phrase::new(s)).collect();
+        }
+        out.push(match lang {
+            Lang::En => format!("circle over ${pole}{j}$: the inflection circle; square to it in ${pole}$ the pole tangent $t$"),
+            Lang::Zh => format!("以 ${pole}{j}$ 为直径作圆，即拐点圆；过 ${pole}$ 作其垂线，即瞬心切线 $t$"),
+        });
+        out.extend(of.points.iter().filter_map(|p| self.of_point(of, p)));
+        if of.read.is_some() {
+            let k = self.letter("K", of);
+            out.push(match lang {
+                Lang::En => format!("${pole}{j}$ turned in ${pole}$ by the angle whose tangent is $\\alpha/\\omega^{{2}}$; the foot of ${j}$ on it is the acceleration pole ${k}$"),
+                Lang::Zh => format!("将 ${pole}{j}$ 绕 ${pole}$ 转过正切为 $\\alpha/\\omega^{{2}}$ 的角，由 ${j}$ 向其作垂线，垂足即加速度瞬心 ${k}$"),
+            });
+        }
+        out.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    fn moving(&self, k: &Known) -> String {
+        k.why.moving().map_or_else(|| format!("{}^{{\\infty}}", self.below("N", k.why.fixed().unwrap_or(PointId(0)))), |p| self.point(p))
+    }
+
+    fn fixed(&self, k: &Known) -> String {
+        match (k.why.fixed(), k.why.moving()) {
+            (Some(p), _) => self.point(p),
+            (None, Some(p)) if matches!(k.fixed, End::Infinity(_)) => format!("{}^{{\\infty}}", self.centre(p)),
+            (None, Some(p)) => self.centre(p),
+            (None, None) => String::new(),
+        }
+    }
+
+    fn ray(&self, k: &Known) -> String {
+        let (moving, fixed, lang) = (self.moving(k), self.fixed(k), self.lang);
+        match (k.why, lang) {
+            (Why::Crank(_, _, by), Lang::En) => {
+                format!("${moving}$ runs on a circle about ${fixed}$ (link {}): ray ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Crank(_, _, by), Lang::Zh) => {
+                format!("${moving}$ 绕 ${fixed}$ 作圆周运动（构件 {}）：射线 ${fixed}{moving}$", self.scene().link_name(by))
+            }
+            (Why::Straight(..), Lang::En) => {
+                format!("${moving}$ runs straight: the ray is square to its guide, the centre lies at infinity")
+            }
+            (Why::Straight(..), Lang::Zh) => format!("${moving}$ 沿直线运动：射线垂直于导路，曲率中心在无穷远处"),
+            (Why::Arc(..), Lang::En) => format!("${moving}$ runs in an arc about ${fixed}$: ray ${fixed}{moving}$"),
+            (Why::Arc(..), Lang::Zh) => format!("${moving}$ 沿以 ${fixed}$ 为中心的圆弧运动：射线 ${fixed}{moving}$"),
+            (Why::Through(..), Lang::En) => format!(
+                "a line of the link along its guide always leads through ${fixed}$: ray square to it through ${fixed}$, the moving point lies at infinity"
+            ),
+            (Why::Through(..), Lang::Zh) => format!("构件上沿导路的直线始终通过 ${fixed}$：过 ${fixed}$ 作其垂线为射线，动点在无穷远处"),
+            (Why::Borrowed(_, of), Lang::En) => format!(
+                "${moving}$ belongs to link {} too, whose drawing gives the centre ${fixed}$ of its path: ray ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+            (Why::Borrowed(_, of), Lang::Zh) => format!(
+                "${moving}$ 又在构件 {} 上，由该构件的作图得其轨迹的曲率中心 ${fixed}$：射线 ${fixed}{moving}$",
+                self.scene().link_name(of)
+            ),
+        }
+    }
+
+    /// The point of a ray whose path is straight, by its name.
+    pub fn straight(&self, k: &Known) -> String {
+        self.below("J", k.why.moving().or(k.why.fixed()).unwrap_or(PointId(0)))
+    }
+
+    fn of_rays(&self, of: &OfLink, rays: &Rays) -> Vec<String> {
+        let (lang, pole) = (self.lang, self.pole(of));
+        let mut out: Vec<String> = rays.known.iter().map(|k| self.ray(k)).collect();
+        out.push(match lang {
+            Lang::En => format!("the rays cross in the pole ${pole}$"),
+            Lang::Zh => format!("两射线交于瞬心 ${pole}$"),
+        });
+        let [b, c] = &rays.known;
+        if let Some(q) = rays.collineation {
+            let (moving, fixed) = ((self.moving(b), self.moving(c)), (self.fixed(b), self.fixed(c)));
+            let at = if q.at().is_none() {
+                tr(lang, " (at infinity: the axis is parallel to both)", "（在无穷远处：轴与两线平行）")
+            } else {
+                ""
+            };
+            out.push(match lang {
+                Lang::En => format!(
+                    "${}{}$ and ${}{}$ cross in $Q${at}; ${pole}Q$ is the collineation axis (Bobillier)",
+                    moving.0, moving.1, fixed.0, fixed.1
+                ),
+                Lang::Zh => format!("${}{}$ 与 ${}{}$ 交于 $Q${at}；${pole}Q$ 为共线轴（博比利尔）", moving.0, moving.1, fixed.0, fixed.1),
+            });
+        }
+        for k in [1, 0] {
+            let (own, other) = (&rays.known[k], &rays.known[1 - k]);
+            let (j, m, o) = (self.straight(own), self.moving(own), self.moving(other));
+            out.push(match (rays.how[k], lang) {
+                (How::Given, Lang::En) => format!("the path of ${m}$ is straight: ${j} = {m}$"),
+                (How::Given, Lang::Zh) => format!("${m}$ 的轨迹为直线：${j} = {m}$"),
+                (How::Collineation(End::Infinity(_)), Lang::En) => {
+                    format!("the parallel to the axis through ${o}$ meets the ray of ${m}$ in ${j}$")
+                }
+                (How::Collineation(End::Infinity(_)), Lang::Zh) => format!("过 ${o}$ 作共线轴的平行线，交 ${m}$ 的射线于 ${j}$"),
+                (How::Collineation(End::At(_)), _) => {
+                    let (q, a) = (format!("Q_{{{}}}", 2 - k), self.fixed(other));
+                    match lang {
+                        Lang::En => format!(
+                            "the parallel to the ray of ${m}$ through ${a}$ meets the axis in ${q}$; ${q}{o}$ meets the ray in ${j}$"
+                        ),
+                        Lang::Zh => format!("过 ${a}$ 作 ${m}$ 的射线的平行线，交共线轴于 ${q}$；${q}{o}$ 交该射线于 ${j}$"),
+                    }
+                }
+                (How::Proportion, Lang::En) => {
+                    format!("on the ray of ${m}$: $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ gives ${j}$ (Euler–Savary)", self.fixed(own))
+                }
+                (How::Proportion, Lang::Zh) => {
+                    format!("在 ${m}$ 的射线上由 $1/{pole}{j} = 1/{pole}{m} − 1/{pole}{}$ 得 ${j}$（欧拉–萨瓦里）", self.fixed(own))
+                }
+            });
+        }
+        let (jb, jc, j) = (self.straight(b), self.straight(c), self.letter("J", of));
+        let stands = rays.normal() == Vec2::ZERO;
+        out.push(match (lang, stands) {
+            (Lang::En, false) => format!("the perpendiculars to the rays in ${jb}$ and ${jc}$ cross in the inflection pole ${j}$"),
+            (Lang::Zh, false) => format!("过 ${jb}$、${jc}$ 分别作射线的垂线，交于拐点极 ${j}$"),
+            (Lang::En, true) => format!("both fall on ${pole}$: it stands still, there is no inflection circle"),
+            (Lang::Zh, true) => format!("两点都落在 ${pole}$ 上：瞬心不动，没有拐点圆"),
+        });
+        out
+    }
+
+    fn of_rolling(&self, of: &OfLink, _: &Rolled) -> Vec<String> {
+        let (pole, j) = (self.pole(of), self.letter("J", of));
+        vec![match self.lang {
+            Lang::En => format!(
+                "the link rolls on the other: the contact is the pole ${pole}$, the centres of both contours lie on the pole normal; $1/{pole}{j}$ = 1/(moving radius) − 1/(fixed radius), both counted from ${pole}$ along it"
+            ),
+            Lang::Zh => format!(
+                "构件沿另一构件纯滚动：接触点即瞬心 ${pole}$，两廓线的中心在瞬心法线上；自 ${pole}$ 沿法线计，$1/{pole}{j}$ = 1/(动圆半径) − 1/(定圆半径)"
+            ),
+        }]
+    }
+
+    fn of_point(&self, of: &OfLink, p: &OfPoint) -> Option<String> {
+        let drawn = p.drawn?;
+        let (pole, j, e, centre, lang) = (self.pole(of), self.letter("J", of), self.point(p.point), self.centre(p.point), self.lang);
+        let given = match &of.drawing {
+            Drawing::Rays(r) => r.known.iter().any(|k| k.why.moving() == Some(p.point)),
+            Drawing::Rolling(_) | Drawing::Hinge(_) | Drawing::Parallel(_) | Drawing::OneLine(_) | Drawing::NoRays => false,
+        };
+        if given {
+            return None;
+        }
+        Some(match (drawn.centre, lang) {
+            (End::Infinity(_), Lang::En) => format!("${e}$ lies on the inflection circle: its path is straight"),
+            (End::Infinity(_), Lang::Zh) => format!("${e}$ 在拐点圆上：其轨迹为直"),
+            (End::At(_), Lang::En) => format!(
+                "perpendicular to ${pole}{e}$ in ${pole}$, to ${e}{j}$ in $H$; the parallel to ${pole}{j}$ through $H$ meets ${pole}{e}$ in ${centre}$, the centre of the path of ${e}$"
+            ),
+            (End::At(_), Lang::Zh) => format!(
+                "过 ${pole}$ 作 ${pole}{e}$ 的垂线，交 ${e}{j}$ 于 $H$；过 $H$ 作 ${pole}{j}$ 的平行线，交 ${pole}{e}$ 于 ${centre}$，即 ${e}$ 轨迹的曲率中心"
+            ),
+        })
+    }
+}

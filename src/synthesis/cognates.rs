@@ -1,0 +1,279 @@
+//! Cognates 同源机构 (Roberts–Chebyshev), `"synthesis": "cognates"`: the two other four-bars that carry a coupler point along the same path.
+//!
+//! λ = BE/BC as a turn and stretch. The third pivot is F = A + λ·AD; the left cognate A A₁ P₁ F has A₁ = A + BE and P₁ = A₁ + λ·AB, the
+//! right one D D₁ P₂ F the same with the letters changed over, λ' = CE/CB. ABEA₁ and DCED₁ are parallelograms, the three triangles on the
+//! couplers are similar to BCE.
+//!
+//! # Source
+//! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L. Chebyshev, 1878.
+
+use super::candidate::{Draft, Number, Wanted};
+use super::form::Form;
+use super::fourbar::{FourBar, Heading, named_lengths};
+use super::{Found, KindOfTask, Wish};
+use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Mechanism};
+use crate::position::{Configuration, configure};
+use crate::scene::{self, DriverKind, LinkId, PointId, Scene, templates};
+use std::f64::consts::TAU;
+
+/// The kind.
+pub const KIND: KindOfTask = KindOfTask {
+    name: "cognates",
+    what: ["the two other four-bars with the same coupler curve", "同源机构：连杆曲线相同的另外两个四杆机构"],
+    keys: &["scene", "point"],
+    read,
+};
+
+/// Positions at which the cognates' scenes are compared with the given linkage.
+const POSITIONS: usize = 8;
+/// Lengths below this part of the linkage's size are none.
+const NONE: f64 = 1e-9;
+
+/// A four-bar with a coupler point, and its cognates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cognates {
+    /// The given linkage: A, B, C, D, and E in the coupler.
+    pub given: FourBar,
+    /// E (m).
+    pub e: Point,
+    /// F, the third pivot.
+    pub f: Point,
+    /// A₁ and P₁.
+    pub left: [Point; 2],
+    /// D₁ and P₂.
+    pub right: [Point; 2],
+}
+
+impl Cognates {
+    /// By the turns and stretches; `None` where the coupler has no length.
+    pub fn of(given: FourBar, e: Point) -> Option<Cognates> {
+        let FourBar { a, b, c, d, .. } = given;
+        if b.distance(c) <= NONE * given.size() {
+            return None;
+        }
+        // The third pivot, and two joints of the cognate on the pivot of the first crank.
+        let side = |a: Point, b: Point, c: Point| {
+            let ratio = (e - b).divide_by(c - b);
+            let first = a + (e - b);
+            [first, first + ratio.rotate_by(b - a)]
+        };
+        let f = a + (e - b).divide_by(c - b).rotate_by(d - a);
+        Some(Cognates { left: side(a, b, c), right: side(d, c, b), f, e, given })
+    }
+
+    /// The left cognate, driven by A A₁, which turns as BC; and the right one, driven by F P₂, which turns as AB.
+    pub fn four_bars(&self) -> [Option<FourBar>; 2] {
+        let with = |a: Point, b: Point, c: Point, d: Point| {
+            let axis = (c - b).unit().filter(|_| b.distance(c) > NONE * self.given.size())?;
+            let whole = a.distance(b) > NONE * self.given.size()
+                && c.distance(d) > NONE * self.given.size()
+                && a.distance(d) > NONE * self.given.size();
+            whole.then(|| FourBar { a, b, c, d, e: Some((self.e - b).divide_by(axis)) })
+        };
+        [with(self.given.a, self.left[0], self.left[1], self.f), with(self.f, self.right[1], self.right[0], self.given.d)]
+    }
+
+    /// The cognates of a scene that is a four-bar with this coupler point.
+    ///
+    /// # Errors
+    /// `not-a-four-bar`: what is wanted, and what the scene has.
+    pub fn of_scene(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<Cognates, Diagnostic> {
+        let (given, e) = four_bar(scene, at, point)?;
+        let e_at = at.points[e.0].ok_or_else(|| none(scene))?;
+        Cognates::of(given, e_at).ok_or_else(|| none(scene))
+    }
+}
+
+fn none(scene: &Scene) -> Diagnostic {
+    let message = both!(
+        "cognates are of a four-bar of four pins with a point on its coupler; this scene has {} links, {} guides",
+        "同源机构由四个转动副的四杆机构及其连杆上一点求得；该机构有 {} 个构件、{} 个导路",
+        scene.links.len(),
+        scene.guides.len()
+    );
+    let help = both!(
+        "write links 1: AB, 2: BCE, 3: CD, 4: AD, such as `hodograph new crank-rocker`",
+        "构件写成 1: AB、2: BCE、3: CD、4: AD，例如 `hodograph new crank-rocker`"
+    );
+    Diagnostic::error("not-a-four-bar", message).help(help)
+}
+
+/// The four-bar of a scene: driver first; and its coupler point.
+fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result<(FourBar, PointId), Diagnostic> {
+    let found = || {
+        if scene.links.len() != 4 || !scene.guides.is_empty() || !scene.rolling.is_empty() {
+            return None;
+        }
+        let points = |l: usize| &scene.links[l].points;
+        let ground = scene.ground.0;
+        let floating = (0..4).find(|l| *l != ground && !points(*l).iter().any(|p| points(ground).contains(p)))?;
+        let mut cranks: Vec<usize> = (0..4).filter(|l| *l != ground && *l != floating).collect();
+        let driven = |l: usize| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, .. } if link == LinkId(l)));
+        cranks.sort_by_key(|l| !driven(*l));
+        let common = |k: usize, l: usize| points(k).iter().copied().find(|p| points(l).contains(p));
+        let pins = [common(cranks[0], ground)?, common(cranks[0], floating)?, common(floating, cranks[1])?, common(cranks[1], ground)?];
+        let free = |p: &PointId| points(floating).contains(p) && !pins.contains(p);
+        let e = match point {
+            Some(p) => Some(p).filter(free)?,
+            None => points(floating).iter().copied().find(free)?,
+        };
+        let [a, b, c, d] = pins.map(|p| at.points[p.0]);
+        let (a, b, c, d) = (a?, b?, c?, d?);
+        let local = (at.points[e.0]? - b).divide_by((c - b).unit()?);
+        Some((FourBar { a, b, c, d, e: Some(local) }, e))
+    };
+    found().ok_or_else(|| none(scene))
+}
+
+/// A position of the given linkage: crank, coupler, E.
+type Position = (Vec2, Vec2, Point);
+/// The link of it that turns as a cognate's driver.
+type TurnsAs = fn(&Position) -> Vec2;
+
+#[derive(Clone, Debug)]
+struct Task {
+    cognates: Cognates,
+    /// The title where the file has none.
+    name: Both,
+}
+
+fn read(form: &Form) -> Option<Box<dyn Wish>> {
+    let node = form.need("scene", "\"crank-rocker\"")?;
+    let fault = |d: Diagnostic| form.fault(d.at(form.span("scene")));
+    let text = match &node.kind {
+        crate::json::Kind::Text(name) => match templates::get(name) {
+            Ok(text) => text.to_owned(),
+            Err(d) => {
+                fault(d.help(both!(
+                    "name a template, a scene file beside this one, or write the scene itself",
+                    "请写模板名、同一文件夹中的机构文件名，或机构文件本身"
+                )));
+                return None;
+            }
+        },
+        crate::json::Kind::Object(_) => node.text(),
+        crate::json::Kind::Number(_) | crate::json::Kind::Bool(_) | crate::json::Kind::Null | crate::json::Kind::Array(_) => {
+            return form.refuse(
+                node,
+                "scene",
+                both!("the name of a template or scene file, or a scene", "模板名、机构文件名或机构文件本身"),
+            );
+        }
+    };
+    let made = || -> Result<(Scene, Configuration), Faults> {
+        let scene = scene::read(&text)?.value;
+        let mechanism = Mechanism::new(&scene)?.value;
+        let demand = Demand::of(&scene, &mechanism).with_all_positions();
+        let at = configure(&scene, &mechanism, &demand)?.value;
+        Ok((scene, at))
+    };
+    let (scene, at) = match made() {
+        Ok(made) => made,
+        Err(faults) => {
+            for d in faults.list {
+                let message = both!("in the scene: {}", "机构文件中：{}", d.message);
+                fault(Diagnostic { message, ..d });
+            }
+            return None;
+        }
+    };
+    let point = match form.word("point") {
+        Some(word) => match (0..scene.points.len()).map(PointId).find(|p| scene.point_name(*p) == word.text) {
+            Some(p) => Some(p),
+            None => {
+                let d = Diagnostic::error("unknown-point", both!("the scene has no point `{}`", "机构文件没有点 `{}`", word.text));
+                form.fault(d.at(word.span));
+                return None;
+            }
+        },
+        None => None,
+    };
+    match Cognates::of_scene(&scene, &at, point) {
+        Ok(cognates) => {
+            let name = both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() });
+            Some(Box::new(Task { cognates, name }))
+        }
+        Err(d) => {
+            fault(d);
+            None
+        }
+    }
+}
+
+impl Task {
+    /// Positions of the given linkage over a turn of its crank, or as far as its dyad reaches: crank angle, coupler angle, E.
+    fn positions(&self) -> Vec<Position> {
+        let given = &self.cognates.given;
+        let start = (given.b - given.a).angle();
+        let place = |k: usize| {
+            let (b, c) = given.at(start + TAU * k as f64 / POSITIONS as f64)?;
+            Some((b - given.a, c - b, given.coupler_point(b, c)?))
+        };
+        (0..POSITIONS).map_while(place).collect()
+    }
+
+    fn draft(&self, which: Both, linkage: &FourBar, heading: &Heading, link: TurnsAs) -> Draft {
+        let positions = self.positions();
+        let first = positions.first().map_or(Vec2::new(1.0, 0.0), link);
+        let crank = linkage.b - linkage.a;
+        let wanted =
+            positions.iter().map(|p| Wanted { driver: crank.rotate_by(link(p).divide_by(first)).angle(), places: vec![("E".into(), p.2)] });
+        let mut numbers = named_lengths(linkage.lengths());
+        numbers.push(Number::length("BE", both!("from B to the coupler point", "B 到连杆上 E 点"), linkage.b.distance(self.cognates.e)));
+        numbers.push(Number::length("CE", both!("from C to the coupler point", "C 到连杆上 E 点"), linkage.c.distance(self.cognates.e)));
+        Draft {
+            which,
+            scene: linkage.scene(heading),
+            numbers,
+            wanted: wanted.collect(),
+            demands: Vec::new(),
+            ordered: false,
+            error: 0.0,
+            remarks: Vec::new(),
+        }
+    }
+}
+
+impl Wish for Task {
+    fn title(&self) -> Both {
+        self.name.clone()
+    }
+
+    fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
+        let c = &self.cognates;
+        let mut notes = Vec::new();
+        let mut drafts = vec![self.draft(both!("the given linkage", "给定的机构"), &c.given, heading, |p| p.0)];
+        let [left, right] = c.four_bars();
+        let names = [
+            both!("left cognate A A1 P1 F (its AB turns as the given BC)", "左同源机构 A A1 P1 F（其 AB 与原 BC 转角相同）"),
+            both!("right cognate F P2 D1 D (its AB turns as the given AB)", "右同源机构 F P2 D1 D（其 AB 与原 AB 转角相同）"),
+        ];
+        let links: [TurnsAs; 2] = [|p| p.1, |p| p.0];
+        for ((linkage, name), link) in [left, right].into_iter().zip(names).zip(links) {
+            match linkage {
+                Some(linkage) => drafts.push(self.draft(name, &linkage, heading, link)),
+                None => {
+                    let message = both!(
+                        "{}: a link has no length, for E lies on a pin of the coupler",
+                        "{}：有构件长为零，因为 E 在连杆的铰链上",
+                        name
+                    );
+                    notes.push(Diagnostic::note("cognate-collapses", message));
+                }
+            }
+        }
+        let place = |name: &str, what: Both, p: Point| {
+            [Number::length(&format!("{name}_x"), what.clone(), p.x), Number::length(&format!("{name}_y"), what, p.y)]
+        };
+        let numbers = [
+            place("F", both!("third pivot", "第三个固定铰链"), c.f),
+            place("A1", both!("parallelogram A B E A1", "平行四边形 A B E A1"), c.left[0]),
+            place("P1", both!("triangle A1 P1 E, similar to B C E", "三角形 A1 P1 E，与 B C E 相似"), c.left[1]),
+            place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
+            place("P2", both!("triangle D1 P2 E, similar to C B E", "三角形 D1 P2 E，与 C B E 相似"), c.right[1]),
+        ];
+        Ok(Found { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
+    }
+}
