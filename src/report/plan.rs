@@ -1,7 +1,7 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use super::phrase::{formula, tr};
-use crate::mechanism::{ConstraintLine, Core, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
 use crate::scene::{DriverKind, Lang, LinkId, PointId, Scene};
@@ -94,6 +94,17 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
             && (g.links.contains(&scene.guides[guide.0].on) || scene.guides[guide.0].pin.is_some_and(|p| g.pins.contains(&p)))
         {
             links.push(scene.link_name(l));
+        }
+    }
+    // Barrel and rod belong to the group that the cylinder moves.
+    if let Core::Pin { legs, .. } | Core::Link { legs, .. } = &g.core {
+        let cylinders = legs.iter().filter_map(Leg::cylinder);
+        let parts = cylinders.flat_map(|d| match &scene.drivers[d].kind {
+            DriverKind::Cylinder { links, .. } => links.as_slice(),
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } => &[],
+        });
+        for l in parts.filter(|l| !g.links.contains(l)) {
+            links.push(scene.link_name(*l));
         }
     }
     let at: Vec<&str> = match &g.core {
