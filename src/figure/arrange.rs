@@ -157,6 +157,12 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
 }
 
+/// Parts as one, standing as the tree says.
+pub(super) fn put_together(tree: Tree, mut parts: Vec<Part>) -> Part {
+    tree.put(&mut parts, Point::ORIGIN);
+    Part::of(parts.into_iter().flat_map(|p| p.items).collect())
+}
+
 /// The equations of all levels, one below the other; `None` where there are none.
 pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
     let mut parts = Vec::new();
@@ -170,9 +176,8 @@ pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
             parts.push(part);
         }
     }
-    Tree::text_column(tree).put(&mut parts, Point::ORIGIN);
-    let items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
-    (!items.is_empty()).then(|| Part::of(items))
+    let all = put_together(Tree::text_column(tree), parts);
+    (!all.items.is_empty()).then_some(all)
 }
 
 struct Layout<'a> {

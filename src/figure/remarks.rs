@@ -25,9 +25,8 @@ use super::words::Words;
 pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, words, .. } = *answers;
     let mut lines = singular(answers);
-    match &worked.drafting {
-        Some(d) => lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))])),
-        None => lines.extend(pencil(answers)),
+    if let Some(d) = &worked.drafting {
+        lines.push(fill(words.by_hand, &[("", &shortest(d.pencil_mm))]));
     }
     lines.extend(worked.redundant.iter().flat_map(|r| repeats(answers, r)));
     for bad in &worked.bad_angles {
@@ -36,9 +35,12 @@ pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {
     lines.iter().map(|l| Phrase::new(l)).collect()
 }
 
-/// What a pencil makes of the results: the largest tolerance, and what is lost in it.
-fn pencil(answers: &Answers) -> Vec<String> {
+/// What a pencil makes of the results: the largest tolerance, and what is lost in it; nothing where each has its own beside it.
+pub(crate) fn pencil(answers: &Answers) -> Vec<Phrase> {
     let Answers { scene, worked, notation, words, .. } = *answers;
+    if worked.drafting.is_some() {
+        return Vec::new();
+    }
     let hand = worked.by_hand(scene);
     let mm = shortest(hand.pencil_mm);
     let told = scene.find.iter().zip(&hand.tolerances).filter_map(|(find, t)| Some((find, t.as_ref()?.relative?)));
@@ -50,7 +52,7 @@ fn pencil(answers: &Answers) -> Vec<String> {
     });
     let lost: Vec<String> = lost.into_iter().map(|(find, _)| format!("${}$", symbol(find, notation))).collect();
     let lost = (!lost.is_empty()).then(|| fill(words.pencil_lost, &[("", &mm), ("1", &lost.join(words.comma))]));
-    worst.into_iter().chain(lost).collect()
+    worst.into_iter().chain(lost).map(|line| Phrase::new(&line)).collect()
 }
 
 /// To how many digits drawing and loop equations agree; `None` where there is nothing to compare.

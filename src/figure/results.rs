@@ -20,7 +20,7 @@ use super::drawing;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
-use super::remarks::{agreement, remarks};
+use super::remarks::{agreement, pencil, remarks};
 use super::style::Style;
 use super::words::Words;
 
@@ -123,7 +123,7 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     }
     let mut items = grid::set(&rows, GAP_MM);
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
-    let others = remarks(answers).into_iter().enumerate();
+    let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
     lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;

@@ -127,10 +127,15 @@ impl Maker<'_> {
     /// The equations of each level with their heading; nothing where there are none. `steps` are the certified numbers of the
     /// construction.
     pub fn equations(&self, steps: &Steps) -> Vec<(Part, Vec<Part>)> {
-        let (writer, worked) = (self.writer(), self.worked);
-        let tables =
-            Tables { style: &self.options.style, writer: &writer, mechanism: &worked.mechanism, construction: &worked.construction, steps };
+        let writer = self.writer();
+        let tables = self.tables(&writer, steps);
         Level::RATES.map(|l| (self.heading(l), tables.parts(l))).into()
+    }
+
+    /// What the tables are made from.
+    pub fn tables<'t>(&'t self, writer: &'t Writer<'t>, steps: &'t Steps) -> Tables<'t> {
+        let worked = self.worked;
+        Tables { style: &self.options.style, writer, mechanism: &worked.mechanism, construction: &worked.construction, steps }
     }
 
     pub fn mechanism(&self) -> Part {

@@ -47,9 +47,14 @@ pub struct Tables<'a> {
 impl Tables<'_> {
     /// One part for each step of a level, in the order of solving.
     pub fn parts(&self, level: Level) -> Vec<Part> {
+        self.parts_of(level, |_| true)
+    }
+
+    /// The same of some groups only, by their places in the mechanism's list.
+    pub fn parts_of(&self, level: Level, wanted: impl Fn(usize) -> bool) -> Vec<Part> {
         let Some(polygon) = self.construction.polygon(level) else { return Vec::new() };
         let mut parts = Vec::new();
-        for group in self.writer.plan.steps(level) {
+        for group in self.writer.plan.steps(level).iter().filter(|g| wanted(g.group)) {
             let chosen = group.drawn(self.construction.chosen[group.group]);
             for step in group.steps(chosen) {
                 let step_class = step_class(polygon, target(step));

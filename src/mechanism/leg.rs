@@ -233,6 +233,24 @@ pub struct Entry {
 }
 
 impl Leg {
+    /// The driver whose cylinder it is, if it is one.
+    pub fn cylinder(&self) -> Option<usize> {
+        match self {
+            Leg::Cylinder { driver, .. } => Some(*driver),
+            Leg::Pinned { .. }
+            | Leg::Angle { .. }
+            | Leg::Bar { .. }
+            | Leg::OnGuide { .. }
+            | Leg::InSlot { .. }
+            | Leg::Glide { .. }
+            | Leg::Driven { .. }
+            | Leg::Ram { .. }
+            | Leg::DrivenGlide { .. }
+            | Leg::Rolls { .. }
+            | Leg::Carried { .. } => None,
+        }
+    }
+
     /// What it gives of the core: the one place that tells the kinds of leg apart.
     pub fn gives(&self) -> Gives {
         Gives::Hold(match *self {

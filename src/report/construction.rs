@@ -127,7 +127,7 @@ fn sentence(w: &Writer, paper: &Construction, p: &Polygon, action: usize, steps:
                 edges.iter().enumerate().map(|(k, i)| format!("${}$ = {}", symbols(w, level, &p.edges[*i].terms), edge(k, *i))).collect();
             match w.lang {
                 Lang::En => {
-                    format!("The two lines intersect at ${image}$, at an angle of {angle}°{moved}: {}.", lengths.join(", "))
+                    format!("The lines intersect at ${image}$ at {angle}°{moved}: {}.", lengths.join(", "))
                 }
                 Lang::Zh => format!("两线交于 ${image}$，交角 {angle}°{moved}：{}。", lengths.join("，")),
             }

@@ -1,7 +1,7 @@
 //! The plan as text: groups, effects, equations in solving order.
 
 use super::phrase::{formula, tr};
-use crate::mechanism::{ConstraintLine, Core, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
 use crate::scene::{DriverKind, Lang, LinkId, PointId, Scene};
@@ -95,6 +95,19 @@ pub(crate) fn links_with_blocks(scene: &Scene, m: &Mechanism, g: &crate::mechani
         let holds = |h: &&crate::mechanism::Group| h.links.contains(&guide.on) || guide.pin.is_some_and(|p| h.pins.contains(&p));
         if m.groups.iter().rev().find(holds).is_some_and(|home| home.links == g.links && home.pins == g.pins) {
             links.push(l);
+        }
+    }
+    // Barrel and rod belong to the group that the cylinder moves.
+    if let Core::Pin { legs, .. } | Core::Link { legs, .. } = &g.core {
+        let cylinders = legs.iter().filter_map(Leg::cylinder);
+        let parts = cylinders.flat_map(|d| match &scene.drivers[d].kind {
+            DriverKind::Cylinder { links, .. } => links.as_slice(),
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } => &[],
+        });
+        for l in parts {
+            if !links.contains(l) {
+                links.push(*l);
+            }
         }
     }
     links

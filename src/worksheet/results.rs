@@ -3,6 +3,7 @@
 use super::{Block, Maker, Table, TableKind};
 use crate::accuracy::ladder::Why;
 use crate::answer::Value;
+use crate::digits::shortest;
 use crate::figure::label::Label;
 use crate::figure::remarks::{agreement, remarks};
 use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
@@ -76,8 +77,9 @@ impl Maker<'_> {
             (Lang::Zh, _) => format!("将机构全部约束方程对时间求一阶和二阶导数，得到关于 {v} 个未知速度和 {a} 个未知加速度的线性方程组，不用矢量多边形而一次解出。"),
         })));
         self.components(blocks);
-        let head =
-            [self.tr("quantity", "量"), self.tr("drawing", "图解"), self.tr("loop equations", "解析"), self.tr("by hand", "手工作图误差")];
+        let mm = shortest(by_hand.pencil_mm);
+        let hand = format!("{} ({mm} mm)", self.tr("by hand", "手工作图误差"));
+        let head = [self.tr("quantity", "量"), self.tr("drawing", "图解"), self.tr("loop equations", "解析"), &hand];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         for r in &self.worked.results {
             let (Some(drawn), Some(_)) = (&r.drawn, r.agreement) else { continue };

@@ -38,6 +38,29 @@ fn a_motion_is_a_gif_an_svg_or_numbered_pictures() {
     assert!(text(&bad.get_output().stderr).contains("turn-001.png"));
 }
 
+/// A plate for each group and level, and no vector left out of them.
+#[test]
+fn plates_show_what_each_group_adds() {
+    let out = tempfile::tempdir().unwrap();
+    let arguments = ["draw", "templates/excavator.json", "--figure", "plates", "--format", "svg", "-o"];
+    hodograph().args(arguments).arg(out.path()).assert().success();
+    let read = |name: String| std::fs::read_to_string(out.path().join(name)).unwrap();
+    let ids = |svg: &str| -> Vec<String> {
+        let page = roxmltree::Document::parse(svg).unwrap();
+        let edges = page.descendants().filter(|n| n.attribute("class").is_some_and(|c| c.contains(" edge ") && !c.contains("label")));
+        edges.filter_map(|n| n.attribute("id")).filter(|id| !id.contains("inset") && !id.ends_with("leader")).map(str::to_owned).collect()
+    };
+    for kind in ["velocity", "acceleration"] {
+        let plates: Vec<String> = (1..=4).map(|k| read(format!("excavator-{kind}-{k}.svg"))).collect();
+        assert!(plates.iter().all(|p| p.contains("#969696") || p == &plates[0]), "{kind}: known vectors are grey");
+        let shown: Vec<String> = plates.iter().flat_map(|p| ids(p)).collect();
+        hodograph().args(["draw", "templates/excavator.json", "--figure", kind, "-o"]).arg(out.path().join("whole.svg")).assert().success();
+        let missing: Vec<String> = ids(&read("whole.svg".into())).into_iter().filter(|id| !shown.contains(id)).collect();
+        assert!(missing.is_empty() && !shown.is_empty(), "{kind}: {missing:?}");
+    }
+    assert!(!out.path().join("excavator-velocity-5.svg").exists());
+}
+
 #[test]
 fn pdf_holds_one_figure_or_many() {
     let out = tempfile::tempdir().unwrap();

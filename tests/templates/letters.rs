@@ -9,8 +9,7 @@ use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 fn labels(figure: &Figure) -> Vec<&str> {
-    let label = |s| if let Shape::Label { label, .. } = s { Some(label.source()) } else { None };
-    figure.items.iter().filter_map(|i| label(&i.shape)).collect()
+    figure.items.iter().filter_map(|i| if let Shape::Label { label, .. } = &i.shape { Some(label.source()) } else { None }).collect()
 }
 
 /// Without what sets a letter: a mark is O_1 where a length's index has O1, and t–t is the direction t.

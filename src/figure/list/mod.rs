@@ -7,6 +7,7 @@ mod drawings;
 mod equations;
 mod gears;
 mod kutzbach;
+mod plates;
 mod results;
 mod sheet;
 
@@ -45,6 +46,7 @@ pub const LIST: &[&Entry] = &[
     &drawings::MECHANISM,
     &drawings::VELOCITY,
     &drawings::ACCELERATION,
+    &plates::ENTRY,
     &equations::ENTRY,
     &results::ENTRY,
     &centres::ENTRY,

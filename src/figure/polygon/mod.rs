@@ -1,7 +1,7 @@
 //! A velocity or acceleration polygon, from the drawing board's actions to ink.
 //!
 //! Decided here: which vectors are drawn and once only, what is thin, how points and vectors are marked. ([`inset`] enlarges
-//! what is too small for its names, [`circles`] are the images of what rolls, [`names`] says what is written at them.) The places are
+//! what is too small for its names, [`circles`] are the images of what rolls, [`names`] says what is written at them, [`mod@plates`] splits one of many vectors.) The places are
 //! those of the board. Every item carries the class `step-N`, the index of the action that draws it, so that a lesson
 //! can show the polygon as it grows.
 
@@ -9,6 +9,7 @@ mod circles;
 mod inset;
 mod marks;
 mod names;
+mod plates;
 
 use crate::construct::{Action, Mark, Polygon};
 use crate::geom::{Point, Vec2};
@@ -20,12 +21,13 @@ use crate::scene::DriverKind;
 use crate::scene::quantity::Meaning;
 
 use crate::figure::drawing::{Drawing, Part};
-use crate::figure::item::Shape;
+use crate::figure::item::{Colour, Shape};
 use crate::figure::style::Style;
 use crate::figure::symbols as sym;
 use inset::Inset;
 use marks::marks;
 use names::{Letter, Shown};
+pub use plates::{Plate, plates};
 
 /// Shorter than this a vector has neither head nor direction for the eye: it is a dot with a note that says zero.
 const ZERO_MM: f64 = 0.05;
@@ -51,6 +53,8 @@ struct Arrow {
     steps: Vec<usize>,
     /// The link whose motion it shows.
     link: Option<usize>,
+    /// Black; grey where a plate only starts from it.
+    colour: Colour,
 }
 
 struct Draft<'a> {
@@ -219,7 +223,16 @@ impl Draft<'_> {
                     a.steps.push(step);
                 }
             }
-            None => self.arrows.push(Arrow { from, to, symbols: vec![symbol], nearly: vec![], class, steps: vec![step], link }),
+            None => self.arrows.push(Arrow {
+                from,
+                to,
+                symbols: vec![symbol],
+                nearly: vec![],
+                class,
+                steps: vec![step],
+                link,
+                colour: Colour::BLACK,
+            }),
         }
     }
 
@@ -285,7 +298,7 @@ impl Draft<'_> {
         for k in order {
             let a = &self.arrows[k];
             d.of_link(a.link);
-            let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector, head: style.head };
+            let shape = Shape::Arrow { from: a.from, to: a.to, stroke: style.vector.coloured(a.colour), head: style.head };
             let owner = d.shape(&format!("{}-{}", a.word(), a.symbols[0]), &a.classes(), shape);
             if !insets.iter().any(|i| i.arrows.contains(&k)) {
                 names[k] = self.name(&mut d, style, a, Shown { ends: (self.own_part(a), a.to), owner, middle, within: "" });
