@@ -73,6 +73,8 @@ pub struct Draft {
     pub demands: Vec<Demand>,
     /// Whether the wanted positions lie in the order of the driver's motion by wish: then an order that goes to and fro is a defect.
     pub ordered: bool,
+    /// How far it misses what was wanted by design, for approximations (in whatever the task counts); 0 for what is met exactly.
+    pub error: f64,
     /// What is to be said of it.
     pub remarks: Vec<Diagnostic>,
 }

@@ -65,7 +65,10 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     judged.size_m = walk.size_m;
     let drivers = positions(&draft, &walk, &mut judged);
     if draft.ordered {
-        judged.defects.extend(order::defect(&drivers, judged.rotates));
+        // What is not reached is met at its own angle all the same, by whoever opens the linkage and closes it again.
+        let at = |i: usize, angle: f64| drivers.iter().find(|d| d.0 == i).map_or_else(|| walk.nearest(angle), |d| d.1);
+        let all: Vec<(usize, f64)> = draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
+        judged.defects.extend(order::defect(&all, judged.rotates));
     }
     judged.transmission = if judged.rotates { least(&limits) } else { walk.transmission(&drivers) };
     if let Some((angle, _)) = judged.transmission.filter(|(angle, _)| *angle < gamma - 1e-9) {
@@ -172,10 +175,15 @@ impl Walk {
         Some(Sweep::new(&placed, 0).ok()?.run(&Stations::of_values(drivers, 1.0), Width::One, Table::default()))
     }
 
+    /// An angle in the turn nearest to where the scene stands.
+    fn nearest(&self, angle: f64) -> f64 {
+        let now = Placed::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
+        angle - TAU * libm::rint((angle - now) / TAU)
+    }
+
     /// The driver's positions that a wanted angle may be: the turn nearest to where the scene stands, or all within the range.
     fn drivers(&self, angle: f64) -> Vec<f64> {
-        let now = Placed::new(&self.scene, &self.mechanism).map_or(angle, |p| position_now(&self.scene, &p.at, 0));
-        let near = now + (angle - now) - TAU * libm::rint((angle - now) / TAU);
+        let near = self.nearest(angle);
         if self.full {
             return vec![near];
         }

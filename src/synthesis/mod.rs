@@ -101,7 +101,8 @@ pub struct Task {
 /// All that a task comes to.
 #[derive(Clone, Debug)]
 pub struct Design {
-    /// All solutions, the best first: without defect, with a crank that turns fully, the greatest least transmission angle, the smallest.
+    /// All solutions, the best first: without defect, with a crank that turns fully, of approximations the
+    /// nearest, the greatest least transmission angle, the smallest.
     pub candidates: Vec<Candidate>,
     /// Numbers of the task as a whole, such as precision points and poles.
     pub numbers: Vec<Number>,
@@ -194,7 +195,11 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
     candidates.sort_by(|a, b| {
         let key = |c: &Candidate| (c.judged.defects.len(), !c.judged.rotates);
         let gamma = |c: &Candidate| c.judged.transmission.map_or(0.0, |t| t.0);
-        key(a).cmp(&key(b)).then(gamma(b).total_cmp(&gamma(a))).then(a.judged.size_m.total_cmp(&b.judged.size_m))
+        key(a)
+            .cmp(&key(b))
+            .then(a.draft.error.total_cmp(&b.draft.error))
+            .then(gamma(b).total_cmp(&gamma(a)))
+            .then(a.judged.size_m.total_cmp(&b.judged.size_m))
     });
     Ok(Design { candidates, numbers, notes })
 }

@@ -371,17 +371,27 @@ impl Function {
                 .enumerate()
                 .map(|(i, k)| Number::ratio(&format!("K{}", i + 1), both!("Freudenstein's constant", "弗洛伊登斯坦方程系数"), *k)),
         );
-        self.deviations(&g, &mut numbers);
+        let exact = self.steps.iter().all(|s| g.rest(*s).abs() < 1e-9);
+        let missed = self.deviations(&g, &mut numbers);
         let mut remarks = Vec::new();
         if !turned.is_empty() {
             let message = both!("{} comes out negative: the arm is turned by 180°", "{} 为负：该杆转过 180°", turned.join(", "));
             remarks.push(Diagnostic::note("turned-arm", message));
         }
-        Some(Draft { which: which.clone(), scene: four.scene(heading), numbers, wanted, demands: Vec::new(), ordered: true, remarks })
+        Some(Draft {
+            which: which.clone(),
+            scene: four.scene(heading),
+            numbers,
+            wanted,
+            demands: Vec::new(),
+            ordered: true,
+            error: if exact { 0.0 } else { missed },
+            remarks,
+        })
     }
 
-    /// The greatest deviation and where the extremes lie; of pairs the deviations there.
-    fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) {
+    /// The greatest deviation, returned too, and where the extremes lie; of pairs the deviations there.
+    fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) -> f64 {
         let deviation = both!("structural error", "结构误差");
         match &self.target {
             Target::Curve { range, .. } => {
@@ -413,5 +423,6 @@ impl Function {
                 ));
             }
         }
+        numbers.iter().find(|n| n.name == "max_error").map_or(0.0, |n| n.value.abs())
     }
 }

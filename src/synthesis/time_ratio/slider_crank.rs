@@ -145,6 +145,7 @@ impl SliderCrank {
             wanted: wanted.into(),
             demands,
             ordered: false,
+            error: 0.0,
             remarks: vec![slow],
         }
     }

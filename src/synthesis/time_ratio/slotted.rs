@@ -165,7 +165,14 @@ impl Slotted {
         let remarks = vec![super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
         Draft {
-            which: both!("the only solution", "唯一解"), scene: Json::Object(scene), numbers, wanted, demands, ordered: false, remarks
+            which: both!("the only solution", "唯一解"),
+            scene: Json::Object(scene),
+            numbers,
+            wanted,
+            demands,
+            ordered: false,
+            error: 0.0,
+            remarks,
         }
     }
 

@@ -1,0 +1,213 @@
+//! Synthesis: designs against answers that were computed without this project, random linkages found again, bad wishes.
+
+use hodograph::synthesis::{Candidate, Design, read, solve};
+use serde_json::{Value as Json, json};
+
+fn design(task: &Json) -> Result<Design, String> {
+    let task = read(task.to_string()).map_err(|f| f.to_string())?.value;
+    solve(&task).map_err(|f| f.to_string())
+}
+
+/// A number of a candidate, of the task, or of what judging found.
+fn number(design: &Design, c: &Candidate, name: &str) -> Option<f64> {
+    let of_task = || design.numbers.iter().find(|n| n.name == name).map(|n| n.value);
+    match name {
+        "transmission" => c.judged.transmission.map(|t| t.0),
+        _ => c.number(name).or_else(of_task),
+    }
+}
+
+/// How far a candidate is from the answers, over the tolerance.
+fn off(design: &Design, c: &Candidate, wanted: &serde_json::Map<String, Json>) -> Vec<(String, f64)> {
+    let scale = wanted.values().filter_map(Json::as_f64).map(f64::abs).fold(0.0, f64::max);
+    let of = |(name, exact): (&String, &Json)| {
+        let exact = exact.as_f64().unwrap();
+        let real = number(design, c, name).unwrap_or(f64::NAN);
+        (name.clone(), (real - exact).abs() / exact.abs().max(1e-3 * scale))
+    };
+    wanted.iter().map(of).collect()
+}
+
+#[test]
+fn cases_are_met() {
+    let cases: Vec<Json> = serde_json::from_str(include_str!("synthesis/cases.json")).unwrap();
+    assert!(cases.len() > 10);
+    for case in &cases {
+        let id = case["id"].as_str().unwrap();
+        let design = design(&case["task"]).unwrap_or_else(|e| panic!("{id}: {e}"));
+        let wanted = case["numbers"].as_object().unwrap();
+        let tolerance = case["tolerance"].as_f64().unwrap();
+        let worst =
+            |c: &Candidate| off(&design, c, wanted).iter().map(|o| if o.1.is_nan() { f64::INFINITY } else { o.1 }).fold(0.0, f64::max);
+        let best = design.candidates.iter().min_by(|a, b| worst(a).total_cmp(&worst(b))).unwrap();
+        assert!(worst(best) <= tolerance, "{id}: {:?}", off(&design, best, wanted));
+        for code in case["defects"].as_array().unwrap() {
+            let all: Vec<&str> = best.judged.defects.iter().map(|d| d.code).collect();
+            assert!(all.contains(&code.as_str().unwrap()), "{id}: {all:?}");
+        }
+        pairs_are_found(&design, case);
+        reached(&design, id);
+    }
+}
+
+/// All Burmester pairs, in whatever order.
+fn pairs_are_found(design: &Design, case: &Json) {
+    for pair in case["pairs"].as_array().into_iter().flatten() {
+        let exact: Vec<f64> = pair.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+        let of = |k: usize, name: &str| {
+            design
+                .numbers
+                .iter()
+                .find(|n| n.name == format!("{}_{k}_{}", &name[..name.len() - 2], &name[name.len() - 1..]))
+                .map(|n| n.value)
+        };
+        let size = exact.iter().map(|v| v.abs()).fold(0.0, f64::max);
+        let near = (1..=4).any(|k| {
+            let found: Option<Vec<f64>> = ["pin_x", "pin_y", "centre_x", "centre_y"].iter().map(|n| of(k, n)).collect();
+            found.is_some_and(|f| f.iter().zip(&exact).all(|(f, e)| (f - e).abs() <= 1e-10 * size))
+        });
+        assert!(near, "{}: {exact:?}", case["id"]);
+    }
+}
+
+/// What a scene is to do it does, to 1e-12 of its size, but for positions that are told as defects.
+fn reached(design: &Design, id: &str) {
+    for c in &design.candidates {
+        assert!(c.judged.off_m <= 1e-12 * c.judged.size_m, "{id}: {} of {}", c.judged.off_m, c.judged.size_m);
+        for d in c.notes() {
+            assert_eq!(d.english_in_chinese(), None, "{id}: {d}");
+        }
+    }
+}
+
+/// A generator of numbers that need no more than be mixed (splitmix64).
+struct Mixed(u64);
+
+impl Mixed {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+}
+
+/// A random crank-rocker: its lengths in mm, and B, C at crank angles.
+struct Linkage([f64; 4]);
+
+impl Linkage {
+    fn random(r: &mut Mixed) -> Linkage {
+        loop {
+            let l = [r.between(20.0, 60.0), r.between(80.0, 250.0), r.between(80.0, 250.0), r.between(80.0, 250.0)];
+            let longest = l[1].max(l[2]).max(l[3]);
+            if 2.0 * (l[0] + longest) < 0.97 * l.iter().sum::<f64>() {
+                return Linkage(l);
+            }
+        }
+    }
+
+    /// B, C in mm, A at the origin, D on the x axis, C left of BD.
+    fn at(&self, crank: f64) -> [[f64; 2]; 2] {
+        let [a, b, c, d] = self.0;
+        let p = [a * crank.cos(), a * crank.sin()];
+        let (x, y) = (d - p[0], -p[1]);
+        let l = x.hypot(y);
+        let along = (l * l + b * b - c * c) / (2.0 * l);
+        let high = (b * b - along * along).sqrt();
+        [p, [p[0] + (x * along - y * high) / l, p[1] + (y * along + x * high) / l]]
+    }
+}
+
+fn is(c: &Candidate, lengths: [f64; 4]) -> bool {
+    ["AB", "BC", "CD", "AD"].iter().zip(lengths).all(|(n, l)| c.number(n).is_some_and(|v| (v * 1e3 - l).abs() < 1e-7 * l))
+}
+
+#[test]
+fn a_random_linkage_is_found_from_what_it_does() {
+    let mut r = Mixed(20);
+    for _ in 0..12 {
+        let linkage = Linkage::random(&mut r);
+        let start = r.between(0.0, 6.0);
+        let cranks: Vec<f64> = (0..5).map(|k| start + 0.35 * k as f64 * r.between(0.8, 1.2)).collect();
+        let at: Vec<[[f64; 2]; 2]> = cranks.iter().map(|t| linkage.at(*t)).collect();
+        let position = |[b, c]: &[[f64; 2]; 2]| {
+            json!([format!("{} mm", b[0]), format!("{} mm", b[1]), format!("{} rad", (c[1] - b[1]).atan2(c[0] - b[0]))])
+        };
+        let positions: Vec<Json> = at.iter().map(position).collect();
+        let d = linkage.0[3];
+        for (count, extra) in [
+            (3, json!({"moving": {"B": ["0 mm", "0 mm"], "C": [format!("{} mm", linkage.0[1]), "0 mm"]}})),
+            (3, json!({"ground": {"A": ["0 mm", "0 mm"], "D": [format!("{d} mm"), "0 mm"]}})),
+            (4, json!({"line": {"through": ["0 mm", "0 mm"], "angle": "0 deg"}})),
+            (5, json!({})),
+        ] {
+            let mut task = json!({"synthesis": "body", "positions": positions[..count]});
+            task.as_object_mut().unwrap().extend(extra.as_object().unwrap().clone());
+            let design = design(&task).unwrap_or_else(|e| panic!("{task}: {e}"));
+            assert!(design.candidates.iter().any(|c| is(c, linkage.0)), "{:?} {count}: {task}", linkage.0);
+            reached(&design, "random");
+        }
+        let angles = |k: usize| json!([format!("{} rad", cranks[k]), format!("{} rad", (at[k][1][1]).atan2(at[k][1][0] - d))]);
+        for (count, relative) in [(3, "none"), (4, "output"), (5, "both")] {
+            let mut task =
+                json!({"synthesis": "function", "frame": format!("{d} mm"), "pairs": (0..count).map(angles).collect::<Vec<_>>()});
+            if relative != "none" {
+                task["relative"] = json!(relative);
+            }
+            let design = design(&task).unwrap_or_else(|e| panic!("{task}: {e}"));
+            assert!(design.candidates.iter().any(|c| is(c, linkage.0)), "{:?} {relative}: {task}", linkage.0);
+        }
+    }
+}
+
+#[test]
+fn bad_wishes_are_told_with_the_nearest_that_works() {
+    let mm =
+        |p: &[[f64; 3]]| p.iter().map(|[x, y, a]| json!([format!("{x} mm"), format!("{y} mm"), format!("{a} deg")])).collect::<Vec<_>>();
+    for (task, code, help) in [
+        (
+            json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 3, "rocker": "50 mm", "swing": "10 deg"}),
+            "no-real-solution",
+            "K is below",
+        ),
+        (
+            json!({"synthesis": "time-ratio", "linkage": "slider-crank", "K": 1.5, "stroke": "50 mm", "offset": "90 mm"}),
+            "no-real-solution",
+            "less than",
+        ),
+        (
+            json!({"synthesis": "body", "positions": mm(&[[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [25.0, 0.0, 30.0]]), "moving": {"B": [0, 0], "C": ["30 mm", 0]}}),
+            "no-real-solution",
+            "straight",
+        ),
+        (
+            json!({"synthesis": "body", "positions": mm(&[[0.0, 0.0, 0.0], [10.0, 0.0, 5.0], [0.0, 0.0, 0.0]]), "moving": {"B": [0, 0], "C": ["30 mm", 0]}}),
+            "precision-points-coincide",
+            "leave one",
+        ),
+        (
+            json!({"synthesis": "function", "pairs": [["10 deg", "0 deg"], ["10 deg", "9 deg"], ["40 deg", "20 deg"]]}),
+            "precision-points-coincide",
+            "leave one",
+        ),
+        (
+            json!({"synthesis": "path", "points": [["500 mm", 0], ["400 mm", "10 mm"], ["300 mm", 0]], "ground": {"A": [0, 0], "D": ["100 mm", 0]}, "crank": "30 mm", "BE": "60 mm"}),
+            "no-real-solution",
+            "BE lies from",
+        ),
+        (json!({"synthesis": "function", "points": 3}), "missing-key", "function"),
+        (json!({"synthesis": "bodies"}), "unknown-kind", "did you mean"),
+        (json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": -1, "rocker": "0 mm"}), "not-positive", ""),
+    ] {
+        let found = read(task.to_string()).and_then(|t| solve(&t.value));
+        let faults = found.err().unwrap_or_else(|| panic!("{task} has a solution"));
+        let d = faults.list.iter().find(|d| d.code == code).unwrap_or_else(|| panic!("{task}: {faults}"));
+        assert!(d.to_string().contains(help), "{task}: {d}");
+        faults.list.iter().for_each(|d| assert_eq!(d.english_in_chinese(), None, "{d}"));
+    }
+}
