@@ -218,6 +218,9 @@ impl Input {
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
+        if crate::synthesis::is_task(&bytes) {
+            return Err(Failure::input(synth::no_scene(), &name, &source));
+        }
         match read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))
