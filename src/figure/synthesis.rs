@@ -76,7 +76,7 @@ fn window(board: &Board) -> Option<Rect> {
     let marks = board.steps.iter().flat_map(|s| s.marks.iter().map(|m| m.1));
     let ends = board.steps.iter().flat_map(|s| &s.strokes).filter(|(_, w)| *w != Weight::Thin).flat_map(|(stroke, _)| match *stroke {
         Drawn::Line(p, q) => vec![p, q],
-        Drawn::Circle(c, r) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
+        Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
     });
     around(marks.chain(ends))
 }
@@ -100,11 +100,18 @@ fn clipped(points: &[Point], window: Rect) -> Vec<Vec<Point>> {
     out
 }
 
+/// Half the angle of the arc that the compasses strike at a crossing (rad).
+const ARC: f64 = 0.2;
+
 /// A stroke as chains of points: fine enough that no corner shows.
 fn chain(stroke: &Drawn) -> Vec<Point> {
     const STEPS: usize = 720;
     match *stroke {
         Drawn::Line(p, q) => (0..=STEPS).map(|k| p + (q - p) * (k as f64 / STEPS as f64)).collect(),
+        Drawn::Arc(c, r, middle) => {
+            let at = |k: usize| c + Vec2::from_angle(middle + ARC * (k as f64 / 20.0 - 1.0)) * r;
+            (0..=40).map(at).collect()
+        }
         Drawn::Circle(c, r) => (0..=STEPS).map(|k| c + Vec2::from_angle(std::f64::consts::TAU * k as f64 / STEPS as f64) * r).collect(),
     }
 }
@@ -112,7 +119,7 @@ fn chain(stroke: &Drawn) -> Vec<Point> {
 fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style, lang: Lang) -> Figure {
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
-    let (mut wanted, mut brought): (Vec<LabelRequest>, Vec<usize>) = Default::default();
+    let mut wanted: Vec<(LabelRequest, usize)> = Vec::new();
     let label = |text: &str| Label::math(text).in_fonts(&style.fonts);
     for (k, step) in board.steps.iter().enumerate() {
         let stroke_of = |weight: Weight| match weight {
@@ -128,14 +135,15 @@ fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style
                 if !numbered && points.len() > 4 {
                     let at = points.len() / 3;
                     let number = Label::text(format!("({})", k + 1)).in_fonts(&style.fonts);
-                    wanted.push(
+                    wanted.push((
                         LabelRequest::along(number, style.small_mm * 0.8, points[at], points[at + points.len() / 6], 0.3).optional(true),
-                    );
+                        k,
+                    ));
                     numbered = true;
                 }
                 let points = match stroke {
                     Drawn::Line(..) => [points.first(), points.last()].into_iter().flatten().copied().collect(),
-                    Drawn::Circle(..) => points,
+                    Drawn::Circle(..) | Drawn::Arc(..) => points,
                 };
                 let shape = Shape::Polyline { points, closed: false, stroke: Some(stroke_of(*weight)), fill: None };
                 items.push(Item::new(class.clone(), shape));
@@ -144,13 +152,13 @@ fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style
         for (name, at) in &step.marks {
             let shape = Shape::Circle { centre: *at, radius_mm: 0.55, stroke: None, fill: Some(Colour::BLACK) };
             items.push(Item::new(class.clone(), shape));
-            wanted.push(LabelRequest::at_point(label(name), style.small_mm, *at, 0.9));
-            brought.push(k);
+            wanted.push((LabelRequest::at_point(label(name), style.small_mm, *at, 0.9), k));
         }
     }
     let room = window.grown(6.0);
-    let placed = place(&wanted, &Obstacles::of(&items), room);
-    for ((request, at), k) in wanted.iter().zip(&placed).zip(brought) {
+    let (requests, brought): (Vec<LabelRequest>, Vec<usize>) = wanted.into_iter().unzip();
+    let placed = place(&requests, &Obstacles::of(&items), room);
+    for ((request, at), k) in requests.iter().zip(&placed).zip(brought) {
         let mut labels = at.items(request, PLACED, style.thin);
         tag(&mut labels, &format!("step-{k}"));
         items.extend(labels);
@@ -164,7 +172,7 @@ fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style
         Some(match r.angle {
             true => format!("{} = {}° ({}°)", r.name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
             false => format!(
-                "{} = {} mm × μ_l = {} mm ({} mm)",
+                "{} = {} mm × μ = {} mm ({} mm)",
                 r.name,
                 significant(r.measured, 4),
                 significant(board.value(r) * 1e3, 5),
@@ -247,19 +255,15 @@ fn in_positions(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -
     let all = positions(candidate);
     let path = traced(candidate, "E");
     let points = all.iter().flat_map(|p| p.links.iter().flat_map(|l| l.1.iter().map(|x| x.1)));
-    let extent = around(points.chain(path.iter().copied()).chain(candidate.draft.targets.iter().copied()));
+    let extent = around(points.chain(path.iter().flatten().copied()).chain(candidate.draft.targets.iter().copied()));
     let extent = extent.unwrap_or(Rect::new(Point::ORIGIN, Point::new(1.0, 1.0)));
     let mu = choose([extent.width_mm(), extent.height_mm()], ROOM_MM);
     let at = |p: Point| (p.to_vec2() * (1.0 / mu)).to_point();
     let mut items = Vec::new();
     let mut wanted = Vec::new();
-    if path.len() > 2 {
-        let shape = Shape::Polyline {
-            points: path.iter().map(|p| at(*p)).collect(),
-            closed: false,
-            stroke: Some(style.thin.dashed(Dash::DashDot)),
-            fill: None,
-        };
+    for piece in path.iter().filter(|p| p.len() > 2) {
+        let points = piece.iter().map(|p| at(*p)).collect();
+        let shape = Shape::Polyline { points, closed: false, stroke: Some(style.thin.dashed(Dash::DashDot)), fill: None };
         items.push(Item::new("path", shape));
     }
     for (k, p) in all.iter().enumerate().rev() {

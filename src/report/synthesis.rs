@@ -188,8 +188,8 @@ fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
     Some(Posed { links, fixed: of(scene.ground.0).1 })
 }
 
-/// The path of a point while the driver turns, as far as it goes; empty where the linkage has no such point.
-pub fn traced(candidate: &Candidate, point: &str) -> Vec<Point> {
+/// The path of a point while the driver turns, in pieces where it does not go all round; empty where the linkage has no such point.
+pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
     const STEPS: usize = 360;
     let path = || {
         let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}")).ok()?.value;
@@ -199,7 +199,18 @@ pub fn traced(candidate: &Candidate, point: &str) -> Vec<Point> {
         let all = (0..=STEPS).map(|k| now + TAU * (k as f64 / STEPS as f64 - 0.5)).collect();
         let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
         let of = |axis: char| table.column(&format!("{axis}_{point}")).map(|c| c.values.clone());
-        Some(of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect())
+        let places: Vec<Point> = of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
+        // Positions that cannot be assembled part the path.
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        let mut last = f64::NEG_INFINITY;
+        for (driver, at) in table.columns[0].values.iter().zip(places) {
+            if driver - last > 1.5 * TAU / STEPS as f64 {
+                pieces.push(Vec::new());
+            }
+            last = *driver;
+            pieces.last_mut()?.push(at);
+        }
+        Some(pieces)
     };
     path().unwrap_or_default()
 }

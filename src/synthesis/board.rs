@@ -26,6 +26,8 @@ pub enum Stroke {
     Line(Point, Point),
     /// A full circle.
     Circle(Point, f64),
+    /// A short arc of a circle about a direction (rad), as the compasses strike it at a crossing.
+    Arc(Point, f64, f64),
 }
 
 /// A step of the construction.
@@ -165,6 +167,12 @@ impl Board {
         self
     }
 
+    /// Strikes a short arc about a centre at a place.
+    pub fn arc(&mut self, centre: Point, at: Point) -> &mut Board {
+        self.last().strokes.push((Stroke::Arc(centre, centre.distance(at), (at - centre).angle()), Weight::Thin));
+        self
+    }
+
     /// Names a place.
     pub fn mark(&mut self, name: &str, at: Point) -> &mut Board {
         self.last().marks.push((name.to_owned(), at));
@@ -189,7 +197,9 @@ impl Board {
         let opening = 0.7 * p.distance(q);
         let [one, other] = cross_circles(p, opening, q, opening)?;
         let line = Line::through(one, other)?;
-        self.circle(p, opening, Weight::Thin).circle(q, opening, Weight::Thin);
+        for (centre, at) in [(p, one), (q, one), (p, other), (q, other)] {
+            self.arc(centre, at);
+        }
         let far = 0.35 * one.distance(other);
         self.line(one - line.along * far, other + line.along * far, Weight::Thin);
         Some(line)
@@ -243,7 +253,7 @@ impl Board {
             // In line with the two points the circles touch.
             None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
         };
-        self.circle(to[0], r, Weight::Thin).circle(to[1], s, Weight::Thin);
+        self.arc(to[0], found).arc(to[1], found);
         Some(found)
     }
 
@@ -261,7 +271,7 @@ impl Board {
             far + 1,
             far + 1
         ));
-        self.circle(a, reach, Weight::Thin).mark("F", cut);
+        self.arc(a, cut).arc(a, short).mark("F", cut);
         let middle = self.middle(cut, long)?;
         self.mark("G", middle);
         self.read("AB", middle, long).read("BC", a, middle);

@@ -22,7 +22,7 @@ pub fn three(board: &mut Board, e: &[Point; 3], [a, d]: [Point; 2], [crank, be]:
     for (k, at) in e.iter().enumerate() {
         let [one, other] = cross_circles(a, radius, *at, opening)?;
         b[k] = if left { one } else { other };
-        board.circle(*at, opening, Weight::Thin).line(b[k], *at, Weight::Given).mark(&format!("B_{}", k + 1), b[k]);
+        board.arc(*at, b[k]).line(b[k], *at, Weight::Given).mark(&format!("B_{}", k + 1), b[k]);
     }
     board.step(both!("Carry D back with the coupler BE into position 1: D2', D3'", "把 D 随连杆 BE 反转到位置 1，得 D2'、D3'"));
     let second = board.transfer(d, [b[1], e[1]], [b[0], e[0]])?;
