@@ -78,7 +78,11 @@ pub enum Command {
     /// List the templates with their parameters
     Templates,
     /// Print the JSON Schema of the scene format
-    Schema,
+    Schema {
+        /// That of the synthesis file instead
+        #[arg(long)]
+        synthesis: bool,
+    },
 }
 
 /// What all commands on a scene take.

@@ -87,7 +87,8 @@ pub fn main() -> ExitCode {
         Command::Synth(a) => synth::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
-        Command::Schema => files::print(scene::schema::schema()),
+        Command::Schema { synthesis: true } => files::print(crate::synthesis::schema::schema()),
+        Command::Schema { synthesis: false } => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)
 }

@@ -63,6 +63,9 @@ pub struct Board {
     pub readings: Vec<Reading>,
 }
 
+/// A way to draw a task.
+pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
+
 /// A line on paper: a place and a direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
@@ -287,7 +290,7 @@ impl Board {
     }
 
     /// Of several ways to read the task (which crossing, which side) the one that is meant: whose readings come nearest to the design's.
-    pub fn meant(&mut self, draft: &Draft, ways: &[&dyn Fn(&mut Board) -> Option<()>]) -> Option<()> {
+    pub fn meant(&mut self, draft: &Draft, ways: &[&Way]) -> Option<()> {
         let off = |board: &Board| {
             let of = |r: &Reading| draft.numbers.iter().find(|n| n.name == r.name).map(|n| (board.value(r) - n.value.abs()).abs());
             board.readings.iter().filter_map(of).fold(0.0, f64::max)

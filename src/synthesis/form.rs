@@ -5,7 +5,7 @@
 
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::geom::Point;
-use crate::json::fields::{Fields, list, suggest, word, wrong};
+use crate::json::fields::{Fields, list, suggest, word};
 use crate::json::{Kind, Node, Word};
 use crate::scene::front::{Curve, Front};
 use crate::scene::units::Wanted;
@@ -208,11 +208,6 @@ impl<'a> Form<'a> {
     pub fn places(&self, key: &str, names: &[&str]) -> Vec<(String, Point)> {
         let Some(inner) = self.inner(key, names) else { return Vec::new() };
         names.iter().filter_map(|n| Some(((*n).to_owned(), inner.point(n)?))).collect()
-    }
-
-    /// Refuses a value of the wrong type.
-    pub fn refuse<T>(&self, node: &Node, key: &str, wanted: crate::diag::Both) -> Option<T> {
-        wrong(node, &format!("\"{key}\""), wanted, &mut self.faults.borrow_mut())
     }
 }
 

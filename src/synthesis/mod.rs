@@ -28,6 +28,8 @@ pub mod limits;
 mod order;
 pub mod path;
 mod poly;
+pub mod schema;
+pub mod templates;
 pub mod time_ratio;
 
 pub use board::Board;

@@ -27,15 +27,15 @@ impl Function {
             board.line(a, *at, Weight::Given).mark(&format!("B_{}", k + 1), *at);
         }
         let mut turned = vec![b[0]];
-        for k in 1..3 {
+        for (k, at) in b.iter().enumerate().skip(1) {
             let way = self.steps[k][1] - self.steps[0][1];
-            let back = d + (b[k] - d).rotate_by(Vec2::from_angle(-way));
+            let back = d + (*at - d).rotate_by(Vec2::from_angle(-way));
             let (j, angle) = (k + 1, significant(way.to_degrees(), 5));
             board.step(both!(
                 "Turn DB{j} back about D by the follower's step ψ1{j} = {angle}°: B{j}'",
                 "将 DB{j} 绕 D 反转从动杆转角 ψ1{j} = {angle}°，得 B{j}'"
             ));
-            board.line(d, b[k], Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
+            board.line(d, *at, Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
             turned.push(back);
         }
         board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
