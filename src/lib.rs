@@ -109,7 +109,7 @@
 //! synthesis  diag json digits number scene geom mechanism sweep
 //! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis attempts effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions attempts report
+//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions attempts synthesis report
 //! render     diag geom figure
 //! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked attempts report figure render
 //! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render

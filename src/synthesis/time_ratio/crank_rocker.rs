@@ -294,7 +294,7 @@ impl CrankRocker {
         numbers.push(Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
         numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
         let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
-        numbers.push(Number::angle("beta", both!("angle C1C2A", "∠C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
+        numbers.push(Number::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
         numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
