@@ -63,7 +63,7 @@ pub enum Command {
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
     Attempts(Attempts),
     /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
-    Synth(Synth),
+    Synth(super::synth::Synth),
     /// Write a template's scene, with other parameters if wanted
     New {
         /// Name of the template (see `hodograph templates`)
@@ -451,29 +451,4 @@ pub struct Batch {
     /// Write to this file, ending in .csv, .npy or .parquet; an interrupted run goes on where it was left
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(
-    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/"
-)]
-pub struct Synth {
-    /// The synthesis file; `-` reads standard input
-    #[arg(value_name = "FILE")]
-    pub file: String,
-    /// Give a parameter of the file another value: NAME=VALUE; a bare number keeps the unit
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
-    /// The candidate that is meant, counted from 1 in the order of the table
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    pub pick: Option<u64>,
-    /// Write the scene of the candidate to this file (default: of the first one)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: Option<String>,
-    /// The candidates as JSON, in SI, with their scenes
-    #[arg(long)]
-    pub json: bool,
-    /// The construction with ruler and paper too, step by step, with the lengths measured
-    #[arg(long, conflicts_with = "json")]
-    pub steps: bool,
 }

@@ -10,8 +10,35 @@ use crate::render::pdf;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
+use clap::Args as ClapArgs;
 use std::path::Path;
 use std::process::ExitCode;
+
+/// The arguments of the command.
+#[derive(ClapArgs, Debug)]
+#[command(
+    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/"
+)]
+pub struct Synth {
+    /// The synthesis file; `-` reads standard input
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Give a parameter of the file another value: NAME=VALUE; a bare number keeps the unit
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// The candidate that is meant, counted from 1 in the order of the table
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub pick: Option<u64>,
+    /// Write the scene of the candidate to this file (default: of the first one)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// The candidates as JSON, in SI, with their scenes
+    #[arg(long)]
+    pub json: bool,
+    /// The construction with ruler and paper too, step by step, with the lengths measured
+    #[arg(long, conflicts_with = "json")]
+    pub steps: bool,
+}
 
 /// A synthesis file, read and solved.
 pub struct Solved {
@@ -68,7 +95,7 @@ impl Solved {
 }
 
 /// Runs the command.
-pub fn run(a: args::Synth) -> Run {
+pub fn run(a: Synth) -> Run {
     let solved = Solved::read(&a.file, &a.set)?;
     let picked = solved.picked(a.pick)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
