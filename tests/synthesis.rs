@@ -171,7 +171,7 @@ fn bad_wishes_are_told_with_the_nearest_that_works() {
         |p: &[[f64; 3]]| p.iter().map(|[x, y, a]| json!([format!("{x} mm"), format!("{y} mm"), format!("{a} deg")])).collect::<Vec<_>>();
     for (task, code, help) in [
         (
-            json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 3, "rocker": "50 mm", "swing": "10 deg"}),
+            json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 12, "rocker": "50 mm", "swing": "10 deg"}),
             "no-real-solution",
             "K is below",
         ),
@@ -210,4 +210,12 @@ fn bad_wishes_are_told_with_the_nearest_that_works() {
         assert!(d.to_string().contains(help), "{task}: {d}");
         faults.list.iter().for_each(|d| assert_eq!(d.english_in_chinese(), None, "{d}"));
     }
+}
+
+#[test]
+fn a_hopeless_time_ratio_is_told_with_one_that_works() {
+    let task = json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 3, "rocker": "50 mm", "swing": "10 deg"});
+    let notes = design(&task).unwrap().notes;
+    let note = notes.iter().find(|n| n.code == "poor-transmission").unwrap();
+    assert!(note.to_string().contains("and less has one"), "{note}");
 }

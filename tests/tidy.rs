@@ -55,6 +55,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("src/accuracy/truth.rs", "differences in longer numbers"),
     ("src/accuracy/ladder.rs", "directions in intervals"),
     ("src/accuracy/steps.rs", "angles of crossings in intervals"),
+    ("src/synthesis/time_ratio/crank_rocker.rs", "transmission angles in double-double numbers"),
     ("src/sweep/reading.rs", "directions over lanes, by libm"),
     ("src/sweep/turns.rs", "directions over lanes, by libm"),
 ];

@@ -1,11 +1,12 @@
 //! The arguments of every command.
 
+mod paths;
 mod reports;
 
-pub use super::more::{Curvature, Inversions, Synth};
 use super::values::{Format, Language, Text, Vectors, digits, dpi, figures, length, seconds, steps};
 use crate::figure::list::{Entry, USUAL};
 use clap::{Args as ClapArgs, Parser, Subcommand};
+pub use paths::{Curvature, Inversions};
 pub use reports::{Attempts, Centres, Composite, Readings};
 
 /// Solves planar mechanisms the way they are solved at the drawing board.
@@ -66,7 +67,7 @@ pub enum Command {
     /// Wrong solutions: where typical mistakes can be made in this scene, what comes of them, and why they are wrong
     Attempts(Attempts),
     /// Design a linkage from a synthesis file: all candidates with lengths, errors, defects and transmission angles, each a scene
-    Synth(Synth),
+    Synth(super::synth::Synth),
     /// Readings of a statement whose figure is lost: the answers of each, and which gives what was printed
     Readings(Readings),
     /// Write a template's scene, with other parameters if wanted
@@ -83,7 +84,11 @@ pub enum Command {
     /// List the templates with their parameters
     Templates,
     /// Print the JSON Schema of the scene format
-    Schema,
+    Schema {
+        /// That of the synthesis file instead
+        #[arg(long)]
+        synthesis: bool,
+    },
 }
 
 /// What all commands on a scene take.

@@ -22,6 +22,9 @@ use std::path::{Path, PathBuf};
 pub fn run(a: args::Draw) -> Run {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
+    if super::synth::is_task(&a.common.scene) {
+        return super::synth::draw(&a, &style);
+    }
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     if a.poses > 0 || !a.path.is_empty() {
@@ -211,7 +214,7 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
-fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
+pub(super) fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
     let one = files::ending(&a.output).and_then(|e| Format::of(&e));
     if let (Some(format), [_]) = (one, figures) {

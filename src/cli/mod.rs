@@ -20,7 +20,6 @@ mod journal;
 mod lang;
 mod long;
 mod mobility;
-mod more;
 mod part;
 mod path;
 mod plan;
@@ -89,7 +88,8 @@ pub fn main() -> ExitCode {
         Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
-        Command::Schema => files::print(scene::schema::schema()),
+        Command::Schema { synthesis: true } => files::print(crate::synthesis::schema::schema()),
+        Command::Schema { synthesis: false } => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)
 }
@@ -220,6 +220,9 @@ impl Input {
         }
         let source = String::from_utf8_lossy(&bytes).into_owned();
         scene::language_of(&bytes).into_iter().for_each(lang::take);
+        if crate::synthesis::is_task(&bytes) {
+            return Err(Failure::input(synth::no_scene(), &name, &source));
+        }
         match read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
                 Err(Failure::input(statement::faults(&value), &name, &source))

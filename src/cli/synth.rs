@@ -1,13 +1,45 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
-use super::{Failure, Run, args, edit, files, lang, values};
-use crate::diag::{Diagnostic, Faults, Warned, both};
+use super::together::Together;
+use super::values::Format;
+use super::{Failure, Run, args, draw, edit, files, lang, values};
+use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::figure::style::Style;
+use crate::figure::synthesis as figure;
 use crate::json;
+use crate::render::pdf;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
+use clap::Args as ClapArgs;
 use std::path::Path;
 use std::process::ExitCode;
+
+/// The arguments of the command.
+#[derive(ClapArgs, Debug)]
+#[command(
+    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/"
+)]
+pub struct Synth {
+    /// The synthesis file; `-` reads standard input
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Give a parameter of the file another value: NAME=VALUE; a bare number keeps the unit
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// The candidate that is meant, counted from 1 in the order of the table
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub pick: Option<u64>,
+    /// Write the scene of the candidate to this file (default: of the first one)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<String>,
+    /// The candidates as JSON, in SI, with their scenes
+    #[arg(long)]
+    pub json: bool,
+    /// The construction with ruler and paper too, step by step, with the lengths measured
+    #[arg(long, conflicts_with = "json")]
+    pub steps: bool,
+}
 
 /// A synthesis file, read and solved.
 pub struct Solved {
@@ -69,6 +101,10 @@ impl Solved {
         Err(Failure::argument("--pick", &wanted.to_string(), d))
     }
 
+    fn failed(&self, faults: Faults) -> Failure {
+        Failure::input(faults, &self.name, &self.source)
+    }
+
     /// Says what is to be known of the task.
     pub fn say_notes(&self) {
         let list = self.notes.iter().chain(&self.design.notes).cloned().collect();
@@ -77,20 +113,97 @@ impl Solved {
 }
 
 /// Runs the command.
-pub fn run(a: args::Synth) -> Run {
+pub fn run(a: Synth) -> Run {
     let solved = Solved::read(&a.file, &a.set)?;
     let picked = solved.picked(a.pick)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
     if let Some(path) = &a.output {
         files::write(Path::new(path), solved.design.candidates[picked].scene_text().as_bytes())?;
     }
+    let candidate = &solved.design.candidates[picked];
     if a.json {
         files::print(&format!("{:#}\n", report::json(&solved.task, &solved.design)))?;
     } else if let Some(path) = &a.output {
         files::print_names(&format!("{path}\n"))?;
     } else {
-        files::print(&report::text(&solved.task, &solved.design, lang))?;
+        let mut text = report::text(&solved.task, &solved.design, lang);
+        if a.steps {
+            match figure::to_scale(&solved.task, candidate).map_err(|f| solved.failed(f))? {
+                Some(board) => text += &report::steps(candidate, &board, lang),
+                None => text += &format!("\n{}\n", lang.of(&no_construction())),
+            }
+        }
+        files::print(&text)?;
     }
     solved.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What is said where a kind has no construction with ruler and compasses.
+fn no_construction() -> Both {
+    both!(
+        "This design has no construction with ruler and compasses: it comes from least squares, an exchange, a search, or given proportions.",
+        "此设计由最小二乘、交换法、搜索或给定比例得到，没有尺规作图步骤。"
+    )
+}
+
+/// Whether a file that can be looked at is a synthesis file.
+pub fn is_task(path: &str) -> bool {
+    path != "-" && files::scene(path).is_ok_and(|(_, bytes)| synthesis::is_task(&bytes))
+}
+
+/// What a command on scenes says of a synthesis file.
+pub fn no_scene() -> Diagnostic {
+    let d = Diagnostic::error(
+        "not-a-scene",
+        both!(
+            "this is a synthesis file: it says what a linkage is to do, and is no linkage yet",
+            "这是综合文件：只说明机构应实现的运动，还不是机构"
+        ),
+    );
+    d.help(both!(
+        "`hodograph synth FILE -o scene.json` makes the scene; `hodograph draw FILE` draws the construction",
+        "请用 `hodograph synth FILE -o scene.json` 生成机构文件；作图用 `hodograph draw FILE`"
+    ))
+}
+
+/// The figures of the first candidate: construction, wanted positions, deviation; with `--steps` the construction alone grows, a
+/// picture for each step.
+pub fn draw(a: &args::Draw, style: &Style) -> Run {
+    let solved = Solved::read(&a.common.scene, &a.common.set)?;
+    let lang = lang::asked().or(solved.task.language).unwrap_or_default();
+    let candidate = &solved.design.candidates[0];
+    let all = figure::figures(&solved.task, candidate, style, lang).map_err(|f| solved.failed(f))?;
+    let mut figures: Vec<(String, crate::figure::item::Figure)> = all.into_iter().map(|(n, f)| (n.to_owned(), f)).collect();
+    if a.steps {
+        let Some(at) = figures.iter().position(|f| f.0 == "construction") else {
+            let d = Diagnostic::error("no-construction", no_construction());
+            return Err(solved.failed(d.help(both!("leave --steps out", "请去掉 --steps")).into()));
+        };
+        figures = figure::growing(&figures[at].1);
+    }
+    let mut notes = Vec::new();
+    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
+        let pages: Vec<_> = figures.into_iter().map(|f| f.1).collect();
+        let file = pdf::pdf(&pages).map_err(|f| solved.failed(f))?;
+        files::write(Path::new(&a.output), &file.value)?;
+        files::print_names(&format!("{}\n", a.output))?;
+        notes.extend(file.notes);
+    } else {
+        let targets = draw::names(a, &solved.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
+        let (mut all, mut written) = (Together::default(), String::new());
+        for ((_, figure), targets) in figures.iter().zip(targets) {
+            for (format, path) in targets {
+                let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| solved.failed(f))?;
+                notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+                all.add(&path, &value)?;
+                written += &format!("{}\n", path.display());
+            }
+        }
+        all.appear()?;
+        files::print_names(&written)?;
+    }
+    solved.say_notes();
+    files::say_faults(&Faults { list: notes }, &solved.name, &solved.source);
     Ok(ExitCode::SUCCESS)
 }

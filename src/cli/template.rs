@@ -1,13 +1,19 @@
 //! `hodograph new` and `hodograph templates`.
 
 use super::{Failure, Run, files, values};
-use crate::scene::templates;
+use crate::scene::{edit, templates};
+use crate::synthesis::templates as wishes;
 use std::process::ExitCode;
 
 /// Writes a template's scene.
 pub fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
-    templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
-    let text = values::with_values(set, |values| templates::instantiate(template, values))?;
+    let text = match wishes::get(template) {
+        Some(text) => values::with_values(set, |values| edit::with_parameters(text, values))?,
+        None => {
+            templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
+            values::with_values(set, |values| templates::instantiate(template, values))?
+        }
+    };
     match output {
         Some(path) => files::write(std::path::Path::new(path), text.as_bytes())?,
         None => {
@@ -26,6 +32,11 @@ pub fn list() -> Run {
         if !parameters.is_empty() {
             out.push_str(&format!("    {}\n", parameters.join("  ")));
         }
+    }
+    // Synthesis files come after the scenes.
+    for name in wishes::names() {
+        let title = wishes::title(name);
+        out.push_str(&format!("{name} (synthesis · 综合文件)\n    {} · {}\n", title.en, title.zh));
     }
     files::print(&out)
 }

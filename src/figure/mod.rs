@@ -39,6 +39,7 @@ pub mod sheet;
 pub mod steps;
 pub mod style;
 pub mod symbols;
+pub mod synthesis;
 pub mod tables;
 pub mod text;
 pub mod words;

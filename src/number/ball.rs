@@ -322,7 +322,7 @@ impl<M: Middle> Real for Ball<M> {
 
     fn exp(self) -> Self {
         let mid = self.mid.exp();
-        if !mid.is_decided() || !(self.radius < 0.1) {
+        if !mid.is_decided() || self.radius.is_nan() || self.radius >= 0.1 {
             return Self::undecided();
         }
         // e^r − 1 < 2r there.

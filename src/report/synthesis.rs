@@ -3,11 +3,17 @@
 use super::limits::grashof_words;
 use super::phrase::tr;
 use crate::diag::{Both, Diagnostic, Severity};
-use crate::digits::{metres, significant};
-use crate::scene::{Kind, Lang};
-use crate::synthesis::candidate::Number;
-use crate::synthesis::{Candidate, Design, Task, judge};
+use crate::digits::{metres, shortest, significant};
+use crate::geom::Point;
+use crate::mechanism::{Demand, Mechanism};
+use crate::position;
+use crate::scene::{self, Kind, Lang, PointId};
+use crate::sweep::station::position_now;
+use crate::sweep::{self, Placed, Stations, Width};
+use crate::synthesis::candidate::{Number, scene_text};
+use crate::synthesis::{Board, Candidate, Design, Task, Wanted, judge};
 use serde_json::{Value as Json, json};
+use std::f64::consts::TAU;
 
 /// The table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
@@ -124,6 +130,7 @@ fn candidate(c: &Candidate) -> Json {
         "which": both(&c.draft.which),
         "numbers": named(&c.draft.numbers),
         "wanted": positions,
+        "deviation": c.draft.deviation,
         "off": j.off_m,
         "size": j.size_m,
         "full_turn": j.rotates,
@@ -148,4 +155,84 @@ fn note(d: &Diagnostic) -> Json {
 
 fn both(text: &Both) -> Json {
     json!({"en": text.en, "zh": text.zh})
+}
+
+/// A position of a linkage: each moving link with its points (m), and the fixed pivots.
+pub struct Posed {
+    /// Links by their place in the scene.
+    pub links: Vec<(usize, Vec<(String, Point)>)>,
+    /// Pivots on the ground.
+    pub fixed: Vec<(String, Point)>,
+}
+
+/// The linkage in all its wanted positions, as the general position solver closes its scene there.
+pub fn positions(candidate: &Candidate) -> Vec<Posed> {
+    candidate.draft.wanted.iter().filter_map(|w| posed(&candidate.draft.scene, w)).collect()
+}
+
+fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
+    let mut scene = scene.clone();
+    let object = scene.as_object_mut()?;
+    object.shift_remove("side");
+    let rough: serde_json::Map<String, Json> =
+        wanted.places.iter().map(|(n, p)| (n.clone(), json!([format!("{} m", p.x), format!("{} m", p.y)]))).collect();
+    object.insert("sketch".into(), Json::Object(rough));
+    object.get_mut("driver")?["angle"] = json!(format!("{} rad", wanted.driver));
+    let scene = scene::read(scene_text(&scene)).ok()?.value;
+    let mechanism = Mechanism::new(&scene).ok()?.value;
+    let demand = Demand::of(&scene, &mechanism).with_all_positions();
+    let at = position::configure(&scene, &mechanism, &demand).ok()?.value;
+    let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
+    let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
+    let links = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(of).filter(|l| l.1.len() > 1).collect();
+    Some(Posed { links, fixed: of(scene.ground.0).1 })
+}
+
+/// The path of a point while the driver turns, in pieces where it does not go all round; empty where the linkage has no such point.
+pub fn traced(candidate: &Candidate, point: &str) -> Vec<Vec<Point>> {
+    const STEPS: usize = 360;
+    let path = || {
+        let scene = scene::read_asking(candidate.scene_text(), &format!("x_{point}, y_{point}")).ok()?.value;
+        let mechanism = Mechanism::new(&scene).ok()?.value;
+        let placed = Placed::new(&scene, &mechanism).ok()?;
+        let now = position_now(&scene, &placed.at, 0);
+        let all = (0..=STEPS).map(|k| now + TAU * (k as f64 / STEPS as f64 - 0.5)).collect();
+        let table = sweep::run(&placed, 0, &Stations::of_values(all, 1.0), Width::One).ok()?;
+        let of = |axis: char| table.column(&format!("{axis}_{point}")).map(|c| c.values.clone());
+        let places: Vec<Point> = of('x')?.into_iter().zip(of('y')?).map(|(x, y)| Point::new(x, y)).collect();
+        // Positions that cannot be assembled part the path.
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        let mut last = f64::NEG_INFINITY;
+        for (driver, at) in table.columns[0].values.iter().zip(places) {
+            if driver - last > 1.5 * TAU / STEPS as f64 {
+                pieces.push(Vec::new());
+            }
+            last = *driver;
+            pieces.last_mut()?.push(at);
+        }
+        Some(pieces)
+    };
+    path().unwrap_or_default()
+}
+
+/// The construction step by step, with what is read off.
+pub fn steps(candidate: &Candidate, board: &Board, lang: Lang) -> String {
+    let mut out = format!("\n{} (μ_l = {} m/mm)\n", tr(lang, "Construction", "作图"), shortest(board.mu_l));
+    for (k, step) in board.steps.iter().enumerate() {
+        out += &format!("({}) {}\n", k + 1, lang.of(&step.text));
+    }
+    for r in &board.readings {
+        let Some(formula) = candidate.number(&r.name) else { continue };
+        let off = significant((board.value(r) - formula.abs()).abs() / formula.abs().max(f64::MIN_POSITIVE), 2);
+        let formula = if r.angle { format!("{}°", significant(formula.abs().to_degrees(), 6)) } else { metres_fine(formula) };
+        let drawn = match r.angle {
+            true => format!("{}°", significant(board.value(r).to_degrees(), 6)),
+            false => format!("{} mm · μ_l = {}", significant(r.measured, 4), metres_fine(board.value(r))),
+        };
+        out += &match lang {
+            Lang::En => format!("{} = {drawn}; formula {formula}, off by {off}\n", r.name),
+            Lang::Zh => format!("{} = {drawn}；公式 {formula}，相对差 {off}\n", r.name),
+        };
+    }
+    out
 }

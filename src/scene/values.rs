@@ -151,7 +151,7 @@ impl<'a> Values<'a> {
         let known = |name: &&str| Some(((*name).to_owned(), self.known.get(*name).copied().flatten()?.value));
         let used = |name: &&str| quantity.text.contains(*name);
         self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
-        let parameters = self.names.iter().filter(|n| **n != variable).filter_map(|n| known(n)).collect();
+        let parameters = self.names.iter().filter(|n| **n != variable).filter_map(known).collect();
         Ok(super::front::Curve { expr, variable: variable.to_owned(), parameters })
     }
 

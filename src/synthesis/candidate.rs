@@ -75,6 +75,10 @@ pub struct Draft {
     pub ordered: bool,
     /// How far it misses what was wanted by design, for approximations (in whatever the task counts); 0 for what is met exactly.
     pub error: f64,
+    /// Wanted against real: the places that a point is to come near to (m).
+    pub targets: Vec<Point>,
+    /// Wanted against real: the variable of a function, and the output's deviation there (rad), over its range.
+    pub deviation: Vec<[f64; 2]>,
     /// What is to be said of it.
     pub remarks: Vec<Diagnostic>,
 }

@@ -7,6 +7,7 @@
 //! # Source
 //! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L. Chebyshev, 1878.
 
+use super::board::{Board, Line, Weight};
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
@@ -231,6 +232,8 @@ impl Task {
             demands: Vec::new(),
             ordered: false,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks: Vec::new(),
         }
     }
@@ -276,4 +279,67 @@ impl Wish for Task {
         ];
         Ok(Found { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let way = |k: usize| move |board: &mut Board| self.drawn(board, k);
+        board.meant(draft, &[&way(0), &way(1), &way(2)])
+    }
+}
+
+impl Task {
+    /// Two parallelograms and three similar triangles; of the three linkages the `k`-th is measured.
+    fn drawn(&self, board: &mut Board, k: usize) -> Option<()> {
+        let FourBar { a, b, c, d, .. } = self.cognates.given;
+        let [a, b, c, d, e] = [a, b, c, d, self.cognates.e].map(|p| board.at(p));
+        board.step(both!("Draw the given linkage ABCD with its coupler point E", "作给定机构 ABCD 及连杆点 E"));
+        for (p, q) in [(a, b), (b, c), (c, d), (b, e), (c, e)] {
+            board.line(p, q, Weight::Given);
+        }
+        board.mark("A", a).mark("B", b).mark("C", c).mark("D", d).mark("E", e);
+        board.step(both!("Parallelograms ABEA1 and DCED1: two openings of the compasses each", "用圆规作平行四边形 ABEA1 与 DCED1"));
+        let [a1, d1] = [(a, b), (d, c)].map(|(pivot, pin)| {
+            let corner = pivot + (e - pin);
+            board.arc(pivot, corner).arc(e, corner);
+            board.line(pivot, corner, Weight::Thin).line(corner, e, Weight::Thin);
+            corner
+        });
+        board.mark("A_1", a1).mark("D_1", d1);
+        board.step(both!(
+            "On A1E and D1E triangles similar to BCE: A1P1E and P2D1E; on AD the triangle ADF",
+            "在 A1E、D1E 上作与 BCE 相似的三角形 A1P1E、P2D1E；在 AD 上作三角形 ADF"
+        ));
+        let p1 = similar(board, [a1, e], [b, e, c])?;
+        let p2 = similar(board, [d1, e], [c, e, b])?;
+        let f = similar(board, [a, d], [b, c, e])?;
+        board.mark("P_1", p1).mark("P_2", p2).mark("F", f);
+        board.step(both!("The linkages A A1 P1 F and F P2 D1 D carry E too", "机构 A A1 P1 F 与 F P2 D1 D 的 E 点轨迹相同"));
+        for [p, q, r, s] in [[a, a1, p1, f], [f, p2, d1, d]] {
+            board.line(p, q, Weight::Result).line(q, r, Weight::Result).line(r, s, Weight::Result);
+        }
+        let [p, q, r, s] = [[a, b, c, d], [a, a1, p1, f], [f, p2, d1, d]][k];
+        board.read("AB", p, q).read("BC", q, r).read("CD", r, s).read("AD", p, s);
+        board.read("BE", q, e).read("CE", r, e);
+        Some(())
+    }
+}
+
+/// The third corner of a triangle over a base that is similar to a given one: its angles at both ends are carried over; on the base itself
+/// the ratio of the parts is.
+fn similar(board: &mut Board, base: [Point; 2], to: [Point; 3]) -> Option<Point> {
+    let [p, q] = base;
+    let [u, v, w] = to;
+    let carried = |at: Point, toward: Point, from: [Point; 2]| {
+        let turn = (w - from[0]).divide_by((from[1] - from[0]).unit()?).unit()?;
+        Some(Line { at, along: (toward - at).unit()?.rotate_by(turn) })
+    };
+    let (one, other) = (carried(p, q, [u, v])?, carried(q, p, [v, u])?);
+    // As flat as a pencil's line is wide over the length of a sheet.
+    let corner = if one.along.cross(other.along).abs() > 1e-3 {
+        one.cross(&other)?
+    } else {
+        let along = (v - u).unit()?;
+        one.at + (q - p) * (along.dot(w - u) / u.distance(v)) + (q - p).perp() * (along.cross(w - u) / u.distance(v))
+    };
+    board.line(p, corner, Weight::Thin).line(q, corner, Weight::Thin);
+    Some(corner)
 }

@@ -4,6 +4,7 @@
 //! where the limits lie evenly about the horizontal; else by the secant method from there), from the ratios CE/CD and EF/DE the rest;
 //! crank and coupler are half the difference and half the sum of AC₁ and AC₂.
 
+use super::board::{Board, Line, Weight};
 use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use super::form::Form;
 use super::fourbar::{Heading, headed, omega};
@@ -167,8 +168,37 @@ impl Wish for Press {
             demands,
             ordered: false,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks: Vec::new(),
         };
         Ok(Found { drafts: vec![draft], ..Found::default() })
+    }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let [p, q] = self.angles;
+        let (d, a) = (Point::ORIGIN, board.at(self.a));
+        let lay = |angle: f64| Line { at: d, along: from_vertical(angle) };
+        // Level limits: the chord of E is the stroke, as long as EF stands alike in both.
+        let even = (p + q - PI).abs() < 1e-9;
+        let de = if even {
+            let half = Line::ray(Point::new(0.0, board.mm(self.stroke) / 2.0), 0.0);
+            let e = lay(p).cross(&half)?;
+            board.step(both!(
+                "Draw the rocker's limits from D; a parallel at H/2 over the horizontal meets the upper one in E1: DE",
+                "由 D 作摇杆两极限方向；在水平线上方 H/2 处作平行线，与上极限方向交于 E1，得 DE"
+            ));
+            board.line(half.at, e, Weight::Thin).read("DE", d, e);
+            d.distance(e)
+        } else {
+            board.step(both!("Draw the rocker's limits from D and lay off DE", "由 D 作摇杆两极限方向，量取 DE"));
+            board.mm(draft.numbers.iter().find(|n| n.name == "DE")?.value)
+        };
+        let [e1, e2] = [p, q].map(|angle| lay(angle).place(de));
+        board.line(d, e1, Weight::Given).line(d, e2, Weight::Given).mark("D", d).mark("E_1", e1).mark("E_2", e2);
+        let [c1, c2] = [e1, e2].map(|e| d + (e - d) * (1.0 / (1.0 + self.ce_cd)));
+        board.step(both!("Divide DE by the given ratio: C1 and C2; mark A", "按给定比例分 DE 得 C1、C2；标出 A"));
+        board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("C_1", c1).mark("C_2", c2).mark("A", a).read("CD", d, c1);
+        board.halve(a, [c1, c2])
     }
 }

@@ -17,6 +17,7 @@
 //! assert!(hodograph::scene::read(best.scene_text()).is_ok());
 //! ```
 
+pub mod board;
 pub mod body;
 pub mod candidate;
 pub mod cognates;
@@ -28,9 +29,12 @@ pub mod limits;
 mod order;
 pub mod path;
 mod poly;
+pub mod schema;
 pub mod straight_line;
+pub mod templates;
 pub mod time_ratio;
 
+pub use board::Board;
 pub use candidate::{Candidate, Draft, Number, Wanted};
 pub use fourbar::{FourBar, Heading};
 
@@ -54,6 +58,10 @@ pub trait Wish: Debug + Send + Sync {
     /// # Errors
     /// There is none: which root is not real, and the nearest wish that has one.
     fn solve(&self, heading: &Heading) -> Result<Found, Faults>;
+
+    /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. A
+    /// board without steps where the kind has no construction with ruler and compasses (least squares, searches).
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
 }
 
 /// What a kind of task finds.
@@ -206,3 +214,33 @@ pub fn solve(task: &Task) -> Result<Design, Faults> {
     });
     Ok(Design { candidates, numbers, notes })
 }
+
+/// The construction of a candidate with ruler and compasses, to a scale (m for a mm of paper); `None` where its kind has none.
+///
+/// # Errors
+/// The drawing and the formula disagree, which is an error of ours.
+pub fn construct(task: &Task, candidate: &Candidate, mu_l: f64) -> Result<Option<Board>, Faults> {
+    let mut board = Board::new(mu_l);
+    let drawn = task.wish.construct(&candidate.draft, &mut board);
+    if drawn.is_none() || board.steps.is_empty() {
+        return Ok(None);
+    }
+    for reading in &board.readings {
+        let Some(number) = candidate.number(&reading.name) else { continue };
+        let off = (board.value(reading) - number.abs()).abs();
+        if off > AGREEMENT * number.abs().max(if reading.angle { 1.0 } else { candidate.judged.size_m }) {
+            let message = both!(
+                "{} is {} on the drawing and {} by the formula",
+                "{} 作图得 {}，公式得 {}",
+                reading.name,
+                board.value(reading),
+                number
+            );
+            return Err(Diagnostic::error("disagreement", message).into());
+        }
+    }
+    Ok(Some(board))
+}
+
+/// Drawing and formula agree to this: both are of double precision, crossings under small angles cost a few digits.
+const AGREEMENT: f64 = 1e-7;

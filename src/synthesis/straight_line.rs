@@ -5,6 +5,7 @@
 //! are Scott-Russell's crank on the middle of a rod whose end slides, and Peaucellier's inversor, OC · OP = L² − s². Length and deviation
 //! are those of the finished scene, swept, with the extremes located.
 
+use super::board::Board;
 use super::candidate::{Draft, Number, Wanted, deg, mm, place, scene_text};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, headed, meet, omega};
@@ -291,9 +292,16 @@ impl Wish for Task {
             demands: Vec::new(),
             ordered: false,
             error: measured.deviation,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks: Vec::new(),
         };
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
+    }
+
+    /// The proportions of these linkages are given; nothing is constructed.
+    fn construct(&self, _: &Draft, _: &mut Board) -> Option<()> {
+        None
     }
 }
 

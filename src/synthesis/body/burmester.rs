@@ -49,7 +49,7 @@ impl Frame {
         let far = positions.iter().map(|p| p.origin.distance(origin)).fold(0.0, f64::max);
         let poles = positions[1..].iter().filter_map(|p| positions[0].pole(p)).map(|p| p.distance(origin)).fold(0.0, f64::max);
         let unit = if far > 0.0 { far } else { poles };
-        if !(unit > 0.0) {
+        if unit <= 0.0 {
             return None;
         }
         let mut frame = Frame { origin, unit, axis: Vec2::from_angle(ASKEW), moves: Vec::new() };

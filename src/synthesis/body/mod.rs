@@ -5,8 +5,10 @@
 //! five fix up to four pins. Each pair of pins with its centres is a four-bar; either may drive.
 
 pub mod burmester;
+mod drawing;
 pub mod pose;
 
+use super::board::Board;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
@@ -175,6 +177,10 @@ impl Wish for Body {
         }
         Ok(Found { drafts, numbers, notes })
     }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
+    }
 }
 
 /// A pair in numbers.
@@ -303,6 +309,8 @@ impl Body {
             demands: Vec::new(),
             ordered: true,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks: remarks(&four),
         }
     }

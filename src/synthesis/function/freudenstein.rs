@@ -39,7 +39,7 @@ impl Generator {
         let t = self.start[0] + step;
         let (x, y) = (self.k[0] - libm::cos(t), -libm::sin(t));
         let cosine = (self.k[1] * libm::cos(t) - self.k[2]) / (x * x + y * y).sqrt();
-        if !(cosine.abs() <= 1.0) {
+        if cosine.is_nan() || cosine.abs() > 1.0 {
             return None;
         }
         let (middle, half) = (libm::atan2(y, x), libm::acos(cosine));

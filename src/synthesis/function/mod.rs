@@ -4,8 +4,10 @@
 //! that is not given is an unknown. As many pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by
 //! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
 
+mod drawing;
 pub mod freudenstein;
 
+use super::board::Board;
 use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
@@ -214,6 +216,10 @@ impl Wish for Function {
         }
         Ok(Found { drafts, numbers, notes })
     }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
+    }
 }
 
 impl Function {
@@ -386,8 +392,18 @@ impl Function {
             demands: Vec::new(),
             ordered: true,
             error: if exact { 0.0 } else { missed },
+            targets: Vec::new(),
+            deviation: self.sampled(&g),
             remarks,
         })
+    }
+
+    /// The deviation over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
+    fn sampled(&self, g: &Generator) -> Vec<[f64; 2]> {
+        let Target::Curve { range, swings, .. } = &self.target else { return Vec::new() };
+        let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
+        let place = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / count as f64;
+        (0..=count).filter_map(|i| Some([place(i), g.deviation(self.target.step(place(i))?)?])).collect()
     }
 
     /// The greatest deviation, returned too, and where the extremes lie; of pairs the deviations there.

@@ -3,8 +3,10 @@
 //! Three places with A, D, crank and BE given: B_i lies on the crank's circle at BE from E_i; D, carried back with the coupler B_iE_i into
 //! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]).
 
+mod drawing;
 pub mod search;
 
+use super::board::Board;
 use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
@@ -130,6 +132,12 @@ impl Wish for Path {
             }
         }
     }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let Path::Three { points, a, d, crank, be, .. } = self else { return None };
+        let way = |left: bool| move |board: &mut Board| drawing::three(board, points, [*a, *d], [*crank, *be], left);
+        board.meant(draft, &[&way(true), &way(false)])
+    }
 }
 
 /// Three places by inversion.
@@ -175,7 +183,18 @@ fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left:
         b.iter().enumerate().map(|(k, b)| Number::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
     );
     let which = if left { both!("B left of AE", "B 在 AE 左侧") } else { both!("B right of AE", "B 在 AE 右侧") };
-    Ok(Draft { which, scene: four.scene(heading), numbers, wanted, demands: Vec::new(), ordered: true, error: 0.0, remarks: Vec::new() })
+    Ok(Draft {
+        which,
+        scene: four.scene(heading),
+        numbers,
+        wanted,
+        demands: Vec::new(),
+        ordered: true,
+        error: 0.0,
+        targets: Vec::new(),
+        deviation: Vec::new(),
+        remarks: Vec::new(),
+    })
 }
 
 /// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.
@@ -208,6 +227,8 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
         demands: Vec::new(),
         ordered: true,
         error: fit.rms,
+        targets: points.to_vec(),
+        deviation: Vec::new(),
         remarks: Vec::new(),
     })
 }

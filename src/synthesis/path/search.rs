@@ -20,7 +20,10 @@ const POPULATION: usize = 70;
 const GENERATIONS: usize = 110;
 /// Runs at most, and how often the best optimum is to be found: one that half of the runs miss is then missed once in sixteen thousand.
 const RUNS: usize = 24;
+const LEAST: usize = 14;
 const HITS: usize = 3;
+/// Linkages of a run that are refined.
+const REFINED: usize = 12;
 /// Optima that are told.
 const TOLD: usize = 3;
 
@@ -170,7 +173,7 @@ pub fn search(points: &[Point], seed: u64) -> Search {
         out.fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
         let better = best.is_some_and(|b| out.fits.first().is_some_and(|f| f.rms < b - 1e-9 * size));
         hits = if better || best.is_none() { 1 } else { hits + usize::from(again_here) };
-        if hits >= HITS || out.fits.first().is_some_and(|f| f.rms < 1e-10 * size) {
+        if run + 1 >= LEAST && hits >= HITS || out.fits.first().is_some_and(|f| f.rms < 1e-10 * size) {
             break;
         }
     }
@@ -257,7 +260,7 @@ fn evolve(points: &[Point], middle: Point, size: f64, random: &mut Random, evalu
         if out.iter().all(apart) {
             out.push(genes);
         }
-        if out.len() == 6 {
+        if out.len() == REFINED {
             break;
         }
     }

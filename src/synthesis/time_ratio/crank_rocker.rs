@@ -6,14 +6,18 @@
 //! angle θ, and one thing is free along it: fixed by the frame's length, or the least transmission angle is made greatest
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
+mod drawing;
+
 use super::Ratio;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use crate::number::{Dd, Real};
+use crate::synthesis::board::Board;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
+use crate::synthesis::judge::USUAL_GAMMA;
 use crate::synthesis::{Found, Wish};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -104,11 +108,15 @@ impl Wish for CrankRocker {
                     );
                     notes.push(Diagnostic::note("free-choice", message).help(help));
                 }
-                self.best(swing)?
+                self.best(swing, &mut notes)?
             }
         };
         let drafts = found.iter().map(|l| self.draft(l, heading)).collect();
         Ok(Found { drafts, notes, ..Found::default() })
+    }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(draft, board)
     }
 }
 
@@ -223,8 +231,8 @@ impl CrankRocker {
         Limits { which, d: Point::new(frame.norm(), 0.0), c }
     }
 
-    /// The linkage of the greatest least transmission angle.
-    fn best(&self, swing: f64) -> Result<Vec<Limits>, Faults> {
+    /// The linkage of the greatest least transmission angle; what K a better one has.
+    fn best(&self, swing: f64, notes: &mut Vec<Diagnostic>) -> Result<Vec<Limits>, Faults> {
         let theta = self.ratio.theta;
         if theta == 0.0 {
             let message =
@@ -232,32 +240,30 @@ impl CrankRocker {
             let d = Diagnostic::error("free-choice", message).help(both!("give \"frame\"", "请给出 \"frame\""));
             return Err(d.into());
         }
-        let family = Family { theta: Dd::from_f64(theta), swing: Dd::from_f64(swing) };
-        let (from, to) = (0.0, PI - theta);
-        const STEPS: usize = 1440;
-        let at = |i: usize| from + (to - from) * (i as f64 + 0.5) / STEPS as f64;
-        let mut best: Option<(f64, f64, bool)> = None;
-        for toward_d in [true, false] {
-            for i in 0..STEPS {
-                let worst = family.worst(Dd::from_f64(at(i)), toward_d);
-                if let Some(w) = worst.map(Real::approx).filter(|w| best.is_none_or(|b| *w < b.0)) {
-                    best = Some((w, at(i), toward_d));
-                }
-            }
-        }
-        let Some((_, beta, toward_d)) = best else {
-            // As the shortest link of a crank-rocker the crank passes the limits only for θ below 180° and swings that leave it room.
+        let family = Family::of(theta, swing);
+        let Some((worst, beta, toward_d)) = family.scanned(1440) else {
             let message = both!(
                 "no crank-rocker has K = {} and a swing of {}°",
                 "没有行程速度变化系数为 {}、摆角为 {}° 的曲柄摇杆机构",
                 significant(self.ratio.k, 4),
                 significant(swing.to_degrees(), 4)
             );
-            let most = (FRAC_PI_2 + swing / 2.0).min(PI);
-            let help = both!("K is below {} for this swing", "此摆角下 K 应小于 {}", significant((PI + most) / (PI - most), 4));
+            let help = both!("K is below {} for this swing", "此摆角下 K 应小于 {}", significant(most_k(swing, 1.0), 4));
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
-        let step = (to - from) / STEPS as f64;
+        let usual = libm::cos(USUAL_GAMMA);
+        if worst > usual {
+            let message = both!(
+                "no linkage of this K and swing has a transmission angle of 40° throughout",
+                "此 K 和摆角下没有传动角始终不小于 40° 的机构"
+            );
+            let help = match most_k(swing, usual) {
+                k if k > 1.0 => both!("K = {} and less has one", "K 不大于 {} 时才有", significant(k, 4)),
+                _ => both!("take a smaller swing", "请减小摆角"),
+            };
+            notes.push(Diagnostic::warning("poor-transmission", message).help(help));
+        }
+        let step = (PI - theta) / 1440.0;
         let beta = family.golden(beta - step, beta + step, toward_d).approx();
         let a = family.place(beta, toward_d, self.rocker);
         let which = match toward_d {
@@ -287,6 +293,8 @@ impl CrankRocker {
         let mut numbers = named_lengths([ab, bc, self.rocker, l.d.x]);
         numbers.push(Number::angle("theta", both!("crank angle between the limit positions", "极位夹角"), self.ratio.theta));
         numbers.push(Number::angle("psi", both!("swing of the rocker", "摇杆摆角"), swing));
+        let beta = |from: Vec2, to: Vec2| libm::atan2(from.cross(to).abs(), from.dot(to));
+        numbers.push(Number::angle("beta", both!("angle C1C2A", "角 C1C2A"), beta(l.c[0] - l.c[1], Point::ORIGIN - l.c[1])));
         numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
@@ -298,6 +306,8 @@ impl CrankRocker {
             demands,
             ordered: false,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks,
         }
     }
@@ -309,7 +319,39 @@ struct Family {
     swing: Dd,
 }
 
+/// The greatest K of a swing for which some linkage keeps the cosine of its transmission angle below a bound; by bisection of θ.
+fn most_k(swing: f64, bound: f64) -> f64 {
+    let (mut low, mut high) = (0.0, PI);
+    for _ in 0..30 {
+        let theta = (low + high) / 2.0;
+        let found = Family::of(theta, swing).scanned(120).is_some_and(|(worst, ..)| worst <= bound);
+        if found { low = theta } else { high = theta }
+    }
+    // Told to four digits: rounded down, it still works.
+    let k = (PI + low) / (PI - low);
+    (k * 1e3).floor() / 1e3
+}
+
 impl Family {
+    fn of(theta: f64, swing: f64) -> Family {
+        Family { theta: Dd::from_f64(theta), swing: Dd::from_f64(swing) }
+    }
+
+    /// The best of equally spaced linkages: the cosine of its least transmission angle, β, and on which side A lies.
+    fn scanned(&self, steps: usize) -> Option<(f64, f64, bool)> {
+        let to = PI - self.theta.approx();
+        let sides = [true, false].into_iter().flat_map(|side| (0..steps).map(move |i| (to * (i as f64 + 0.5) / steps as f64, side)));
+        let all = sides.filter_map(|(beta, side)| Some((self.worst(Dd::from_f64(beta), side)?.approx(), beta, side)));
+        all.min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Whether C₁ and C₂ lie on one side of AD: else no motion joins them.
+    fn joined(&self, beta: f64, toward_d: bool) -> bool {
+        let (a, half) = (self.place(beta, toward_d, 1.0).to_vec2(), self.swing.approx() / 2.0);
+        let c = [-1.0, 1.0].map(|s| a.cross(Vec2::new(s * libm::sin(half), libm::cos(half))));
+        c[0] * c[1] > 0.0
+    }
+
     /// a, b, d of one.
     fn lengths(&self, beta: Dd, toward_d: bool) -> Option<[Dd; 3]> {
         let two = Dd::from_f64(2.0);
@@ -328,7 +370,7 @@ impl Family {
         let (x, y) = (ac2 * cos_beta - chord / two, ac2 * sin_beta);
         let down = if toward_d { y - cos_half } else { y + cos_half };
         let d = (x * x + down * down).sqrt();
-        let crank = a.approx() < b.approx().min(1.0).min(d.approx()) && a.approx() > 1e-9;
+        let crank = a.approx() < b.approx().min(1.0).min(d.approx()) && a.approx() > 1e-6 && self.joined(beta.approx(), toward_d);
         let longest = b.approx().max(1.0).max(d.approx());
         let rest = a.approx() + b.approx() + 1.0 + d.approx();
         (crank && 2.0 * (a.approx() + longest) < rest).then_some([a, b, d])

@@ -61,7 +61,7 @@ impl Ratio {
         }
         form.need("K", "1.5")?;
         let k = form.number("K")?;
-        if !(k > 0.0) {
+        if k <= 0.0 {
             let d = Diagnostic::error("not-positive", both!("`K` must be greater than zero", "`K` 应大于零"));
             form.fault(d.at(form.span("K")));
             return None;

@@ -8,6 +8,7 @@ use super::Ratio;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::Point;
+use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
@@ -62,9 +63,38 @@ impl Wish for SliderCrank {
         let [a, b, e] = self.lengths()?;
         Ok(Found { drafts: vec![self.draft([a, b, e], heading)], notes: self.ratio.notes(), ..Found::default() })
     }
+
+    fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
+        let offset = draft.numbers.iter().find(|n| n.name == "e")?.value;
+        let way = |k: usize| move |board: &mut Board| self.drawn(board, offset, k);
+        board.meant(draft, &[&way(0), &way(1)])
+    }
 }
 
 impl SliderCrank {
+    /// C₁C₂ is the stroke; A on the circle over it with the inscribed angle θ, at the offset.
+    fn drawn(&self, board: &mut Board, offset: f64, k: usize) -> Option<()> {
+        if self.ratio.theta == 0.0 {
+            return None;
+        }
+        let (c2, c1) = (Point::ORIGIN, Point::new(board.mm(self.stroke), 0.0));
+        board.step(both!("Lay off the stroke C1C2 on the guide", "在导路上量取行程 C1C2"));
+        board.line(c2, c1, Weight::Given).mark("C_1", c1).mark("C_2", c2);
+        let theta = significant(self.ratio.theta.to_degrees(), 4);
+        board.step(both!(
+            "Over C1C2 draw the circle with the inscribed angle θ = {theta}°: 90° − θ from the chord at both ends gives its centre",
+            "在 C1C2 上作圆周角为 θ = {theta}° 的圆：两端各作 90° − θ 的角，交点为圆心"
+        ));
+        let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
+        board.mark("O", centre);
+        let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
+        let a = level.cross_circle(centre, radius)?[k];
+        board.step(both!("The parallel to the guide at the offset e meets the circle in A", "在偏距 e 处作导路的平行线，与圆交于 A"));
+        board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
+        board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);
+        board.halve(a, [c1, c2])
+    }
+
     /// Crank, rod, offset.
     fn lengths(&self) -> Result<[f64; 3], Faults> {
         let (h, theta) = (self.stroke, self.ratio.theta);
@@ -146,6 +176,8 @@ impl SliderCrank {
             demands,
             ordered: false,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks: vec![slow],
         }
     }

@@ -5,11 +5,14 @@
 //! the lever turns fully about a pivot inside the crank's circle; while its dead line turns by 180° the crank turns by 360°/(K + 1), so
 //! AC = AB cos(180°/(K + 1)). Pivots: A of the crank, C of the lever, straight below it.
 
+mod drawing;
+
 use super::Ratio;
 use super::slider_crank::sketch;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
+use crate::synthesis::board::Board;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
@@ -23,6 +26,8 @@ struct Slotted {
     /// Crank AB and frame AC.
     crank: f64,
     frame: f64,
+    /// Whether the crank was given, and the frame follows.
+    by_crank: bool,
     kind: Kind,
     /// What was chosen for the author.
     notes: Vec<Diagnostic>,
@@ -65,7 +70,7 @@ pub(super) fn read(form: &Form, linkage: &str) -> Option<Box<dyn Wish>> {
     };
     let (crank, frame) = if key == "crank" { (size, size / share) } else { (size * share, size) };
     notes.extend(ratio.notes());
-    Some(Box::new(Slotted { ratio, crank, frame, kind, notes }))
+    Some(Box::new(Slotted { ratio, crank, frame, by_crank: key == "crank", kind, notes }))
 }
 
 /// A long link of Whitworth's slider: three times the lever's arm.
@@ -112,6 +117,10 @@ impl Wish for Slotted {
             Kind::Whitworth { stroke, link } => self.whitworth(stroke, link, heading)?,
         };
         Ok(Found { drafts: vec![draft], notes: self.notes.clone(), ..Found::default() })
+    }
+
+    fn construct(&self, _: &Draft, board: &mut Board) -> Option<()> {
+        self.drawn(board)
     }
 }
 
@@ -172,6 +181,8 @@ impl Slotted {
             demands,
             ordered: false,
             error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
             remarks,
         }
     }

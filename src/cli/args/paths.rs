@@ -1,6 +1,6 @@
 //! Further arguments: those of the commands on curvature, inversions and synthesis.
 
-use super::args::Common;
+use super::Common;
 use clap::Args as ClapArgs;
 
 #[derive(ClapArgs, Debug)]
@@ -42,29 +42,4 @@ pub struct Inversions {
     /// As JSON, in SI
     #[arg(long, conflicts_with = "pick")]
     pub json: bool,
-}
-
-#[derive(ClapArgs, Debug)]
-#[command(
-    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/"
-)]
-pub struct Synth {
-    /// The synthesis file; `-` reads standard input
-    #[arg(value_name = "FILE")]
-    pub file: String,
-    /// Give a parameter of the file another value: NAME=VALUE; a bare number keeps the unit
-    #[arg(long, value_name = "NAME=VALUE")]
-    pub set: Vec<String>,
-    /// The candidate that is meant, counted from 1 in the order of the table
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    pub pick: Option<u64>,
-    /// Write the scene of the candidate to this file (default: of the first one)
-    #[arg(short, long, value_name = "FILE")]
-    pub output: Option<String>,
-    /// The candidates as JSON, in SI, with their scenes
-    #[arg(long)]
-    pub json: bool,
-    /// The construction with ruler and paper too, step by step, with the lengths measured
-    #[arg(long, conflicts_with = "json")]
-    pub steps: bool,
 }
