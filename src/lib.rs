@@ -106,7 +106,7 @@
 //! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
 //! curvature  diag scene geom mechanism position answer analytic worked centres sweep
 //! inversions diag scene mechanism position worked curvature sweep
-//! synthesis  diag json digits number scene geom mechanism sweep
+//! synthesis  diag json digits number scene geom mechanism position sweep
 //! effort     mechanism plan construct accuracy worked
 //! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis attempts effort figure* render*
 //! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions synthesis attempts report

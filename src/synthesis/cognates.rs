@@ -273,9 +273,9 @@ impl Wish for Task {
         let numbers = [
             place("F", both!("third pivot", "第三个固定铰链"), c.f),
             place("A1", both!("parallelogram A B E A1", "平行四边形 A B E A1"), c.left[0]),
-            place("P1", both!("triangle A1 P1 E, similar to B C E", "三角形 A1 P1 E，与 B C E 相似"), c.left[1]),
+            place("P1", both!("triangle A1 E P1, similar to B C E", "三角形 A1 E P1，与 B C E 相似"), c.left[1]),
             place("D1", both!("parallelogram D C E D1", "平行四边形 D C E D1"), c.right[0]),
-            place("P2", both!("triangle D1 P2 E, similar to C B E", "三角形 D1 P2 E，与 C B E 相似"), c.right[1]),
+            place("P2", both!("triangle E D1 P2, similar to B C E", "三角形 E D1 P2，与 B C E 相似"), c.right[1]),
         ];
         Ok(Found { drafts, numbers: numbers.into_iter().flatten().collect(), notes })
     }
@@ -305,11 +305,11 @@ impl Task {
         });
         board.mark("A_1", a1).mark("D_1", d1);
         board.step(both!(
-            "On A1E and D1E triangles similar to BCE: A1P1E and P2D1E; on AD the triangle ADF",
-            "在 A1E、D1E 上作与 BCE 相似的三角形 A1P1E、P2D1E；在 AD 上作三角形 ADF"
+            "Similar to BCE over A1E the triangle A1 E P1, over ED1 the triangle E D1 P2, over AD the triangle A D F",
+            "作与三角形 BCE 相似的三角形：以 A1E 为底作 A1 E P1，以 ED1 为底作 E D1 P2，以 AD 为底作 A D F"
         ));
-        let p1 = similar(board, [a1, e], [b, e, c])?;
-        let p2 = similar(board, [d1, e], [c, e, b])?;
+        let p1 = similar(board, [a1, e], [b, c, e])?;
+        let p2 = similar(board, [d1, e], [c, b, e])?;
         let f = similar(board, [a, d], [b, c, e])?;
         board.mark("P_1", p1).mark("P_2", p2).mark("F", f);
         board.step(both!("The linkages A A1 P1 F and F P2 D1 D carry E too", "机构 A A1 P1 F 与 F P2 D1 D 的 E 点轨迹相同"));

@@ -16,7 +16,7 @@ use super::list::{Entry, Pages, Wanted};
 /// Pole, inflection circle, centres of curvature.
 pub const ENTRY: Entry = Entry {
     name: "curvature",
-    about: ["Inflection circle and centres of curvature of the paths, with their construction", "拐点圆和轨迹的曲率中心及其作图"],
+    about: ["Inflection circle and centres of curvature, with construction", "拐点圆和轨迹的曲率中心及其作图"],
     draw,
 };
 /// The paths of the pole.

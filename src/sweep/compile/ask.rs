@@ -9,7 +9,7 @@ use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
 use crate::sweep::kernel::{Pair, Reg};
-use crate::sweep::reading::{Coriolis, Direction, Dot, Length, Part, Sum};
+use crate::sweep::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
 
 const P: Level = Level::Position;
 const V: Level = Level::Velocity;
@@ -75,8 +75,17 @@ impl Compiler<'_> {
                 vector(self, V, v)
             }
             // No kernel is of these: the loop equations answer them.
-            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) | Meaning::Ratio(..) => {
+            Meaning::Relative(Split::SlidingNormal | Split::SlidingTangential, ..) | Meaning::Seen(..) => {
                 return Err(no_kernel(find));
+            }
+            Meaning::Ratio(links, arm) => {
+                let [a, b] = match arm {
+                    None => [self.turning(links[0], V)?, self.turning(links[1], V)?],
+                    Some(arm) => [self.relative_turning(links[0], arm, V)?, self.relative_turning(links[1], arm, V)?],
+                };
+                // Of two vectors along one line the quotient is that of their lengths, with its sign.
+                let ratio = self.emit_pair(V, Quotient { a: Pair { x: a, y: a }, b: Pair { x: b, y: b } });
+                one(self, ratio.x)
             }
             Meaning::Turning(l, None) => {
                 let reg = self.turning(l, level)?;
