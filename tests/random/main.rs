@@ -18,6 +18,7 @@ mod kept;
 mod long;
 mod mech;
 mod near_singular;
+mod numbers;
 mod properties;
 mod readings;
 mod regressions;
