@@ -15,6 +15,7 @@ mod higher;
 mod hostile;
 mod invariance;
 mod kept;
+mod later;
 mod long;
 mod mech;
 mod near_singular;
