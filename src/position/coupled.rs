@@ -297,3 +297,90 @@ impl<N: Real> proof::System<N> for Coupled<'_, N> {
         (0..self.links.len()).map(|i| (3 * i + 2, self.scale)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::proof::System;
+    use super::*;
+    use crate::mechanism::{Demand, Mechanism};
+    use crate::position::{configure, newton};
+    use crate::scene::{self, templates};
+    use std::collections::BTreeSet;
+
+    fn kind(a: &Assembly<f64>, c: Constraint) -> &'static str {
+        match c {
+            Constraint::Pinned(..) => "pinned",
+            Constraint::Slot(_, g) if matches!(a.guides[g.0], Some(Path::Arc { .. })) => "slot along an arc",
+            Constraint::Slot(..) => "slot along a line",
+            Constraint::Slide(..) => "slide",
+            Constraint::Cylinder(_) => "cylinder",
+            Constraint::Turn(_) => "turn",
+            Constraint::Roll(_) => "roll",
+            Constraint::Lock(_) => "lock",
+            Constraint::Glide(_) => "glide",
+        }
+    }
+
+    /// All groups of a scene as one, in a state a little off its root, at the instant and with a driver elsewhere.
+    fn check(name: &str, text: &str, seen: &mut BTreeSet<(&'static str, bool)>) {
+        let Some(scene) = scene::read(text).ok().map(|s| s.value) else { return };
+        let Some(m) = Mechanism::new(&scene).ok().map(|m| m.value) else { return };
+        let demand = Demand::of(&scene, &m).with_all_positions();
+        let Some(at) = configure(&scene, &m, &demand).ok().map(|c| c.value) else { return };
+        let mut assembly = Assembly::<f64>::new(&scene, &m, &demand, Some(&at));
+        assembly.guides.clone_from(&at.shapes.guides);
+        let groups: Vec<&Group> = newton::placed(&m, &at).into_iter().map(|g| &m.groups[g]).collect();
+        let links: Vec<LinkId> = groups.iter().flat_map(|g| g.links.clone()).collect();
+        let pins: Vec<PointId> = groups.iter().flat_map(|g| g.pins.clone()).collect();
+        let constraints: Vec<Constraint> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c]).collect();
+        let scale = at.extent();
+        for aside in [None, Some(Aside { driver: 0, by: 0.01 })] {
+            assembly.instant = aside.map(|_| &at);
+            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, constraints: constraints.clone(), scale, aside };
+            let state = State {
+                poses: links.iter().map(|l| at.poses[l.0].expect("placed")).collect(),
+                pins: pins.iter().map(|p| at.point(*p)).collect(),
+            };
+            let n = system.zeros().len();
+            let off: Vec<f64> = (0..n).map(|k| 0.03 * scale * libm::sin(1.0 + 2.3 * k as f64)).collect();
+            let state = system.moved(&state, &off);
+            if system.equations(&state).is_none() {
+                continue;
+            }
+            let jacobian = system.jacobian(&state);
+            for k in 0..n {
+                let beside = |h: f64| {
+                    let mut step = vec![0.0; n];
+                    step[k] = h * scale;
+                    system.residuals(&system.moved(&state, &step))
+                };
+                let (up, down) = (beside(1e-5), beside(-1e-5));
+                for (i, row) in jacobian.iter().enumerate() {
+                    let slope = (up[i] - down[i]) / (2e-5 * scale);
+                    assert!(
+                        (row[k] - slope).abs() < 1e-7 * (1.0 + slope.abs()),
+                        "{name}, aside {}: equation {i} by unknown {k} is {}, its slope {slope}",
+                        aside.is_some(),
+                        row[k]
+                    );
+                }
+            }
+            seen.extend(constraints.iter().map(|c| (kind(&assembly, *c), aside.is_some())));
+        }
+    }
+
+    /// A root stays a root whatever the derivatives are, but what is proved of it does not.
+    #[test]
+    fn derivatives_are_the_slopes_of_the_equations() {
+        let mut seen = BTreeSet::new();
+        for t in templates::list() {
+            check(t.name, templates::get(t.name).expect("its name is of the list"), &mut seen);
+        }
+        let all = ["pinned", "slot along an arc", "slot along a line", "slide", "cylinder", "turn", "lock", "glide"];
+        for kind in all {
+            for aside in [false, true] {
+                assert!(seen.contains(&(kind, aside)), "no template has {kind}, aside {aside}: {seen:?}");
+            }
+        }
+    }
+}

@@ -253,3 +253,97 @@ fn refine(eval: &impl Fn(f64, usize) -> Option<Sample>, branch: usize, mut a: (f
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers in [0, 1) that are the same everywhere.
+    struct Random(u64);
+
+    impl Random {
+        fn next(&mut self) -> f64 {
+            self.0 ^= self.0 << 13;
+            self.0 ^= self.0 >> 7;
+            self.0 ^= self.0 << 17;
+            (self.0 >> 11) as f64 / (1u64 << 53) as f64
+        }
+
+        fn point(&mut self) -> Point {
+            Point::new(4.0 * self.next() - 2.0, 4.0 * self.next() - 2.0)
+        }
+
+        /// A leg of a kind that holds a link in a pose.
+        fn leg(&mut self, kind: usize, (origin, axis): (Point, Vec2)) -> TriadLeg {
+            let direction = Vec2::from_angle(6.3 * self.next());
+            let (near, other) = (self.point(), self.point());
+            let there = origin + near.to_vec2().rotate_by(axis);
+            match kind {
+                0 => TriadLeg::Circle { near, far: other, radius: there.distance(other) },
+                1 => TriadLeg::Line { near, through: there + direction * (self.next() - 0.5), direction },
+                _ => TriadLeg::Slot { through: near, direction, pin: there + direction.rotate_by(axis) * (self.next() - 0.5) },
+            }
+        }
+    }
+
+    #[test]
+    fn gradients_are_slopes_of_what_a_leg_is_missed_by() {
+        let mut random = Random(0x9e37_79b9_7f4a_7c15);
+        for k in 0..300 {
+            let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
+            let leg = random.leg(k % 3, pose);
+            // Somewhere else than where the leg holds the link, so that what is missed counts.
+            let (origin, axis, scale) = (random.point(), Vec2::from_angle(6.3 * random.next()), 0.5 + 2.0 * random.next());
+            let slope = |by: &dyn Fn(f64) -> (Point, Vec2)| {
+                let miss = |h: f64| leg.miss(by(h).0, by(h).1);
+                (miss(1e-6) - miss(-1e-6)) / 2e-6
+            };
+            let slopes = [
+                slope(&|h| (origin + Vec2::new(h, 0.0), axis)),
+                slope(&|h| (origin + Vec2::new(0.0, h), axis)),
+                slope(&|h| (origin, axis.rotate_by(Vec2::from_angle(h / scale)))),
+            ];
+            let gradient = leg.gradient(origin, axis, scale);
+            for (g, s) in gradient.iter().zip(slopes) {
+                assert!((g - s).abs() < 1e-7 * (1.0 + s.abs()), "{leg:?}: {gradient:?}, slopes {slopes:?}");
+            }
+        }
+    }
+
+    /// The pose from which the legs were made is among the assemblies, each of them holds, and none is there twice; a sketch adds none.
+    #[test]
+    fn every_assembly_is_found_once() {
+        let mut random = Random(0x1234_5678_9abc_def1);
+        let (mut missing, mut tried) = (0, 0);
+        for k in 0..120 {
+            let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
+            let legs = [0, 1, 2].map(|leg| random.leg([0, k % 3, k / 3 % 3][leg], pose));
+            let found = assemblies(&legs, None);
+            let apart = |a: &(Point, Vec2), b: &(Point, Vec2)| (a.0 - b.0).norm() + (a.1 - b.1).norm();
+            tried += 1;
+            missing += usize::from(!found.iter().any(|f| apart(f, &pose) < 1e-6));
+            for (i, f) in found.iter().enumerate() {
+                let off = legs.iter().map(|l| l.miss(f.0, f.1).abs()).fold(0.0, f64::max);
+                assert!(off < 1e-8, "{k}: {f:?} misses a leg by {off:e}");
+                assert!(found[..i].iter().all(|o| apart(o, f) > 1e-8), "{k}: {f:?} is there twice");
+            }
+            let sketched = assemblies(&legs, Some(pose));
+            assert!(sketched.iter().any(|f| apart(f, &pose) < 1e-6), "{k}: not even with its sketch");
+            assert!(sketched.len() >= found.len() && sketched.len() <= found.len() + 1, "{k}: {} and {}", found.len(), sketched.len());
+        }
+        // Of two assemblies within one step of the sweep neither is seen.
+        assert!(missing * 50 <= tried, "{missing} of {tried} are not found");
+    }
+
+    #[test]
+    fn three_equations_are_solved() {
+        let mut random = Random(77);
+        for _ in 0..50 {
+            let rows = [(); 3].map(|()| [(); 3].map(|()| 2.0 * random.next() - 1.0));
+            let x = [(); 3].map(|()| 2.0 * random.next() - 1.0);
+            let rhs = rows.map(|r| r[0] * x[0] + r[1] * x[1] + r[2] * x[2]);
+            let (solution, whole) = cramer(rows, rhs);
+            assert!(solution.iter().zip(x).all(|(s, x)| (s - x).abs() < 1e-13 / whole.abs()), "{rows:?}: {solution:?}, not {x:?}");
+        }
+    }
+}
