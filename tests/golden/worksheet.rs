@@ -79,7 +79,8 @@ fn the_problem_side_tells_no_answer() {
                     // Three digits at least, and not those of a given thing: a length of 150 mm gives no direction away.
                     let Some((digits, _)) = number.text_scaled(4, 0) else { continue };
                     let digits = digits.trim_start_matches('-').trim_end_matches('0').trim_end_matches('.').to_owned();
-                    let enough = digits.chars().filter(char::is_ascii_digit).count() >= 3 && !given.contains(&digits);
+                    let enough =
+                        digits.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count() >= 3 && !given.contains(&digits);
                     assert!(
                         !enough || !text.contains(&digits),
                         "{} {suffix}: {} ({part:?}) = {digits} is told",
