@@ -220,7 +220,8 @@ fn the_sheet_remarks_on_bad_angles() {
     }
 }
 
-/// Scenes with sound crossings say nothing, and without being asked no sheet shows tolerances.
+/// Scenes with sound crossings say nothing but what a pencil makes of all answers, and without being asked no sheet shows a tolerance of
+/// each.
 #[test]
 fn sound_drawings_carry_no_remarks() {
     for t in templates::list() {
@@ -231,6 +232,10 @@ fn sound_drawings_carry_no_remarks() {
         }
         assert!(w.bad_angles.is_empty() && w.drafting.is_none(), "{}", t.name);
         let figure = sheet(&scene, &w, &Options::of_language(Lang::En)).unwrap();
-        assert!(figure.items.iter().all(|i| i.class != "remark"), "{}", t.name);
+        for item in figure.items.iter().filter(|i| i.class == "remark") {
+            let Shape::Label { label, .. } = &item.shape else { panic!("{}: {item:?}", t.name) };
+            assert!(label.source().contains("within 0.1 mm"), "{}: {}", t.name, label.source());
+        }
+        assert!(figure.items.iter().all(|i| i.class != "tolerance" && !i.id.ends_with("-tolerance")), "{}", t.name);
     }
 }

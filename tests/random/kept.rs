@@ -42,6 +42,9 @@ fn apart(a: Value, b: Value) -> f64 {
     match (a, b) {
         (Value::Scalar(a), Value::Scalar(b)) => (a - b).abs(),
         (Value::Vector(a), Value::Vector(b)) => (a - b).norm(),
+        // The truth of a place is told as the vector to it.
+        (Value::Point(a), Value::Vector(b)) | (Value::Vector(b), Value::Point(a)) => (a.to_vec2() - b).norm(),
+        (Value::Point(a), Value::Point(b)) => (a - b).norm(),
         _ => f64::INFINITY,
     }
 }

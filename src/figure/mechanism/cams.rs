@@ -176,7 +176,8 @@ impl Draft<'_> {
         if self.worked.construction.polygon(Level::Velocity).is_none() {
             return;
         }
-        let asked = |find: usize| matches!(self.scene.find[find].what, Asked::RollerSpin(q) if q.follower == c.follower);
+        let asked =
+            |find: usize| self.scene.find.get(find).is_some_and(|f| matches!(f.what, Asked::RollerSpin(q) if q.follower == c.follower));
         let Some(Value::Scalar(rate)) = self.worked.results.iter().find(|r| asked(r.find)).map(|r| r.computed) else { return };
         if rate == 0.0 {
             return;

@@ -103,6 +103,8 @@ struct Draft<'a> {
     forms: Vec<Option<Form>>,
     /// By how much the bars of each link are moved aside, as they lie over another's.
     parted: Vec<Vec<Vec2>>,
+    /// On which side of each point its support stands, if it is a fixed pivot.
+    supports: Vec<Vec2>,
     /// Where each link's number goes.
     number_at: Vec<Option<letters::NumberPlace>>,
     /// For each guide on the ground with hatching at one side, that side.
@@ -127,6 +129,7 @@ impl<'a> Draft<'a> {
             d,
             forms: Vec::new(),
             parted: Vec::new(),
+            supports: Vec::new(),
             number_at,
             hatched,
             course,
@@ -135,6 +138,7 @@ impl<'a> Draft<'a> {
         };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();
         draft.parted = draft.parted();
+        draft.supports = draft.support_sides();
         draft
     }
 
