@@ -128,7 +128,7 @@ const EN: Words = Words {
     square_to_guide: "the normal to the guide at ${}$",
     tangent_at: "the tangent at ${}$",
     agreement: "Drawing and loop equations agree to {} digits.",
-    pencil: "Drawn by hand, marks within {} mm, they are good to ±{1} % or better (${symbol}$ least).",
+    pencil: "By hand, marks within {} mm: good to ±{1} % or better (${symbol}$ least).",
     pencil_lost: "Drawn by hand, marks within {} mm: {1} cannot be read.",
     uncertain: "{}: not all digits are certain, {why}",
     by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",

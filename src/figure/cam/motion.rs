@@ -7,6 +7,7 @@ use super::super::place::LabelRequest;
 use super::super::plot::{Axis, Plot};
 use super::super::results::number;
 use super::super::style::Style;
+use super::super::text;
 use super::super::words::words;
 use super::{heading, words_at};
 use crate::cam::{Follower, Shock, Side, in_turn, round};
@@ -37,9 +38,12 @@ struct Kept {
 
 /// Draws the diagrams.
 pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
-    let width_mm = LEFT_MM + PLOT_MM[0] + RIGHT_MM;
     let height_mm = ABOVE_MM + 3.0 * PLOT_MM[1] + 2.0 * BETWEEN_MM + BELOW_MM;
     let title = heading(report.scene, tr(lang, "motion of the follower", "从动件运动线图"), lang);
+    // A long title stands on a paper as wide as it is.
+    let title_mm = text::set(&Label::text(title.as_str()).in_fonts(&style.fonts)).width_em * style.caption_mm * 4.0 / 3.0 + 2.0 * RIGHT_MM;
+    let width_mm = (LEFT_MM + PLOT_MM[0] + RIGHT_MM).max(title_mm);
+    let left = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let mut items = vec![words_at(
         "title",
         Point::new(width_mm / 2.0, height_mm - 9.0),
@@ -52,7 +56,7 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
     let mut said = Vec::new();
     for (k, kept) in panels(report).iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let frame = Rect::new(Point::new(LEFT_MM, top - PLOT_MM[1]), Point::new(LEFT_MM + PLOT_MM[0], top));
+        let frame = Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
         let mut plot = Plot::new(format!("cam-{}", kept.symbol), style, frame, [x.clone(), axis(report, kept)]);
         let below = (k == 2).then(|| Label::math("\\varphi,\\quad \\degree"));
         plot.axes(below, Label::math(format!("{},\\quad {}", kept.symbol, kept.unit)));
