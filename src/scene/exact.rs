@@ -195,7 +195,11 @@ mod tests {
                     assert!(off <= given.radius && given.radius <= 1e-14 * given.value.abs(), "{name}: {given:?} is off by {off:e}");
                     assert!(d.enclosure().unwrap().meets(&x.enclosure().unwrap()), "{name}: {given:?}");
                     // The law of a cam takes a dozen operations, a cosine as many; what a person writes else, two or three.
-                    let kept = if given.text.contains("cam1_") || given.text.contains("cos(") { 2e-28 } else { 1e-29 };
+                    let kept = if given.text.contains("cam1_") || given.text.contains("cos(") || given.text.contains("sin(") {
+                        2e-28
+                    } else {
+                        1e-29
+                    };
                     assert!(d.radius() <= kept * given.value.abs(), "{name}: {given:?} has a radius of {:e}", d.radius());
                     checked += 1;
                 };

@@ -3,6 +3,7 @@
 use super::files::{LANGS, WORKSHEETS, check_text, finish, golden};
 use super::pdf::{letters, read};
 use hodograph::accuracy::certify;
+use hodograph::digits::significant;
 use hodograph::figure::extent::{Rect, bounds};
 use hodograph::figure::item::{Item, Shape};
 use hodograph::mechanism::Level;
@@ -70,7 +71,13 @@ fn told(d: &Document) -> String {
 fn the_problem_side_tells_no_answer() {
     for t in templates::list() {
         let (scene, worked) = worked(t.name);
-        let given = templates::get(t.name).unwrap();
+        let mut given = templates::get(t.name).unwrap().to_owned();
+        // What a driver's law makes of the instant is given too.
+        for driver in &scene.drivers {
+            for value in [Some(&driver.rate), driver.acceleration.as_ref()].into_iter().flatten() {
+                given += &format!(" {}", significant(value.value.abs(), 4));
+            }
+        }
         for (lang, suffix) in LANGS {
             let d = document(&scene, &worked, lang, Sides::Problem);
             let text = told(&d);
