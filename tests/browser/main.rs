@@ -192,13 +192,7 @@ fn a_dragged_crank_shows_what_the_library_computes() {
                 let worst = shown[id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 // A vector about to vanish (below 0.05 mm it is a dot) is not followed between its last frame and none.
                 let length = (want[2] - want[0]).hypot(want[3] - want[1]);
-                let most = if length > 0.0 && length < 0.2 {
-                    0.1
-                } else if length < 1.0 {
-                    2e-2
-                } else {
-                    1e-2
-                };
+                let most = [(0.2, 0.1), (1.0, 2e-2)].iter().find(|m| length > 0.0 && length < m.0).map_or(1e-2, |m| m.1);
                 assert!(worst < most, "{name} at {degrees}°: {id} is off by {worst} mm: {:?} instead of {want:?}", shown[id]);
                 compared += 4;
             }
