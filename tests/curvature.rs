@@ -74,7 +74,7 @@ fn the_collineation_point_is_where_the_rod_crosses_the_ground() {
     let found = all(&template("crank-rocker", &[("l_AB", "100"), ("l_BC", "250"), ("l_CD", "200"), ("l_AD", "300"), ("phi_1", "60")]));
     let Drawing::Rays(rays) = &found.list[0].drawing else { panic!("two cranks are two rays") };
     let q = rays.collineation.unwrap().at().unwrap();
-    assert!(q.distance(Point::new(-0.12348702887402354484, 0.0)) < 1e-12, "{q:?}");
+    assert!(q.distance(Point::new(-0.123_487_028_874_023_54, 0.0)) < 1e-12, "{q:?}");
     assert!(rays.how.iter().all(|h| matches!(h, How::Collineation(_))));
 }
 

@@ -1,6 +1,6 @@
 //! Cognates and straight-line linkages against reference values, and cognates of random linkages against their own sweep.
 
-#![allow(clippy::excessive_precision)]
+#![allow(clippy::excessive_precision)] // The digits of the reference.
 use hodograph::synthesis::{Candidate, Design, read, solve};
 
 fn design(task: &str) -> Design {

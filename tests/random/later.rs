@@ -63,7 +63,7 @@ fn a_sound_drawing_keeps_the_conditions_of_opened_links() {
       "driver": {"link": "2", "omega": "OMEGA rad/s", "alpha": "ALPHA rad/s^2"}, "find": ["v_X", "a_X", "omega_5", "alpha_5"]}"#;
     let mut levels = [0, 0];
     for (omega, alpha) in [("5", "3"), ("0.02", "0"), ("-40", "900"), ("1", "-7")] {
-        let scene = scene::read(&base.replace("OMEGA", omega).replace("ALPHA", alpha)).unwrap().value;
+        let scene = scene::read(base.replace("OMEGA", omega).replace("ALPHA", alpha)).unwrap().value;
         let w = work(&scene, Scope::Figure).unwrap().value;
         for c in conditions(&scene, &w.mechanism, &w.configuration, &w.plan, &w.construction) {
             assert!(c.off_mm < 1e-9, "{omega} rad/s, {alpha} rad/s²: {c:?}");
