@@ -1,7 +1,7 @@
 //! Curvature (曲率): how the paths of a link's points bend at an instant, by drawing and by analysis, which know nothing of one another.
 //!
 //! [`drawing`] takes two rays with known centres ([`known`]) and finds pole, inflection pole and centres of curvature with the ruler alone
-//! (Bobillier, Euler–Savary); it needs no velocity. [`motion`] takes velocities, accelerations and third derivatives of the loop equations
+//! (Bobillier, Euler–Savary); it needs no velocity. [`mod@motion`] takes velocities, accelerations and third derivatives of the loop equations
 //! and finds the same, and what depends on the driver's rate: pole velocity, acceleration pole, Bresse's circle. [`centrodes`] are the
 //! paths of the pole in both planes. Any moving link is seen from any other.
 //!
