@@ -39,7 +39,7 @@ fn printed_flat_face_comes_from_its_equation() {
         ("flat-face-mistake-2", [0.01, -0.02 * 3_f64.sqrt() / 2.0], -10.0, 0.0, 4.0),
     ] {
         let (scene, worked, all) = all(name);
-        let a = all.iter().find(|a| a.site.mistake == Mistake::ContactPoint).expect("it is named");
+        let a = all.iter().find(|a| a.site.mistake() == Mistake::ContactPoint).expect("it is named");
         let [right, wrong] = answer(&scene, &worked, a, "alpha_3").map(scalar);
         // B in the origin, C 60 mm to the right, E on the rim under 60 degrees.
         let (e, c) = ([0.015, 0.03 * 3_f64.sqrt() / 2.0], [0.06, 0.0]);
@@ -66,7 +66,7 @@ fn printed_flat_face_comes_from_its_equation() {
 fn a_rocker_without_its_normal_part() {
     let (scene, worked, all) = all("crank-rocker");
     let link = scene.links.iter().position(|l| l.name == "3").unwrap();
-    let a = all.iter().find(|a| a.site.mistake == Mistake::NoNormal && a.site.link(&scene).unwrap().0 == link).unwrap();
+    let a = all.iter().find(|a| a.site.mistake() == Mistake::NoNormal && a.site.link(&scene).unwrap().0 == link).unwrap();
     let place = |n: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == n).unwrap()].unwrap();
     let (b, c, d) = (place("B"), place("C"), place("D"));
     let rate = |n: &str| {
@@ -87,7 +87,7 @@ fn a_rocker_without_its_normal_part() {
 #[test]
 fn coriolis_by_the_wrong_link() {
     let (scene, worked, all) = all("whitworth");
-    let of = |m: Mistake| all.iter().find(|a| a.site.mistake == m).unwrap();
+    let of = |m: Mistake| all.iter().find(|a| a.site.mistake() == m).unwrap();
     let find = scene.find.iter().position(|f| f.text == "omega_3").unwrap();
     let omega3 = scalar(worked.results.iter().find(|r| r.find == find).unwrap().value());
     let omega1 = scene.drivers[0].rate.value;
@@ -108,7 +108,7 @@ fn every_mistake_is_there() {
         assert!(all.len() <= offered, "{}", t.name);
         for a in &all {
             let told = format!("{} {:?}", t.name, a.site);
-            met.insert(a.site.mistake);
+            met.insert(a.site.mistake());
             let mu = |s: &hodograph::attempts::Stage| s.worked.construction.polygon(a.gap.level).unwrap().mu;
             assert_eq!(mu(&a.right).to_bits(), mu(&a.wrong).to_bits(), "{told}");
             assert!(!a.rows.is_empty() && a.gap.vector.norm() > 0.0, "{told}");

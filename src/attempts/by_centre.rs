@@ -1,7 +1,7 @@
 //! Accelerations from the instantaneous centre of velocity, as if it had no acceleration: the image of the link hung on the pole at that point.
 
 use super::rewrite::{crossing, replace_crossing};
-use super::{At, Shown, Side, Topology};
+use super::{Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::{ConstraintLine, Level};
 use crate::plan::{Body, By, Chain, Plan, Special, SpecialLine, Spot, Step, TermKind, Vertex, VertexId};
@@ -48,9 +48,9 @@ fn found(scene: &Scene, plan: &Plan, link: LinkId) -> Option<(usize, Found)> {
 }
 
 /// Each link between two points led about fixed pivots or in fixed guides.
-pub fn sites(t: &Topology) -> Vec<At> {
+pub fn sites(t: &Topology) -> Vec<Site> {
     let links = (0..t.scene.links.len()).map(LinkId).filter(|l| *l != t.scene.ground && !t.plan.rest.links[l.0]);
-    links.filter(|l| found(t.scene, t.plan, *l).is_some()).map(At::Link).collect()
+    links.filter(|l| found(t.scene, t.plan, *l).is_some()).map(Site::AccelerationByCentre).collect()
 }
 
 /// The plan in which the second end follows from the first by an image on the pole.

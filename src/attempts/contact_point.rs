@@ -4,7 +4,7 @@
 //! That is a mechanism of its own, and it is planned and drawn as one, in the same pose. Its velocities are right. In the accelerations the part of
 //! a_E3E2 along the normal is missing, for the profiles roll and slide past one another and the point of contact changes on both.
 
-use super::{At, Missing, Shown, Side, Stage, Topology};
+use super::{Missing, Shown, Side, Site, Stage, Topology};
 use crate::diag::{Both, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
@@ -19,11 +19,11 @@ use crate::worked::{Worked, work_placed};
 const DIGITS: usize = 4;
 
 /// Each cam that is a circle, with a follower that is a face or a round end: of an edge or a roller another point is named.
-pub fn sites(t: &Topology) -> Vec<At> {
+pub fn sites(t: &Topology) -> Vec<Site> {
     let offers = |c: &Cam| {
         c.circle.is_some() && c.contact.is_some() && c.cam != t.scene.ground && matches!(c.follows, Follows::Face(_) | Follows::Arc(..))
     };
-    t.scene.cams.iter().enumerate().filter(|(_, c)| offers(c)).map(|(k, _)| At::Cam(k)).collect()
+    t.scene.cams.iter().enumerate().filter(|(_, c)| offers(c)).map(|(k, _)| Site::ContactPoint(k)).collect()
 }
 
 /// The name of the point of contact: that of the scene, or E, or the next letter that is free.

@@ -1,7 +1,7 @@
 //! The Coriolis acceleration at a turning guide: left out, or with the angular velocity of another link.
 
 use super::rewrite::{known_terms, leave_out};
-use super::{At, Shown, Side, Topology};
+use super::{Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::plan::{Body, By, Plan, Term, TermKind};
@@ -24,19 +24,19 @@ fn guides(t: &Topology) -> Vec<GuideId> {
 }
 
 /// Each guide whose Coriolis acceleration stands in an equation.
-pub fn without(t: &Topology) -> Vec<At> {
-    guides(t).into_iter().map(At::Guide).collect()
+pub fn without(t: &Topology) -> Vec<Site> {
+    guides(t).into_iter().map(Site::NoCoriolis).collect()
 }
 
 /// Each such guide with a link that carries its runner, turns, and whose angular velocity is known by then.
-pub fn by_another(t: &Topology) -> Vec<At> {
+pub fn by_another(t: &Topology) -> Vec<Site> {
     let known = |l: &LinkId| t.plan.velocity.iter().flat_map(|g| &g.rates).any(|(b, _)| *b == Body::Link(*l));
     let mut all = Vec::new();
     for g in guides(t) {
         let guide = &t.scene.guides[g.0];
         let Some(pin) = guide.pin else { continue };
         let other = |l: &LinkId| *l != guide.on && Some(*l) != guide.slider && !t.mechanism.never_turns[l.0] && !t.plan.rest.links[l.0];
-        all.extend(t.scene.carriers(pin).filter(|l| other(l) && known(l)).map(|l| At::GuideBy(g, l)));
+        all.extend(t.scene.carriers(pin).filter(|l| other(l) && known(l)).map(|l| Site::CoriolisWrongOmega(g, l)));
     }
     all
 }

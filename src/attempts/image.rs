@@ -1,7 +1,7 @@
 //! An image built on points of two links: the triangle of points that belong to no one link keeps no shape.
 
 use super::rewrite::{each, steps};
-use super::{At, Shown, Side, Topology};
+use super::{Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::plan::{Plan, Spot, Step, VertexId};
@@ -11,12 +11,9 @@ use crate::scene::{LinkId, PointId, Scene};
 fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, LinkId, [VertexId; 2])> {
     let Step::Image { link, target, from } = step else { return None };
     let Spot::Point(point) = plan.vertex(*target).spot else { return None };
-    let pin_of = |v: VertexId| match plan.vertex(v) {
-        vertex if vertex.on.is_none() && !vertex.fixed => match vertex.spot {
-            Spot::Point(p) => Some(p),
-            Spot::Special(_) => None,
-        },
-        _ => None,
+    let pin_of = |v: VertexId| match plan.vertex(v).spot {
+        Spot::Point(p) => Some(p).filter(|_| plan.vertex(v).on.is_none() && !plan.vertex(v).fixed),
+        Spot::Special(_) => None,
     };
     [from.1, from.0].into_iter().find_map(|v| {
         let pin = pin_of(v)?;
@@ -30,13 +27,13 @@ fn across(scene: &Scene, plan: &Plan, step: &Step) -> Option<(PointId, LinkId, L
 }
 
 /// Each point of a link that is found by an image, and beside whose link another one with a fixed pivot hangs.
-pub fn sites(t: &Topology) -> Vec<At> {
-    let mut all: Vec<At> = Vec::new();
+pub fn sites(t: &Topology) -> Vec<Site> {
+    let mut all: Vec<Site> = Vec::new();
     for step in t.plan.velocity.iter().flat_map(each) {
         if let Some((p, own, other, _)) = across(t.scene, t.plan, step)
-            && !all.iter().any(|a| matches!(a, At::Image(q, l, _) if (*q, *l) == (p, own)))
+            && !all.iter().any(|a| matches!(a, Site::ImageAcrossLinks(q, l, _) if (*q, *l) == (p, own)))
         {
-            all.push(At::Image(p, own, other));
+            all.push(Site::ImageAcrossLinks(p, own, other));
         }
     }
     all

@@ -24,30 +24,23 @@ use crate::plan::Plan;
 use crate::scene::{Attempted, GuideId, LinkId, Mistake, PointId, RollingId, Scene};
 use crate::worked::Worked;
 
-/// Where a mistake is made.
+/// A mistake that the scene lets one make, with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum At {
-    /// At the pin of a guide.
-    Guide(GuideId),
-    /// At the pin of a guide, with the turning of another link than that which carries the guide.
-    GuideBy(GuideId, LinkId),
-    /// In the motion of a link.
-    Link(LinkId),
-    /// At the contact of a rolling pair.
-    Contact(RollingId),
-    /// At the contact of a cam (index into the scene's list).
-    Cam(usize),
-    /// At a point of the first link, found by an image on points of the second.
-    Image(PointId, LinkId, LinkId),
-}
-
-/// A mistake that the scene lets one make.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Site {
-    /// The mistake.
-    pub mistake: Mistake,
-    /// Where.
-    pub at: At,
+pub enum Site {
+    /// [`Mistake::ContactPoint`], of a cam (index into the scene's list).
+    ContactPoint(usize),
+    /// [`Mistake::NoCoriolis`], at the pin of a guide.
+    NoCoriolis(GuideId),
+    /// [`Mistake::CoriolisWrongOmega`], at the pin of a guide, with the turning of another link than that which carries the guide.
+    CoriolisWrongOmega(GuideId, LinkId),
+    /// [`Mistake::RollingPointAZero`], at the contact of a rolling pair.
+    RollingPointAZero(RollingId),
+    /// [`Mistake::ImageAcrossLinks`], at a point of the first link, found by an image on points of the second.
+    ImageAcrossLinks(PointId, LinkId, LinkId),
+    /// [`Mistake::NoNormal`], in the motion of a link.
+    NoNormal(LinkId),
+    /// [`Mistake::AccelerationByCentre`], in the motion of a link.
+    AccelerationByCentre(LinkId),
 }
 
 /// What sites are told from.
@@ -61,77 +54,76 @@ struct Topology<'a> {
 /// All mistakes that can be made with a scene's equations, in the order of [`Mistake::ALL`].
 pub fn sites(scene: &Scene, worked: &Worked) -> Vec<Site> {
     let t = Topology { scene, mechanism: &worked.mechanism, plan: &worked.plan };
-    let of = |mistake| {
-        let at = match mistake {
-            Mistake::ContactPoint => contact_point::sites(&t),
-            Mistake::NoCoriolis => coriolis::without(&t),
-            Mistake::CoriolisWrongOmega => coriolis::by_another(&t),
-            Mistake::RollingPointAZero => rolling_point::sites(&t),
-            Mistake::ImageAcrossLinks => image::sites(&t),
-            Mistake::NoNormal => normal::sites(&t),
-            Mistake::AccelerationByCentre => by_centre::sites(&t),
-        };
-        at.into_iter().map(move |at| Site { mistake, at })
+    let of = |mistake| match mistake {
+        Mistake::ContactPoint => contact_point::sites(&t),
+        Mistake::NoCoriolis => coriolis::without(&t),
+        Mistake::CoriolisWrongOmega => coriolis::by_another(&t),
+        Mistake::RollingPointAZero => rolling_point::sites(&t),
+        Mistake::ImageAcrossLinks => image::sites(&t),
+        Mistake::NoNormal => normal::sites(&t),
+        Mistake::AccelerationByCentre => by_centre::sites(&t),
     };
     Mistake::ALL.into_iter().flat_map(of).collect()
 }
 
 impl Site {
+    /// The mistake.
+    pub fn mistake(&self) -> Mistake {
+        match self {
+            Site::ContactPoint(_) => Mistake::ContactPoint,
+            Site::NoCoriolis(_) => Mistake::NoCoriolis,
+            Site::CoriolisWrongOmega(..) => Mistake::CoriolisWrongOmega,
+            Site::RollingPointAZero(_) => Mistake::RollingPointAZero,
+            Site::ImageAcrossLinks(..) => Mistake::ImageAcrossLinks,
+            Site::NoNormal(_) => Mistake::NoNormal,
+            Site::AccelerationByCentre(_) => Mistake::AccelerationByCentre,
+        }
+    }
+
     /// The point by which a scene names the site, if it has one.
     pub fn point(&self, scene: &Scene) -> Option<String> {
         let name = |p: PointId| scene.point_name(p).to_owned();
-        match self.at {
-            At::Guide(g) | At::GuideBy(g, _) => scene.guides[g.0].pin.map(name),
-            At::Link(_) => None,
-            At::Contact(r) => Some(name(scene.rolling[r.0].at)),
-            At::Cam(c) => Some(contact_point::name(scene, c)),
-            At::Image(p, ..) => Some(name(p)),
+        match *self {
+            Site::NoCoriolis(g) | Site::CoriolisWrongOmega(g, _) => scene.guides[g.0].pin.map(name),
+            Site::NoNormal(_) | Site::AccelerationByCentre(_) => None,
+            Site::RollingPointAZero(r) => Some(name(scene.rolling[r.0].at)),
+            Site::ContactPoint(c) => Some(contact_point::name(scene, c)),
+            Site::ImageAcrossLinks(p, ..) => Some(name(p)),
         }
     }
 
     /// The link by which a scene names the site.
     pub fn link(&self, scene: &Scene) -> Option<LinkId> {
-        match self.at {
-            At::Guide(g) => Some(scene.guides[g.0].on),
-            At::GuideBy(_, l) | At::Link(l) | At::Image(_, l, _) => Some(l),
-            At::Contact(r) => scene.rolling[r.0].links.into_iter().find(|l| *l != scene.ground),
-            At::Cam(c) => Some(scene.cams[c].follower),
+        match *self {
+            Site::NoCoriolis(g) => Some(scene.guides[g.0].on),
+            Site::CoriolisWrongOmega(_, l) | Site::NoNormal(l) | Site::AccelerationByCentre(l) | Site::ImageAcrossLinks(_, l, _) => Some(l),
+            Site::RollingPointAZero(r) => scene.rolling[r.0].links.into_iter().find(|l| *l != scene.ground),
+            Site::ContactPoint(c) => Some(scene.cams[c].follower),
         }
     }
 
     /// Where it is, in words: `at B`, `of link 3`.
     pub fn place(&self, scene: &Scene) -> Both {
-        match (self.point(scene), self.at) {
-            (_, At::GuideBy(g, l)) => {
-                let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
-                both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l))
-            }
-            (Some(point), _) => both!("at {point}", "{point} 处"),
-            (None, _) => both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l))),
+        if let Site::CoriolisWrongOmega(g, l) = *self {
+            let point = scene.guides[g.0].pin.map_or("", |p| scene.point_name(p));
+            return both!("at {point}, with ω of link {}", "{point} 处，用构件 {} 的角速度", scene.link_name(l));
+        }
+        match self.point(scene) {
+            Some(point) => both!("at {point}", "{point} 处"),
+            None => both!("of link {}", "构件 {}", self.link(scene).map_or("", |l| scene.link_name(l))),
         }
     }
 
     /// Why it is wrong.
     pub fn why(&self, scene: &Scene) -> Both {
-        match (self.mistake, self.at) {
-            (Mistake::ContactPoint, At::Cam(c)) => contact_point::why(scene, c),
-            (Mistake::NoCoriolis, At::Guide(g)) => coriolis::why_needed(scene, g),
-            (Mistake::CoriolisWrongOmega, At::GuideBy(g, l)) => coriolis::why_of_carrier(scene, g, l),
-            (Mistake::RollingPointAZero, At::Contact(r)) => rolling_point::why(scene, r),
-            (Mistake::ImageAcrossLinks, At::Image(p, own, other)) => image::why(scene, p, own, other),
-            (Mistake::NoNormal, At::Link(l)) => normal::why(scene, l),
-            (Mistake::AccelerationByCentre, At::Link(l)) => by_centre::why(scene, l),
-            // `sites` makes no other pairs.
-            (
-                Mistake::ContactPoint
-                | Mistake::NoCoriolis
-                | Mistake::CoriolisWrongOmega
-                | Mistake::RollingPointAZero
-                | Mistake::ImageAcrossLinks
-                | Mistake::NoNormal
-                | Mistake::AccelerationByCentre,
-                At::Guide(_) | At::GuideBy(..) | At::Link(_) | At::Contact(_) | At::Cam(_) | At::Image(..),
-            ) => Both::default(),
+        match *self {
+            Site::ContactPoint(c) => contact_point::why(scene, c),
+            Site::NoCoriolis(g) => coriolis::why_needed(scene, g),
+            Site::CoriolisWrongOmega(g, l) => coriolis::why_of_carrier(scene, g, l),
+            Site::RollingPointAZero(r) => rolling_point::why(scene, r),
+            Site::ImageAcrossLinks(p, own, other) => image::why(scene, p, own, other),
+            Site::NoNormal(l) => normal::why(scene, l),
+            Site::AccelerationByCentre(l) => by_centre::why(scene, l),
         }
     }
 }
@@ -143,7 +135,7 @@ impl Site {
 pub fn named<'a>(scene: &'a Scene, all: &[Site]) -> (Vec<(Site, &'a Attempted)>, Vec<Diagnostic>) {
     let (mut found, mut faults) = (Vec::new(), Vec::new());
     for attempt in &scene.attempts {
-        let offered: Vec<Site> = all.iter().copied().filter(|s| s.mistake == attempt.mistake).collect();
+        let offered: Vec<Site> = all.iter().copied().filter(|s| s.mistake() == attempt.mistake).collect();
         let fits = |s: &&Site| {
             let point = attempt.pair.as_ref().is_none_or(|p| s.point(scene).as_ref() == Some(p));
             point && attempt.link.is_none_or(|l| s.link(scene) == Some(l))
@@ -204,7 +196,7 @@ pub fn wanted(scene: &Scene, worked: &Worked, typical: bool) -> Result<Vec<Attem
 const MOST: usize = 40;
 
 fn nothing(site: &Site, said: &Attempted) -> Diagnostic {
-    let name = site.mistake.name();
+    let name = site.mistake().name();
     Diagnostic::error(
         "attempt",
         both!("`{name}` changes nothing in this pose, or cannot be drawn", "在该位置错误 `{name}` 不改变结果，或无法作图"),

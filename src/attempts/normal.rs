@@ -1,7 +1,7 @@
 //! The normal acceleration of a link left out of a crossing.
 
 use super::rewrite::{known_terms, leave_out};
-use super::{At, Shown, Side, Topology};
+use super::{Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::plan::{Body, By, Plan, Term, TermKind};
@@ -12,14 +12,14 @@ fn is_of(link: LinkId) -> impl Fn(&Term) -> bool {
 }
 
 /// Each link whose normal acceleration is laid off before two lines cross.
-pub fn sites(t: &Topology) -> Vec<At> {
-    let mut all: Vec<At> = Vec::new();
+pub fn sites(t: &Topology) -> Vec<Site> {
+    let mut all: Vec<Site> = Vec::new();
     for term in known_terms(t, true).filter(|term| term.kind == TermKind::Normal) {
         if let By::Turning(Body::Link(l)) = term.by
             && !t.plan.rest.links[l.0]
-            && !all.contains(&At::Link(l))
+            && !all.contains(&Site::NoNormal(l))
         {
-            all.push(At::Link(l));
+            all.push(Site::NoNormal(l));
         }
     }
     all

@@ -1,7 +1,7 @@
 //! The touching point of a rolling wheel taken to have no acceleration against its track.
 
 use super::rewrite::{crossing, replace_crossing};
-use super::{At, Shown, Side, Topology};
+use super::{Shown, Side, Site, Topology};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
 use crate::plan::{By, Chain, Method, Plan, Step, Term, TermKind, VertexId};
@@ -18,9 +18,9 @@ fn found(plan: &Plan, pair: RollingId) -> Option<(usize, (VertexId, Term))> {
 }
 
 /// Each contact whose point is found by its normal.
-pub fn sites(t: &Topology) -> Vec<At> {
+pub fn sites(t: &Topology) -> Vec<Site> {
     let pairs = (0..t.scene.rolling.len()).map(RollingId);
-    pairs.filter(|r| found(t.plan, *r).is_some()).map(At::Contact).collect()
+    pairs.filter(|r| found(t.plan, *r).is_some()).map(Site::RollingPointAZero).collect()
 }
 
 /// The plan in which that point has the acceleration of the track.

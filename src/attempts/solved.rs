@@ -1,6 +1,6 @@
 //! A wrong solution drawn beside the right one, and what they give.
 
-use super::{At, Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
+use super::{Shown, Side, Site, by_centre, contact_point, coriolis, image, normal, rolling_point};
 use crate::answer::Value;
 use crate::construct::pencil::Exact;
 use crate::construct::{Layout, Polygon, by_hand, read, scale};
@@ -8,7 +8,7 @@ use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{ConstraintLine, Level};
 use crate::plan::{Plan, Special, SpecialLine, Spot, VertexId};
 use crate::position::{Configuration, Path};
-use crate::scene::{Attempted, Given, Mistake, Scene};
+use crate::scene::{Attempted, Given, Scene};
 use crate::worked::Worked;
 
 /// What is drawn of a solution.
@@ -145,27 +145,17 @@ enum Changed {
 fn changed(scene: &Scene, worked: &Worked, site: &Site) -> Option<Changed> {
     let plan = &worked.plan;
     let of_plan = |(plan, shown)| Changed::Plan(Box::new(plan), shown);
-    match (site.mistake, site.at) {
-        (Mistake::NoCoriolis, At::Guide(g)) => coriolis::left_out(plan, g).map(of_plan),
-        (Mistake::CoriolisWrongOmega, At::GuideBy(g, l)) => coriolis::turned_by(plan, g, l).map(of_plan),
-        (Mistake::RollingPointAZero, At::Contact(r)) => rolling_point::as_track(plan, r).map(of_plan),
-        (Mistake::ImageAcrossLinks, At::Image(p, ..)) => image::on_points_of(scene, plan, p).map(of_plan),
-        (Mistake::NoNormal, At::Link(l)) => normal::left_out(plan, l).map(of_plan),
-        (Mistake::AccelerationByCentre, At::Link(l)) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
-        (Mistake::ContactPoint, At::Cam(c)) => {
+    match *site {
+        Site::NoCoriolis(g) => coriolis::left_out(plan, g).map(of_plan),
+        Site::CoriolisWrongOmega(g, l) => coriolis::turned_by(plan, g, l).map(of_plan),
+        Site::RollingPointAZero(r) => rolling_point::as_track(plan, r).map(of_plan),
+        Site::ImageAcrossLinks(p, ..) => image::on_points_of(scene, plan, p).map(of_plan),
+        Site::NoNormal(l) => normal::left_out(plan, l).map(of_plan),
+        Site::AccelerationByCentre(l) => by_centre::hung_on_pole(scene, plan, l).map(of_plan),
+        Site::ContactPoint(c) => {
             let (right, wrong, shown) = contact_point::slid(scene, &worked.configuration, c)?;
             Some(Changed::Mechanism(Box::new((right, wrong)), shown))
         }
-        (
-            Mistake::ContactPoint
-            | Mistake::NoCoriolis
-            | Mistake::CoriolisWrongOmega
-            | Mistake::RollingPointAZero
-            | Mistake::ImageAcrossLinks
-            | Mistake::NoNormal
-            | Mistake::AccelerationByCentre,
-            At::Guide(_) | At::GuideBy(..) | At::Link(_) | At::Contact(_) | At::Cam(_) | At::Image(..),
-        ) => None,
     }
 }
 

@@ -29,7 +29,7 @@ pub fn run(a: args::Worksheet) -> Run {
         None => worksheet(&input.scene, &worked, &options),
         Some(name) => {
             let all = attempts::wanted(&input.scene, &worked, false).map_err(|f| input.failed(f))?;
-            let wanted = all.iter().find(|a| name.is_empty() || a.site.mistake.name() == name.as_str());
+            let wanted = all.iter().find(|a| name.is_empty() || a.site.mistake().name() == name.as_str());
             let Some(attempt) = wanted else { return Err(input.failed(none(name).into())) };
             find_the_mistake(&input.scene, &worked, attempt, &options)
         }

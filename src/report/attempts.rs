@@ -56,7 +56,7 @@ impl Words<'_> {
 
     /// The mistake and its place.
     pub fn heading(&self, a: &Attempt) -> String {
-        let title = a.site.mistake.title(self.lang);
+        let title = a.site.mistake().title(self.lang);
         let place = a.site.place(self.scene);
         match self.lang {
             Lang::En => format!("{title}, {}", place.en),
@@ -252,7 +252,7 @@ pub fn text(words: &Words, all: &[Attempt]) -> String {
     }
     for (k, a) in all.iter().enumerate() {
         lines.push(String::new());
-        lines.push(format!("({}) {}  [{}]", k + 1, words.heading(a), a.site.mistake.name()));
+        lines.push(format!("({}) {}  [{}]", k + 1, words.heading(a), a.site.mistake().name()));
         if let Some(columns) = words.equation(a) {
             let part = |f: &Framed| {
                 let symbol = super::phrase::formula(&f.column.symbol);
@@ -290,7 +290,7 @@ pub fn json(words: &Words, all: &[Attempt]) -> Json {
             .equation(a)
             .map(|all| all.iter().filter(|f| f.framed).map(|f| super::phrase::formula(&f.column.symbol)).collect::<Vec<_>>());
         json!({
-            "mistake": a.site.mistake.name(),
+            "mistake": a.site.mistake().name(),
             "pair": a.site.point(words.scene),
             "link": a.site.link(words.scene).map(|l| words.scene.link_name(l)),
             "level": if a.gap.level == Level::Acceleration { "acceleration" } else { "velocity" },

@@ -40,7 +40,7 @@ fn lines(r: &Read) -> Vec<Line> {
     let right = r.worked.results.iter().map(|o| line(&r.scene.find[o.find], None, o.value()));
     let wrong = r.attempts.iter().flat_map(|a| {
         let row = |row: &crate::attempts::Row| {
-            Some(line(&r.scene.find[r.worked.results[row.result].find], Some(a.site.mistake.name()), row.wrong?))
+            Some(line(&r.scene.find[r.worked.results[row.result].find], Some(a.site.mistake().name()), row.wrong?))
         };
         a.rows.iter().filter_map(row).collect::<Vec<_>>()
     });

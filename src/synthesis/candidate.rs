@@ -83,6 +83,24 @@ pub struct Draft {
     pub remarks: Vec<Diagnostic>,
 }
 
+impl Draft {
+    /// A design that meets its wish exactly, in any order, of which nothing else is demanded.
+    pub fn new(which: Both, scene: Json, numbers: Vec<Number>, wanted: Vec<Wanted>) -> Draft {
+        Draft {
+            which,
+            scene,
+            numbers,
+            wanted,
+            demands: Vec::new(),
+            ordered: false,
+            error: 0.0,
+            targets: Vec::new(),
+            deviation: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+}
+
 /// A design with what its finished scene does.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {

@@ -224,18 +224,7 @@ impl Task {
         let mut numbers = named_lengths(linkage.lengths());
         numbers.push(Number::length("BE", both!("from B to the coupler point", "B 到连杆上 E 点"), linkage.b.distance(self.cognates.e)));
         numbers.push(Number::length("CE", both!("from C to the coupler point", "C 到连杆上 E 点"), linkage.c.distance(self.cognates.e)));
-        Draft {
-            which,
-            scene: linkage.scene(heading),
-            numbers,
-            wanted: wanted.collect(),
-            demands: Vec::new(),
-            ordered: false,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks: Vec::new(),
-        }
+        Draft::new(which, linkage.scene(heading), numbers, wanted.collect())
     }
 }
 

@@ -160,18 +160,7 @@ impl Wish for Press {
         let driver = wanted.first().map_or(0.0, |w| w.driver);
         let scene = self.scene([ab, bc, cd, de], driver, &rough, heading);
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
-        let draft = Draft {
-            which: both!("the only solution", "唯一解"),
-            scene,
-            numbers,
-            wanted,
-            demands,
-            ordered: false,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks: Vec::new(),
-        };
+        let draft = Draft { demands, ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted) };
         Ok(Found { drafts: vec![draft], ..Found::default() })
     }
 

@@ -284,18 +284,7 @@ impl Wish for Task {
         } else {
             both!("nearly straight", "近似直线")
         };
-        let draft = Draft {
-            which,
-            scene: made.scene,
-            numbers,
-            wanted: made.wanted,
-            demands: Vec::new(),
-            ordered: false,
-            error: measured.deviation,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks: Vec::new(),
-        };
+        let draft = Draft { error: measured.deviation, ..Draft::new(which, made.scene, numbers, made.wanted) };
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
 

@@ -40,7 +40,7 @@ impl Draft<'_> {
         }
         match (self.guide(g), self.point(joint)) {
             (Some(Path::Line { through, direction }), Some(at)) => (at - through).cross(direction).abs() < super::SAME_MM,
-            _ => false,
+            (Some(Path::Arc { .. }), _) | (None, _) | (_, None) => false,
         }
     }
 

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::construct::{Action, Polygon, scale};
+use crate::construct::{Action, Mark, Polygon, scale};
 use crate::figure::drawing::Part;
 use crate::figure::item::Colour;
 use crate::figure::style::Style;
@@ -82,8 +82,8 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
                 of.get(target).copied()
             }
             Action::LayOff(e) => match p.edges[*e].to.0 {
-                crate::construct::Mark::Image(v) => of.get(&v).copied(),
-                _ => None,
+                Mark::Image(v) => of.get(&v).copied(),
+                Mark::Pole | Mark::Part(_) | Mark::Again(_) => None,
             },
             Action::Nothing { .. } | Action::Line { .. } | Action::Join(_) | Action::Perpendicular { .. } | Action::Rate(_) => None,
         })

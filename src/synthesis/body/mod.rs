@@ -301,18 +301,7 @@ impl Body {
             2 | 3 => both!("crank at A", "以 A 处构件为原动件"),
             _ => both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1),
         };
-        Draft {
-            which,
-            scene: four.scene(heading),
-            numbers,
-            wanted,
-            demands: Vec::new(),
-            ordered: true,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks: remarks(&four),
-        }
+        Draft { ordered: true, remarks: remarks(&four), ..Draft::new(which, four.scene(heading), numbers, wanted) }
     }
 }
 

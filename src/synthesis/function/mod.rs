@@ -385,16 +385,11 @@ impl Function {
             remarks.push(Diagnostic::note("turned-arm", message));
         }
         Some(Draft {
-            which: which.clone(),
-            scene: four.scene(heading),
-            numbers,
-            wanted,
-            demands: Vec::new(),
             ordered: true,
             error: if exact { 0.0 } else { missed },
-            targets: Vec::new(),
             deviation: self.sampled(&g),
             remarks,
+            ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)
         })
     }
 

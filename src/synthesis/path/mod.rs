@@ -183,18 +183,7 @@ fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left:
         b.iter().enumerate().map(|(k, b)| Number::angle(&format!("crank_{}", k + 1), both!("crank angle", "曲柄转角"), (*b - a).angle())),
     );
     let which = if left { both!("B left of AE", "B 在 AE 左侧") } else { both!("B right of AE", "B 在 AE 右侧") };
-    Ok(Draft {
-        which,
-        scene: four.scene(heading),
-        numbers,
-        wanted,
-        demands: Vec::new(),
-        ordered: true,
-        error: 0.0,
-        targets: Vec::new(),
-        deviation: Vec::new(),
-        remarks: Vec::new(),
-    })
+    Ok(Draft { ordered: true, ..Draft::new(which, four.scene(heading), numbers, wanted) })
 }
 
 /// A linkage of the search: what it really does is wanted of its scene, how far that is from the places is told.
@@ -219,16 +208,5 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
     numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
     let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));
-    Some(Draft {
-        which,
-        scene: four.scene(heading),
-        numbers,
-        wanted,
-        demands: Vec::new(),
-        ordered: true,
-        error: fit.rms,
-        targets: points.to_vec(),
-        deviation: Vec::new(),
-        remarks: Vec::new(),
-    })
+    Some(Draft { ordered: true, error: fit.rms, targets: points.to_vec(), ..Draft::new(which, four.scene(heading), numbers, wanted) })
 }

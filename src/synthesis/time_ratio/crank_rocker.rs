@@ -298,18 +298,7 @@ impl CrankRocker {
         numbers.push(Number::ratio("K", both!("time ratio", "行程速度变化系数"), self.ratio.k));
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(swing)];
         let remarks = vec![super::slow_stroke(limit(0).0, limit(1).0, heading.omega)];
-        Draft {
-            which: l.which.clone(),
-            scene: four.scene(heading),
-            numbers,
-            wanted: wanted.into(),
-            demands,
-            ordered: false,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks,
-        }
+        Draft { demands, remarks, ..Draft::new(l.which.clone(), four.scene(heading), numbers, wanted.into()) }
     }
 }
 

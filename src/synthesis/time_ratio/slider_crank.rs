@@ -169,16 +169,9 @@ impl SliderCrank {
         let slow = super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega);
         let driver = wanted[0].driver;
         Draft {
-            which: both!("the only solution", "唯一解"),
-            scene: scene([a, b, e], driver, at(b + a), heading),
-            numbers,
-            wanted: wanted.into(),
             demands,
-            ordered: false,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
             remarks: vec![slow],
+            ..Draft::new(both!("the only solution", "唯一解"), scene([a, b, e], driver, at(b + a), heading), numbers, wanted.into())
         }
     }
 }

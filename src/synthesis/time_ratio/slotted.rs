@@ -173,18 +173,7 @@ impl Slotted {
     fn draft(&self, scene: Map<String, Json>, numbers: Vec<Number>, wanted: Vec<Wanted>, stroke: f64, heading: &Heading) -> Draft {
         let remarks = vec![super::slow_stroke(wanted[0].driver, wanted[1].driver, heading.omega)];
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(self.ratio.k), Demand::Stroke(stroke)];
-        Draft {
-            which: both!("the only solution", "唯一解"),
-            scene: Json::Object(scene),
-            numbers,
-            wanted,
-            demands,
-            ordered: false,
-            error: 0.0,
-            targets: Vec::new(),
-            deviation: Vec::new(),
-            remarks,
-        }
+        Draft { demands, remarks, ..Draft::new(both!("the only solution", "唯一解"), Json::Object(scene), numbers, wanted) }
     }
 
     fn lever(&self, lever: Option<f64>, heading: &Heading) -> Draft {
