@@ -77,6 +77,17 @@
 //! - [`cli`]: the only room that prints, reads arguments or touches files.
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
+//! # Crates
+//! The rooms up to the loop equations are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
+//! that drawing and analysis know one another. The others stand in the root package, which hands on all that a user needs.
+//! ```text
+//! base       diag json digits trig number geom
+//! scene      cam scene
+//! mechanism  mechanism position answer motion
+//! board      plan construct
+//! analytic   analytic
+//! ```
+//!
 //! # Who may import whom
 //! Rooms from the bottom up, each with the rooms that it imports. A star marks an import from further up: circles that are left, and
 //! that shall go. `tests/tidy.rs` compares the table with the imports of all files.
@@ -127,37 +138,30 @@
 // The map names private rooms too; `cargo doc --document-private-items` follows those links.
 #![allow(rustdoc::private_intra_doc_links)]
 
+pub use hodograph_analytic::analytic;
+pub use hodograph_base::{diag, digits, geom, number, trig};
+pub use hodograph_board::{construct, plan};
+pub use hodograph_mechanism::{answer, mechanism, motion, position};
+pub use hodograph_scene::{cam, scene};
+
+use hodograph_base::json;
+
 pub mod accuracy;
-pub mod analytic;
-pub mod answer;
 pub mod attempts;
-pub mod cam;
 pub mod centres;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod composite;
-pub mod construct;
 pub mod curvature;
-pub mod diag;
-pub mod digits;
 pub mod effort;
 pub mod figure;
 pub mod gears;
-pub mod geom;
 pub mod inversions;
-mod json;
 pub mod lesson;
-pub mod mechanism;
-pub mod motion;
-pub mod number;
-pub mod plan;
-pub mod position;
 pub mod render;
 pub mod report;
-pub mod scene;
 pub mod sweep;
 pub mod synthesis;
 pub mod trains;
-pub mod trig;
 pub mod worked;
 pub mod worksheet;

@@ -5,6 +5,8 @@
 
 mod far;
 mod higher;
+#[cfg(test)]
+mod tests;
 
 pub use far::{Far, Unanswered};
 

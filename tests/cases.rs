@@ -246,7 +246,8 @@ fn the_list_of_cases_is_true() {
     }
     // Tests of cases without a file.
     let page = read("docs/cases.md");
-    let sweeps = ["tests/sweep.rs", "tests/centres.rs", "src/cam/tests.rs", "src/cam/law/mod.rs"].map(read).concat();
+    let sweeps =
+        ["tests/sweep.rs", "tests/centres.rs", "crates/scene/src/cam/tests.rs", "crates/scene/src/cam/law/mod.rs"].map(read).concat();
     let mut faults = Vec::new();
     let (mut tested, mut all) = (0, 0);
     let (first, second) = page.split_once("\n## ").expect("two collections");

@@ -45,13 +45,13 @@ const PLATFORM_FUNCTIONS: &[&str] = &[
 /// Where a method may bear such a name, and why. The room `number` wraps `libm`; in the others the method is that of
 /// the traits of `number`, which `f64` answers by `libm`. Clippy (`clippy.toml`), which knows types, has no exceptions.
 const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
-    ("src/number/", "defines the functions of each kind of number, by libm where it is f64"),
-    ("src/geom.rs", "vectors of any kind of number"),
-    ("src/scene/eval.rs", "expressions in any kind of number"),
-    ("src/scene/exact.rs", "given values in any kind of number"),
-    ("src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
-    ("src/position/rolling.rs", "phases in any kind of number; `sin_cos` of the inputs"),
-    ("src/position/shape.rs", "shapes of links in any kind of number; `sin_cos` of the inputs"),
+    ("crates/base/src/number/", "defines the functions of each kind of number, by libm where it is f64"),
+    ("crates/base/src/geom.rs", "vectors of any kind of number"),
+    ("crates/scene/src/scene/eval.rs", "expressions in any kind of number"),
+    ("crates/scene/src/scene/exact.rs", "given values in any kind of number"),
+    ("crates/mechanism/src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
+    ("crates/mechanism/src/position/rolling.rs", "phases in any kind of number; `sin_cos` of the inputs"),
+    ("crates/mechanism/src/position/shape.rs", "shapes of links in any kind of number; `sin_cos` of the inputs"),
     ("src/accuracy/truth.rs", "differences in longer numbers"),
     ("src/accuracy/ladder.rs", "directions in intervals"),
     ("src/accuracy/steps.rs", "angles of crossings in intervals"),
@@ -83,10 +83,15 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(String, String)> {
     found.iter().map(|p| (name(p), std::fs::read_to_string(p).unwrap())).collect()
 }
 
-/// The library's files without their tests and comments: lines keep their numbers. `main.rs` and `lib.rs` belong to no room.
+/// Files of the root package and of all crates under it.
+fn sources(endings: &[&str]) -> Vec<(String, String)> {
+    [files("src", endings), files("crates", endings)].concat()
+}
+
+/// The libraries' files without their tests and comments: lines keep their numbers. `main.rs` and `lib.rs` belong to no room.
 fn code() -> Vec<(String, String)> {
-    let library = files("src", &["rs"]).into_iter().filter(|(name, _)| {
-        !name.ends_with("/tests.rs") && !name.contains("/tests/") && !["src/main.rs", "src/lib.rs"].contains(&name.as_str())
+    let library = sources(&["rs"]).into_iter().filter(|(name, _)| {
+        !name.ends_with("/tests.rs") && !name.contains("/tests/") && !["src/main.rs", "src/lib.rs"].iter().any(|top| name.ends_with(top))
     });
     let bare = |text: String| {
         let end = text.match_indices("#[cfg(test)]\nmod ").find(|(i, _)| text[*i..].lines().nth(1).is_some_and(|l| l.ends_with('{')));
@@ -114,15 +119,20 @@ fn words(line: &str) -> impl Iterator<Item = (&str, &str, &str)> {
     starts.map(|i| (&line[..i], word(&line[i..]), &line[i + word(&line[i..]).len()..]))
 }
 
-/// The room of a file: `src/room/...` or `src/room.rs`.
+/// A file's place in its crate: `src/room/...` or `src/room.rs` of the root package, `crates/crate/src/room/...` of another.
+fn in_crate(file: &str) -> &str {
+    file.split_once("src/").expect("a file of a library").1
+}
+
+/// The room of a file.
 fn room_of(file: &str) -> &str {
-    word(file.strip_prefix("src/").expect("a file of the library"))
+    word(in_crate(file))
 }
 
 /// The rooms that follow `crate::`, or as many `super::` as lead to the crate's root; in braces there are several.
 fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     // A room's own file stands one step under the root.
-    let depth = file.matches('/').count() - usize::from(file.ends_with("/mod.rs"));
+    let depth = 1 + in_crate(file).matches('/').count() - usize::from(file.ends_with("/mod.rs"));
     let to_root = "super::".repeat(depth);
     let mut found = Vec::new();
     for door in ["crate::", to_root.as_str()] {
@@ -155,11 +165,19 @@ fn imports(file: &str, code: &str) -> Vec<(usize, String)> {
     found
 }
 
-/// The modules that `src/lib.rs` declares.
+/// The modules that each crate's `src/lib.rs` declares, by the crate's folder; that of the root package is `.`.
+fn crates() -> BTreeMap<String, BTreeSet<String>> {
+    let mut all = BTreeMap::new();
+    for (name, text) in sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs")) {
+        let folder = name.strip_suffix("/src/lib.rs").and_then(|n| n.strip_prefix("crates/")).unwrap_or(".").to_owned();
+        let declared = text.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
+        all.insert(folder, declared.map(|l| l.trim_end_matches(';').to_owned()).collect());
+    }
+    all
+}
+
 fn rooms() -> BTreeSet<String> {
-    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
-    let declared = lib.lines().filter_map(|l| l.strip_prefix("pub mod ").or(l.strip_prefix("mod ")));
-    declared.map(|l| l.trim_end_matches(';').to_owned()).collect()
+    crates().into_values().flatten().collect()
 }
 
 /// The part of the crate's documentation under a heading.
@@ -190,7 +208,7 @@ fn finish(faults: &[String], law: &str) {
 /// A kind of leg is told from the others where it is made and where it is said what it gives; every room asks that.
 #[test]
 fn kinds_of_leg_are_told_apart_in_one_file() {
-    const TOLD: [&str; 2] = ["src/mechanism/groups.rs", "src/mechanism/leg.rs"];
+    const TOLD: [&str; 2] = ["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"];
     let mut faults = Vec::new();
     let mut seen = 0;
     for (name, code) in code() {
@@ -207,7 +225,7 @@ fn kinds_of_leg_are_told_apart_in_one_file() {
         }
     }
     assert!(seen > 0, "no kind of leg was found in {TOLD:?}: the test looks for the wrong thing");
-    finish(&faults, "A new kind of leg is one arm in src/mechanism/leg.rs.");
+    finish(&faults, "A new kind of leg is one arm in crates/mechanism/src/mechanism/leg.rs.");
 }
 
 #[test]
@@ -219,7 +237,7 @@ fn imports_are_those_of_the_map() {
         let room = room_of(&file);
         for (line, other) in imports(&file, &text) {
             if !rooms.contains(&other) {
-                faults.push(format!("{file}:{line}: {other} is no room of src/lib.rs; import from the room that has it"));
+                faults.push(format!("{file}:{line}: {other} is no room of any crate; import from the room that has it"));
             } else if other != room {
                 actual.entry((room.to_owned(), other)).or_insert_with(|| format!("{file}:{line}"));
             }
@@ -267,7 +285,22 @@ fn the_map_lists_every_room() {
     assert_eq!(names.len(), in_table.len(), "a room stands in the table twice: {names:?}");
     faults.extend(rooms.difference(&in_table).map(|r| format!("{r} has no row in the table of imports")));
     faults.extend(in_table.difference(&rooms).map(|r| format!("the table of imports has a row for {r}, which is no room")));
-    finish(&faults, "The crate's documentation in src/lib.rs lists every room that it declares.");
+    finish(&faults, "The crate's documentation in src/lib.rs lists every room that it and the crates under it declare.");
+}
+
+/// Cargo forbids a crate what it does not name; which rooms share one is the map's.
+#[test]
+fn crates_hold_the_rooms_that_the_map_says() {
+    let chapter = chapter("# Crates");
+    let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
+    let row = |line: &str| {
+        let mut words = line.split_whitespace().map(str::to_owned);
+        (words.next().expect("a crate"), words.collect::<BTreeSet<_>>())
+    };
+    let told: BTreeMap<_, _> = block.lines().map(row).collect();
+    let mut crates = crates();
+    crates.remove(".");
+    assert_eq!(told, crates);
 }
 
 #[test]
@@ -297,18 +330,21 @@ fn no_function_of_the_platform_decides_a_bit() {
 #[test]
 fn clippy_is_told_of_the_same_functions() {
     let told = std::fs::read_to_string(root().join("clippy.toml")).unwrap();
-    let lib = std::fs::read_to_string(root().join("src/lib.rs")).unwrap();
     for f in PLATFORM_FUNCTIONS {
         assert!(told.contains(&format!("\"f64::{f}\"")), "clippy.toml does not disallow f64::{f}");
     }
-    assert!(lib.contains("#![cfg_attr(not(test), warn(clippy::disallowed_methods))]"), "src/lib.rs does not turn the lint on");
+    for (name, lib) in sources(&["rs"]).into_iter().filter(|(name, _)| name.ends_with("src/lib.rs")) {
+        for said in ["#![forbid(unsafe_code)]", "#![warn(missing_docs)]", "#![cfg_attr(not(test), warn(clippy::disallowed_methods))]"] {
+            assert!(lib.contains(said), "{name} lacks {said}");
+        }
+    }
 }
 
 #[test]
 fn files_are_short_enough_to_be_overseen() {
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
-    for folder in ["src", "tests", "benches"] {
+    for folder in ["src", "crates", "tests", "benches"] {
         for (file, text) in files(folder, &["rs", "js", "css"]) {
             let lines = text.lines().count();
             match LONG_FILES.iter().find(|(name, _)| *name == file) {
@@ -362,7 +398,7 @@ fn what_is_said_in_english_is_said_in_chinese() {
     };
     let chinese = |text: &str| text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
     let (mut seen, mut faults) = (0, Vec::new());
-    for (file, text) in files("src", &["rs"]).into_iter().filter(|(file, _)| file != "src/diag.rs") {
+    for (file, text) in sources(&["rs"]).into_iter().filter(|(file, _)| file != "crates/base/src/diag.rs") {
         for (line, en, zh) in pairs(&text) {
             seen += 1;
             if english(&en) && !chinese(&zh) {

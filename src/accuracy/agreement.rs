@@ -56,6 +56,7 @@ pub fn compare(drawn: Value, computed: Value, scale: f64, magnification: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geom::Point;
 
     #[test]
     fn zero_answers_are_judged_by_their_polygon() {
@@ -65,5 +66,17 @@ mod tests {
         // However bad the crossing, no digit in common is no agreement.
         assert!(!compare(Value::Scalar(1.0), Value::Scalar(1.1), 1.0, 1e18).holds());
         assert!(!compare(Value::Scalar(f64::NAN), Value::Scalar(1.0), 1.0, 10.0).holds());
+    }
+
+    #[test]
+    fn places_agree_by_their_distance() {
+        let agree = |off: f64| {
+            let (a, b) = (Value::Point(Point::new(1e-9, off)), Value::Point(Point::new(1e-9, 0.0)));
+            compare(a, b, 0.5, 1.0)
+        };
+        // Near the origin a place is no less certain than elsewhere.
+        assert!(agree(1e-13).holds() && !agree(1e-10).holds());
+        assert_eq!(agree(1e-3).difference, 2e-3);
+        assert!(!compare(Value::Point(Point::ORIGIN), Value::Scalar(0.0), 1.0, 1.0).holds());
     }
 }

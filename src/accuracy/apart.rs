@@ -57,6 +57,7 @@ pub(super) fn apart<T>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::Both;
     use crate::mechanism::Level;
     use std::cell::Cell;
 
@@ -75,7 +76,7 @@ mod tests {
                 let closes = |demand: &Demand| {
                     tried.set(tried.get() + 1);
                     let wanted = demand.groups.get(bad).copied().flatten();
-                    wanted.map_or(Ok(()), |_| Err(Diagnostic::error("cannot-assemble", format!("group {bad}"))))
+                    wanted.map_or(Ok(()), |_| Err(Diagnostic::error("cannot-assemble", Both::same(format!("group {bad}")))))
                 };
                 let look = |open: &[usize]| closes(&demand(open)).map(|()| open.iter().map(|k| Ok(*k)).collect());
                 let open: Vec<usize> = (0..n).collect();

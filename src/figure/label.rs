@@ -263,4 +263,14 @@ mod tests {
         assert_eq!(Label::text("Ⅱ级杆组").plain(), "II级杆组");
         assert_eq!(Label::text("Link 2, ").then(Label::math(r"\omega_2 = 3 rad/s")).plain(), "Link 2, ω_2 = 3 rad/s");
     }
+
+    #[test]
+    fn names_of_points_are_labels() {
+        use crate::plan::names::{name_label, point_label};
+        for name in ["B", "O21", "A'", "A1'", "A'1", "B_1", "B__", "O_'", "''3", "Ω3", "滑块2"] {
+            for label in [point_label(name), format!("v_{{{}}}", name_label(name))] {
+                assert_eq!(Label::math(label.as_str()).faults(), [], "{name}: {label}");
+            }
+        }
+    }
 }

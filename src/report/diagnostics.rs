@@ -157,9 +157,13 @@ fn plain(d: &Diagnostic, span: Option<Span>, name: &str, source: &str, lang: Lan
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::Both;
 
     fn faults(span: Span) -> Faults {
-        Diagnostic::error("no-unit", "a length is wanted here, `100` has no unit").at(span).help("write \"100 mm\"").into()
+        Diagnostic::error("no-unit", Both::same("a length is wanted here, `100` has no unit"))
+            .at(span)
+            .help(Both::same("write \"100 mm\""))
+            .into()
     }
 
     #[test]
@@ -182,7 +186,7 @@ mod tests {
 
     #[test]
     fn thousands_are_counted() {
-        let many = Faults { list: vec![Diagnostic::warning("given-twice", "`v_E` is asked twice"); 1234] };
+        let many = Faults { list: vec![Diagnostic::warning("given-twice", Both::same("`v_E` is asked twice")); 1234] };
         let text = render(&many, "scene.json", "{}");
         assert!(text.ends_with("\n... and 1134 more\n"), "{text}");
     }
@@ -192,7 +196,9 @@ mod tests {
         let source = "{\"title\": \"曲柄摇杆机构\", \"x\": 1, \u{1b}[31m \u{202e} \u{9b}}";
         for (what, column) in [("1,", 26), ("\u{202e}", 35)] {
             let start = source.find(what).unwrap();
-            let d = Diagnostic::error("code", "a \u{1b}]0;\u{7} b\u{0}").at(Span::new(start, start + 1)).help("\u{9b}2J");
+            let d = Diagnostic::error("code", Both::same("a \u{1b}]0;\u{7} b\u{0}"))
+                .at(Span::new(start, start + 1))
+                .help(Both::same("\u{9b}2J"));
             for text in [
                 render(&d.clone().into(), "s\u{1b}.json", source),
                 render(&d.into(), "s\u{1b}.json", &source.replace('}', &" ".repeat(900))),

@@ -234,6 +234,7 @@ fn marks(node: &Node, marks: &mut Marks, faults: &mut Faults) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diag::Both;
 
     #[test]
     fn all_faults_at_once_with_their_places() {
@@ -251,7 +252,7 @@ mod tests {
         let mut asked = Vec::new();
         let mut open = |name: &str| {
             asked.push(name.to_owned());
-            std::fs::read(format!("fonts/{name}")).map_err(|e| Diagnostic::error("cannot-read", e.to_string()))
+            std::fs::read(format!("fonts/{name}")).map_err(|e| Diagnostic::error("cannot-read", Both::same(e.to_string())))
         };
         let style = read_with(br#"{ "base": "dark", "fonts": ["tinos-italic.ttf", "tinos-normal.ttf"] }"#, &mut open).unwrap();
         assert!(!style.fonts.is_empty() && style != Style::named("dark").unwrap());

@@ -1,0 +1,170 @@
+//! Taking a JSON object apart: known keys, wanted types, and a diagnostic for everything else.
+
+use super::{Kind, Node, Word};
+use crate::diag::{Both, Diagnostic, Faults, Piece, Span, both};
+
+/// What a member is called in a message: a key in quotation marks, which is the same in both languages, or words.
+pub struct What(Both);
+
+impl What {
+    /// Whether it is this key.
+    pub fn is(&self, key: &str) -> bool {
+        self.0.en == key
+    }
+}
+
+impl Piece for What {
+    type Shown = str;
+    fn en(&self) -> &str {
+        &self.0.en
+    }
+    fn zh(&self) -> &str {
+        &self.0.zh
+    }
+}
+
+impl From<&What> for What {
+    fn from(what: &What) -> What {
+        What(what.0.clone())
+    }
+}
+
+impl From<Both> for What {
+    fn from(words: Both) -> What {
+        What(words)
+    }
+}
+
+impl From<&Both> for What {
+    fn from(words: &Both) -> What {
+        What(words.clone())
+    }
+}
+
+impl From<&str> for What {
+    fn from(key: &str) -> What {
+        What(Both::same(key))
+    }
+}
+
+impl From<&String> for What {
+    fn from(key: &String) -> What {
+        What(Both::same(key))
+    }
+}
+
+/// Bytes that a message can quote in one line.
+const LINE: usize = 120;
+
+/// The members of an object whose keys have been checked.
+pub struct Fields<'a> {
+    what: Both,
+    span: Span,
+    members: &'a [(Word, Node)],
+}
+
+impl<'a> Fields<'a> {
+    /// Opens an object; every key that is not in `keys` is a fault. `None` (with a fault) where it is no object.
+    pub fn open(node: &'a Node, what: impl Into<What>, keys: &[&str], faults: &mut Faults) -> Option<Self> {
+        let what = what.into().0;
+        let members = object(node, what.clone(), faults)?;
+        for (key, _) in members {
+            if !keys.contains(&key.text.as_str()) {
+                let d = Diagnostic::error("unknown-key", both!("`{}` is not a key of {}", "`{}` 不是{}的键", key.text, what)).at(key.span);
+                faults.push(d.help(suggest(&key.text, keys.iter().copied(), both!("the keys are", "可用的键有"))));
+            }
+        }
+        Some(Fields { what, span: node.span, members })
+    }
+
+    /// The value of a key, if it is there.
+    pub fn get(&self, key: &str) -> Option<&'a Node> {
+        self.members.iter().find(|(k, _)| k.text == key).map(|(_, v)| v)
+    }
+
+    /// The value of a key that must be there.
+    pub fn need(&self, key: &str, example: impl Into<What>, faults: &mut Faults) -> Option<&'a Node> {
+        let found = self.get(key);
+        if found.is_none() {
+            let d = Diagnostic::error("missing-key", both!("{} has no `{key}`", "{}缺少 `{key}`", self.what));
+            // Of an object longer than a line the opening brace alone: the whole would fill the page.
+            let long = self.span.end - self.span.start > LINE;
+            let d = if long { d.at(Span::new(self.span.start, self.span.start + 1)) } else { d.at(self.span) };
+            let example = example.into();
+            faults.push(d.help(both!("add \"{key}\": {}", "请加上 \"{key}\"：{}", example)));
+        }
+        found
+    }
+
+    /// Where the object stands.
+    pub fn span(&self) -> Span {
+        self.span
+    }
+}
+
+/// The members of any object, in order.
+pub fn object<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [(Word, Node)]> {
+    match &node.kind {
+        Kind::Object(members) => Some(members),
+        _ => wrong(node, what, both!("an object", "对象 {{...}}"), faults),
+    }
+}
+
+/// The items of a list.
+pub fn list<'a>(node: &'a Node, what: impl Into<What>, faults: &mut Faults) -> Option<&'a [Node]> {
+    match &node.kind {
+        Kind::Array(items) => Some(items),
+        _ => wrong(node, what, both!("a list", "列表 [...]"), faults),
+    }
+}
+
+/// A text that is not empty.
+pub fn word(node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Word> {
+    match &node.kind {
+        Kind::Text(text) if text.trim().is_empty() => {
+            let what = what.into();
+            faults.push(Diagnostic::error("empty", both!("{} is empty", "{}为空", what)).at(node.span));
+            None
+        }
+        Kind::Text(text) => Some(Word { text: text.clone(), span: node.span }),
+        _ => wrong(node, what, both!("a text", "文字 \"...\""), faults),
+    }
+}
+
+/// Says that a value is of another type than wanted.
+pub fn wrong<T>(node: &Node, what: impl Into<What>, wanted: Both, faults: &mut Faults) -> Option<T> {
+    let what = what.into();
+    let d =
+        Diagnostic::error("wrong-type", both!("{} must be {}, this is {}", "{}应为{}，此处为{}", what, wanted, node.what())).at(node.span);
+    faults.push(match &node.kind {
+        Kind::Number(n) if wanted.en == "a text" => d.help(both!("write \"{n}\"", "请写作 \"{n}\"")),
+        _ => d,
+    });
+    None
+}
+
+/// The nearest of the known names, for a help line: `did you mean ...?`, or all of them where none is near.
+pub fn suggest<'a>(got: &str, known: impl Iterator<Item = &'a str> + Clone, otherwise: Both) -> Both {
+    let lower = got.to_lowercase();
+    // Jaro-Winkler 0.7 finds the long name that was meant (`lnik`) and keeps `x` from becoming `links`; in names of three or four
+    // letters it misses the swapped pair (`rmp`), which one step of the edit distance finds. Two letters are too few to guess from.
+    let one_slip = |k: &str| k.chars().count() >= 3 && strsim::osa_distance(got, k) == 1;
+    let score = |k: &str| match k.to_lowercase() == lower {
+        true => 1.0,
+        false if one_slip(k) => 0.95,
+        false => strsim::jaro_winkler(got, k),
+    };
+    let near = known
+        .clone()
+        .map(|k| (score(k), k))
+        .filter(|(score, _)| *score >= 0.7)
+        .fold(None, |best: Option<(f64, &str)>, (score, k)| if best.is_some_and(|b| b.0 >= score) { best } else { Some((score, k)) });
+    match near {
+        Some((_, name)) => both!("did you mean `{name}`?", "是否想写 `{name}`？"),
+        // All of them: the one that is wanted may be the last.
+        None => {
+            let known = known.collect::<Vec<_>>().join(", ");
+            both!("{} {known}", "{} {known}", otherwise)
+        }
+    }
+}

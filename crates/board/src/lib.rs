@@ -1,0 +1,18 @@
+//! The drawing board: relative-motion vector equations, and their construction with ruler and paper.
+//!
+//! Rooms: [`plan`] (the vector equations, without numbers), [`construct`] (polygons in millimetres of paper, and what is read off them).
+//! The crate does not know the loop equations, and they do not know it: that drawing and analysis agree is evidence because of this.
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+#![allow(rustdoc::private_intra_doc_links)]
+
+use hodograph_base::{diag, digits, geom, number};
+use hodograph_mechanism::{answer, mechanism, position};
+use hodograph_scene::scene;
+
+pub mod construct;
+pub mod plan;

@@ -1,0 +1,143 @@
+//! Names of points and links in the label language.
+//!
+//! A scene names its points and links freely (`O2`, `A'`, `B_1`, `滑块`); in the label language an underscore begins a subscript
+//! and a prime stands on what precedes it. Every name that is put into a label goes through this file.
+
+use super::{Plan, Spot};
+use crate::scene::{PointId, Scene};
+
+/// A name, or several run together (`O2B`, `3/2`), as it stands among other signs: `B_1` → `B\_1`.
+///
+/// ```
+/// use hodograph::figure::label::Label;
+/// use hodograph::plan::names::name_label;
+/// assert_eq!(Label::math(format!("v_{{{}}}", name_label("O_"))).faults(), []);
+/// ```
+pub fn name_label(names: &str) -> String {
+    let mut out = String::with_capacity(names.len());
+    // A prime needs something to stand on: a letter, a digit, another prime on one of these.
+    let mut hosted = false;
+    for c in names.chars() {
+        match c {
+            '_' => out.push_str("\\_"),
+            '\'' if !hosted => out.push_str("\\'"),
+            c => out.push(c),
+        }
+        hosted = c.is_alphanumeric() || c == '\'' && hosted;
+    }
+    out
+}
+
+/// A point's name where it stands alone: `O2` → `O_{2}`, `A1'` → `A'_{1}`, `B` → `B`.
+pub fn point_label(name: &str) -> String {
+    match Parts::of(name) {
+        Parts { head, digits: "", primes } => format!("{}{primes}", name_label(head)),
+        Parts { head, digits, primes } => format!("{head}{primes}_{{{digits}}}"),
+    }
+}
+
+/// The image of a point in a polygon: `B` → `b`, `O2` → `o_{2}`, the point of link 3 at B → `b_{3}`, each with `prime`.
+pub(super) fn image_label(scene: &Scene, point: PointId, link: Option<&str>, prime: &str) -> String {
+    image_of(&small(scene, point), link, prime)
+}
+
+/// A point's name in the small letters that images bear, unless another point has the same name in another case: then both keep
+/// their own.
+pub(super) fn small(scene: &Scene, point: PointId) -> String {
+    let name = scene.point_name(point);
+    let lower = name.to_lowercase();
+    let shared = scene.points.iter().any(|p| p.name != name && p.name.to_lowercase() == lower);
+    if shared { name.to_owned() } else { lower }
+}
+
+/// The image of what bears this name, which is in the case of images.
+pub(super) fn image_of(name: &str, link: Option<&str>, prime: &str) -> String {
+    let Parts { head, digits, primes } = Parts::of(name);
+    let link = link.map(name_label).unwrap_or_default();
+    let comma = if digits.is_empty() || link.is_empty() { "" } else { "," };
+    let sub = format!("{digits}{comma}{link}");
+    let head = format!("{}{primes}{prime}", name_label(head));
+    if sub.is_empty() { head } else { format!("{head}_{{{sub}}}") }
+}
+
+/// A point's name with the number of a link run on, parted by a comma where it would be read as another: `B3`, `O2,3`.
+pub(super) fn numbered(scene: &Scene, name: String, link: Option<&str>) -> String {
+    let Some(link) = link else { return name };
+    let run = format!("{name}{link}");
+    let unclear = name.ends_with(|c: char| c.is_ascii_digit()) || scene.points.iter().any(|p| p.name == run);
+    if unclear { format!("{name},{link}") } else { run }
+}
+
+/// Name of a special point (by its place in the plan's list): S, or the next letter that no point of the scene has, in either case and with
+/// or without a number; numbered where several are drawn. The special points of one triad, of which one is drawn, share a name.
+pub fn special_name(scene: &Scene, plan: &Plan, special: usize) -> String {
+    let taken = |letter: &str| scene.points.iter().any(|p| Parts::of(&p.name).head.eq_ignore_ascii_case(letter));
+    let letter = ["S", "T", "U", "W", "Z"].into_iter().find(|l| !taken(l)).unwrap_or("S");
+    // Of a triad by the group, of a reduction by the link.
+    let key = |k: usize| {
+        let s = &plan.specials[k];
+        (s.group, s.legs.is_none().then_some(s.link))
+    };
+    let mut named: Vec<_> = (0..plan.specials.len()).map(key).collect();
+    named.sort_unstable();
+    named.dedup();
+    match named[..] {
+        [] | [_] => letter.to_owned(),
+        _ => format!("{letter}{}", named.iter().position(|k| *k == key(special)).map_or(0, |k| k + 1)),
+    }
+}
+
+/// The letter of poles: that of the notation, or the first of `p`, `o`, `q`, `z` that no image of a moving point bears.
+pub(super) fn pole_letter(scene: &Scene, plan: &Plan, usual: &str) -> String {
+    let taken = |letter: &str| {
+        let named = |s: Spot| matches!(s, Spot::Point(p) if scene.point_name(p).to_lowercase() == letter);
+        plan.vertices.iter().any(|v| !v.fixed && named(v.spot))
+    };
+    [usual, "p", "o", "q", "z"].into_iter().find(|l| !taken(l)).unwrap_or("z").to_owned()
+}
+
+/// A name that ends in a number: what stands before, the number, the primes after it. Others are all head; in those, the primes
+/// are part of the head too.
+struct Parts<'a> {
+    head: &'a str,
+    digits: &'a str,
+    primes: &'a str,
+}
+
+impl Parts<'_> {
+    fn of(name: &str) -> Parts<'_> {
+        let bare = name.trim_end_matches('\'');
+        let head = bare.trim_end_matches(|c: char| c.is_ascii_digit());
+        let digits = &bare[head.len()..];
+        // A number becomes a subscript of letters; after an underscore, a prime or another number it stays where it is.
+        if digits.is_empty() || head.is_empty() || !head.chars().all(char::is_alphabetic) {
+            return Parts { head: name, digits: "", primes: "" };
+        }
+        Parts { head, digits, primes: &name[bare.len()..] }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_alone_and_among_others() {
+        for (name, alone, among) in [
+            ("B", "B", "B"),
+            ("O2", "O_{2}", "O2"),
+            ("O21", "O_{21}", "O21"),
+            ("A'", "A'", "A'"),
+            ("A1'", "A'_{1}", "A1'"),
+            ("A'1", "A'1", "A'1"),
+            ("B_1", "B\\_1", "B\\_1"),
+            ("B__", "B\\_\\_", "B\\_\\_"),
+            ("O_'", "O\\_\\'", "O\\_\\'"),
+            ("''3", "\\'\\'3", "\\'\\'3"),
+            ("Ω3", "Ω_{3}", "Ω3"),
+            ("滑块2", "滑块_{2}", "滑块2"),
+        ] {
+            assert_eq!((point_label(name).as_str(), name_label(name).as_str()), (alone, among), "{name}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Notation profiles: marks that differ between textbooks, as data.
+
+use crate::scene::Lang;
+use serde::Deserialize;
+
+/// A notation profile (method.md's table): read from `crates/board/src/plan/notation/*.json`.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Notation {
+    /// Its name.
+    pub name: String,
+    /// The pole, before the prime of the acceleration polygon.
+    pub pole: String,
+    /// Superscript of the Coriolis part.
+    pub coriolis: String,
+    /// Superscript of sliding parts.
+    pub sliding: String,
+    /// The sign for "known" in tables, in the label language.
+    pub known: String,
+    /// The sign for "unknown".
+    pub unknown: String,
+    /// Which row of an equation table comes first: `magnitude` or `direction`.
+    pub first_row: String,
+}
+
+const PROFILES: &[&str] = &[include_str!("notation/en.json"), include_str!("notation/cn.json")];
+
+impl Notation {
+    /// The names of the bundled profiles.
+    pub fn names() -> Vec<String> {
+        all().into_iter().map(|n| n.name).collect()
+    }
+
+    /// A bundled profile by name.
+    pub fn named(name: &str) -> Option<Notation> {
+        all().into_iter().find(|n| n.name == name)
+    }
+
+    /// The profile that a language's textbooks use.
+    pub fn of_language(lang: Lang) -> Notation {
+        Notation::named(match lang {
+            Lang::En => "en",
+            Lang::Zh => "cn",
+        })
+        .expect("both languages have a bundled profile")
+    }
+}
+
+fn all() -> Vec<Notation> {
+    PROFILES.iter().map(|p| serde_json::from_str(p).expect("bundled profiles are read by a test")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bundled_profiles_are_complete() {
+        assert_eq!(Notation::names(), ["en", "cn"]);
+        assert_eq!(Notation::of_language(Lang::Zh).coriolis, "k");
+    }
+}

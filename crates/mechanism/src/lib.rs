@@ -1,0 +1,19 @@
+//! What moves: links, pairs and groups of a scene, where they are, how fast they move.
+//!
+//! Rooms: [`mechanism`] (links, pairs and drivers as a graph; Assur groups in solving order), [`position`] (where everything is),
+//! [`answer`] (what a question means), [`motion`] (velocities and accelerations group by group, in any number).
+
+#![forbid(unsafe_code)]
+#![warn(missing_docs)]
+// clippy.toml lists the functions of f64 whose last bit the platform decides; tests may use them.
+#![cfg_attr(not(test), warn(clippy::disallowed_methods))]
+// The maps name private rooms too; `cargo doc --document-private-items` follows those links.
+#![allow(rustdoc::private_intra_doc_links)]
+
+use hodograph_base::{diag, digits, geom, number};
+use hodograph_scene::scene;
+
+pub mod answer;
+pub mod mechanism;
+pub mod motion;
+pub mod position;

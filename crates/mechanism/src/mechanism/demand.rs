@@ -1,0 +1,105 @@
+//! What the questions of a scene call for: which groups, up to which level. Simulate only the effects a scene calls for.
+
+use super::{Mechanism, Node};
+use crate::scene::quantity::{Level, Need};
+use crate::scene::{Find, LinkId, PointId, Scene};
+
+/// What the questions call for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// For each group the level to which it is needed; `None`: not at all.
+    pub groups: Vec<Option<Level>>,
+    /// The deepest level asked for anywhere.
+    pub level: Level,
+    /// The single things asked for, each with the level of motion asked for, in order of the questions, without repetition.
+    pub needs: Vec<(Need, Level)>,
+}
+
+impl Demand {
+    /// The demand of the scene's `find` list.
+    pub fn of(scene: &Scene, m: &Mechanism) -> Demand {
+        Demand::of_questions(scene, m, &scene.find)
+    }
+
+    /// The demand of some questions.
+    pub fn of_questions<'a>(scene: &Scene, m: &Mechanism, questions: impl IntoIterator<Item = &'a Find>) -> Demand {
+        let mut d = Demand { groups: vec![None; m.groups.len()], level: Level::Position, needs: Vec::new() };
+        for f in questions {
+            for (need, level) in f.what.needs() {
+                d.add(scene, m, need, level);
+            }
+        }
+        d
+    }
+
+    /// Adds one need and everything upstream of it.
+    pub fn add(&mut self, scene: &Scene, m: &Mechanism, need: Need, level: Level) {
+        if !self.needs.contains(&(need, level)) {
+            self.needs.push((need, level));
+        }
+        self.level = self.level.max(level);
+        for n in nodes_of(scene, m, need) {
+            self.mark(m, group_of(m, n), level);
+        }
+    }
+
+    /// Marks a group and all it rests on.
+    fn mark(&mut self, m: &Mechanism, group: Option<usize>, level: Level) {
+        let mut stack: Vec<usize> = group.into_iter().collect();
+        while let Some(g) = stack.pop() {
+            if self.groups[g].is_some_and(|l| l >= level) {
+                continue;
+            }
+            self.groups[g] = Some(level);
+            stack.extend(&m.groups[g].upstream);
+        }
+    }
+
+    /// Calls for the positions of all groups as well, as a drawing of the whole mechanism does.
+    pub fn with_all_positions(mut self) -> Demand {
+        for g in &mut self.groups {
+            g.get_or_insert(Level::Position);
+        }
+        self
+    }
+
+    /// Whether the place of a pin is called for.
+    pub fn places(&self, m: &Mechanism, pin: PointId) -> bool {
+        m.group_of_pin[pin.0].is_some_and(|g| self.groups[g].is_some())
+    }
+
+    /// Whether a group is needed at a level.
+    pub fn wants(&self, group: usize, level: Level) -> bool {
+        self.groups[group].is_some_and(|l| l >= level)
+    }
+}
+
+fn group_of(m: &Mechanism, n: Node) -> Option<usize> {
+    match n {
+        Node::Link(l) => m.group_of_link[l.0],
+        Node::Pin(p) => m.group_of_pin[p.0],
+    }
+}
+
+/// The nodes that must be known for a need.
+pub fn nodes_of(scene: &Scene, m: &Mechanism, need: Need) -> Vec<Node> {
+    let link_nodes = |l: LinkId| m.passive_carrier(scene, l).unwrap_or_else(|| vec![Node::Link(l)]);
+    match need {
+        Need::Turning(l) => link_nodes(l),
+        Need::Point(p, link) => {
+            let mut nodes = match link {
+                Some(l) => link_nodes(l),
+                None => Vec::new(),
+            };
+            if m.pins.contains(&p) {
+                nodes.push(Node::Pin(p));
+            } else {
+                // Where the point is, its own link says, even when the vector asked for is another link's; of a contact both links say it.
+                nodes.extend(scene.carriers(p).next().map(link_nodes).unwrap_or_default());
+                let rolling = scene.rolling.iter().filter(|r| r.at == p);
+                nodes.extend(rolling.flat_map(|r| r.links).filter(|l| *l != scene.ground).flat_map(link_nodes));
+            }
+            nodes
+        }
+    }
+}

@@ -1,0 +1,428 @@
+//! Links, pairs and drivers as a graph: mobility, Assur groups in solving order, and the demand of the questions.
+//!
+//! Decided here, from topology alone (no length is looked at): which constraints there are, whether they and the drivers
+//! fix every link, in which order the links can be found ([`Group`]), and which groups the scene's questions call for
+//! ([`Demand`]). Not decided here: where anything is.
+
+mod demand;
+mod groups;
+mod leg;
+mod mobility;
+mod redundant;
+mod survey;
+
+pub use demand::Demand;
+pub use demand::nodes_of;
+pub use groups::{Core, Group};
+pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
+pub use mobility::Mobility;
+pub use redundant::{Opened, Redundant};
+pub use survey::{Counts, ForDrivers, Local, Survey};
+
+use redundant::Opening;
+
+pub use crate::scene::quantity::{Joined, Level, Need, joined};
+
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
+
+/// A thing whose place is to be found: a link (three freedoms) or a pin (two).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Node {
+    /// A link.
+    Link(LinkId),
+    /// A pin: a point where links meet, that runs in a guide, or at which a cylinder ends.
+    Pin(PointId),
+}
+
+/// One pair or driver, as a constraint between two nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Constraint {
+    /// The pin sits on the link: two equations.
+    Pinned(PointId, LinkId),
+    /// The pin runs in the guide: one equation, between the pin and the carrying link.
+    Slot(PointId, GuideId),
+    /// The slider keeps its direction against the link that carries its guide: one equation.
+    Lock(GuideId),
+    /// The slider keeps its distance from the guide (a yoke without a pin of its own): one equation.
+    Glide(GuideId),
+    /// A turning driver: one equation between the driven link and the one against which it turns.
+    Turn(usize),
+    /// A sliding driver along a guide.
+    Slide(usize, GuideId),
+    /// A cylinder: the distance of two pins.
+    Cylinder(usize),
+    /// Two links roll on one another without slip: one equation.
+    Roll(RollingId),
+}
+
+/// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
+/// the rod of a cylinder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passive {
+    /// A block: turns with the link that carries its guide.
+    Block(GuideId),
+    /// Barrel or rod: turns with the line of the cylinder (index of the driver).
+    Cylinder(usize),
+    /// A link that only repeats what the others fix, known by two of its pins: turns with their line. See [`Redundant`].
+    Held(PointId, PointId),
+}
+
+/// The mechanism: the scene's topology, worked out.
+#[derive(Clone, Debug)]
+pub struct Mechanism {
+    /// All constraints, in the order of the scene.
+    pub constraints: Vec<Constraint>,
+    /// Which points are pins, in the order of the scene.
+    pub pins: Vec<PointId>,
+    /// For each link: how it follows, if it is passive.
+    pub passive: Vec<Option<Passive>>,
+    /// Mobility and pair counts.
+    pub mobility: Mobility,
+    /// Groups in solving order; ground is known before the first.
+    pub groups: Vec<Group>,
+    /// The group of each link (ground, passive and isolated links have none).
+    pub group_of_link: Vec<Option<usize>>,
+    /// The group of each pin.
+    pub group_of_pin: Vec<Option<usize>>,
+    /// The pairs that only repeat what the others fix, in the order in which they were opened. Whether they do is decided by lengths:
+    /// [`crate::position::redundant`].
+    pub redundant: Vec<Redundant>,
+    /// For each link, whether it is ground or keeps its direction for topological reasons (locked to ground by sliding pairs).
+    pub never_turns: Vec<bool>,
+}
+
+impl Mechanism {
+    /// Works out the topology of a scene.
+    ///
+    /// # Errors
+    /// Too few or too many drivers, overconstrained pairs, links joined to nothing: each with the links and joints named.
+    pub fn new(scene: &Scene) -> Result<Warned<Mechanism>, Faults> {
+        let passive = find_passive(scene);
+        let mut faults = curved_sliders(scene, &passive);
+        cylinder_parts(scene, &passive, &mut faults);
+        faults.list.extend(quantity::undefined(scene).list);
+        if faults.has_errors() {
+            return Err(faults);
+        }
+        let mut opening = Opening { passive, redundant: Vec::new() };
+        if opening.matched(scene).homeless() > 0 {
+            opening = redundant::open(scene, &opening).unwrap_or(opening);
+        }
+        let mechanism = Mechanism::opened(scene, opening)?;
+        Ok(Warned { value: mechanism, notes: Vec::new() })
+    }
+
+    /// The mechanism without what is opened.
+    fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
+        let (pins, constraints) = opening.pins_and_constraints(scene);
+        let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
+        let mut mechanism = Mechanism {
+            mobility: mobility::count(scene, &constraints),
+            constraints,
+            pins,
+            passive: opening.passive,
+            groups: Vec::new(),
+            group_of_link: vec![None; scene.links.len()],
+            group_of_pin: vec![None; scene.points.len()],
+            redundant: opening.redundant,
+            never_turns: find_never_turning(scene),
+        };
+        groups::find(scene, &mut mechanism, &assignment);
+        Ok(mechanism)
+    }
+
+    /// Whether a guide holds: one between gears may only say what other pairs say.
+    pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
+        self.keeps(id) && (guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id))))
+    }
+
+    fn keeps(&self, guide: GuideId) -> bool {
+        !self.is_opened(&Opened::Guide(guide))
+    }
+
+    /// The two nodes that a constraint joins.
+    pub fn ends(&self, scene: &Scene, c: Constraint) -> (Node, Node) {
+        ends(scene, c)
+    }
+
+    /// Whether a link is a part of a pair, a block, a barrel or a rod, and has no form of its own.
+    pub fn is_passive(&self, l: LinkId) -> bool {
+        matches!(self.passive[l.0], Some(Passive::Block(_) | Passive::Cylinder(_)))
+    }
+
+    /// Whether a pair of the scene is opened because it only repeats what the others fix.
+    pub fn is_opened(&self, what: &Opened) -> bool {
+        self.redundant.iter().any(|r| r.opened == *what)
+    }
+
+    /// The pins by which a link is known that only repeats what the others fix.
+    pub fn held(&self, l: LinkId) -> Option<(PointId, PointId)> {
+        match self.passive[l.0] {
+            Some(Passive::Held(a, b)) => Some((a, b)),
+            Some(Passive::Block(_) | Passive::Cylinder(_)) | None => None,
+        }
+    }
+
+    /// The link whose turning a link shares for topological reasons: the carrier of its straight guide for a block, itself
+    /// otherwise. A block on a curved guide turns on its own account, see [`Mechanism::curved_block`].
+    pub fn turns_as(&self, scene: &Scene, l: LinkId) -> LinkId {
+        match self.passive[l.0] {
+            Some(Passive::Block(g)) if matches!(scene.guides[g.0].path, GuidePath::Line { .. }) => {
+                self.turns_as(scene, scene.guides[g.0].on)
+            }
+            _ => l,
+        }
+    }
+
+    /// For a block on a curved guide: its pin, the centre of curvature, and the link that carries the guide.
+    pub fn curved_block(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId, LinkId)> {
+        let Some(Passive::Block(g)) = self.passive[l.0] else { return None };
+        let guide = &scene.guides[g.0];
+        match guide.path {
+            GuidePath::Arc { centre, .. } => Some((guide.pin?, centre, guide.on)),
+            GuidePath::Line { .. } => None,
+        }
+    }
+
+    /// The two pins with whose line a link turns: the ends of its cylinder, or those by which it is known where it only repeats others.
+    pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
+        match (self.passive[l.0]?, self.held(l)) {
+            (Passive::Cylinder(d), _) => match scene.drivers[d].kind {
+                DriverKind::Cylinder { a, b, .. } => Some((a, b)),
+                DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
+            },
+            (Passive::Held(..) | Passive::Block(_), held) => held,
+        }
+    }
+
+    /// The group that places a node; ground and what only follows has none.
+    pub fn group_of(&self, n: Node) -> Option<usize> {
+        match n {
+            Node::Link(l) => self.group_of_link[l.0],
+            Node::Pin(p) => self.group_of_pin[p.0],
+        }
+    }
+}
+
+pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {
+    match c {
+        Constraint::Pinned(p, l) => (Node::Pin(p), Node::Link(l)),
+        Constraint::Slot(p, g) => (Node::Pin(p), Node::Link(scene.guides[g.0].on)),
+        Constraint::Lock(g) | Constraint::Glide(g) => {
+            let guide = &scene.guides[g.0];
+            let slider = guide.slider.expect("lock and glide are made for sliders only");
+            (Node::Link(slider), Node::Link(guide.on))
+        }
+        Constraint::Turn(d) => match scene.drivers[d].kind {
+            DriverKind::Turn { link, against, .. } => (Node::Link(link), Node::Link(against)),
+            _ => unreachable!("a turn constraint is made from a turning driver"),
+        },
+        Constraint::Slide(_, g) => {
+            let guide = &scene.guides[g.0];
+            let runner = match (guide.pin, guide.slider) {
+                (Some(p), _) => Node::Pin(p),
+                (None, Some(s)) => Node::Link(s),
+                (None, None) => unreachable!("a guide has a pin or a slider"),
+            };
+            (runner, Node::Link(guide.on))
+        }
+        Constraint::Cylinder(d) => match scene.drivers[d].kind {
+            DriverKind::Cylinder { a, b, .. } => (Node::Pin(a), Node::Pin(b)),
+            _ => unreachable!("a cylinder constraint is made from a cylinder"),
+        },
+        Constraint::Roll(r) => {
+            let [a, b] = scene.rolling[r.0].links;
+            (Node::Link(a), Node::Link(b))
+        }
+    }
+}
+
+/// How many equations a constraint stands for.
+pub(crate) fn weight(c: Constraint) -> usize {
+    match c {
+        Constraint::Pinned(..) => 2,
+        _ => 1,
+    }
+}
+
+fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
+    let mut passive = vec![None; scene.links.len()];
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        if let DriverKind::Cylinder { links, .. } = &driver.kind {
+            for l in links {
+                passive[l.0] = Some(Passive::Cylinder(d));
+            }
+        }
+    }
+    for (i, link) in scene.links.iter().enumerate() {
+        let id = LinkId(i);
+        if id == scene.ground || passive[i].is_some() || link.points.len() != 1 {
+            continue;
+        }
+        let as_slider: Vec<usize> = (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
+        let carries = scene.guides.iter().any(|g| g.on == id);
+        let turned = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == id || against == id));
+        if let [g] = as_slider[..]
+            && scene.guides[g].pin == Some(link.points[0])
+            && !carries
+            && !turned
+            && !scene.rolling.iter().any(|r| r.links.contains(&id))
+        {
+            passive[i] = Some(Passive::Block(GuideId(g)));
+        }
+    }
+    passive
+}
+
+/// On a curved guide only a block that carries nothing else is taken: any more of a link turns about the centre of
+/// curvature, which is a pin joint there and is to be written as one.
+fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
+    let mut faults = Faults::default();
+    for (i, guide) in scene.guides.iter().enumerate() {
+        let (Some(s), GuidePath::Arc { centre, .. }) = (guide.slider, &guide.path) else { continue };
+        if passive[s.0] == Some(Passive::Block(GuideId(i))) {
+            continue;
+        }
+        let (slider, on, centre) = (scene.link_name(s), scene.link_name(guide.on), scene.point_name(*centre));
+        faults.push(
+            Diagnostic::error(
+                "curved-slider",
+                both!(
+                    "link {slider} slides on a curved guide and has more than its pin there: it turns about {centre} on link {on}",
+                    "构件 {slider} 在圆弧导路上滑动，且不止一个销：它绕构件 {on} 上的 {centre} 转动"
+                ),
+            )
+            .at(guide.span)
+            .help(both!(
+                "make {centre} a point of link {slider} and leave the guide out, or give a block of its own to the guide",
+                "请把 {centre} 写为构件 {slider} 上的点并去掉导路，或给导路另设滑块"
+            )),
+        );
+    }
+    faults
+}
+
+/// Barrel and rod of a cylinder only follow it: nothing else may be fixed by where they are.
+fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
+    let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
+    let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
+    let turns = scene.drivers.iter().filter_map(|d| match d.kind {
+        DriverKind::Turn { link, against, .. } => Some(([Some(link), Some(against)], d.span)),
+        _ => None,
+    });
+    for (links, span) in guides.chain(turns) {
+        for l in links.into_iter().flatten().filter(|l| part(*l)) {
+            let message = both!(
+                "link {} is a part of a cylinder: no guide and no other driver can rest on it",
+                "构件 {} 是液压缸的一部分：其上不能再有导路或原动件",
+                scene.link_name(l)
+            );
+            let d = Diagnostic::error("cylinder-part", message).at(span);
+            faults.push(d.help(both!(
+                "describe barrel and rod as links with a guide between them, and drive the slide",
+                "请把缸体和活塞杆写成构件，其间设导路，并以移动副为原动件"
+            )));
+        }
+    }
+}
+
+fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
+    let mut is_pin = vec![false; scene.points.len()];
+    for (p, pin) in is_pin.iter_mut().enumerate() {
+        let on = scene.carriers(PointId(p)).filter(|l| matches!(opening.passive[l.0], None | Some(Passive::Held(..)))).count();
+        *pin = on >= 2;
+    }
+    for g in &scene.guides {
+        if let Some(p) = g.pin {
+            is_pin[p.0] = true;
+        }
+    }
+    for d in &scene.drivers {
+        if let DriverKind::Cylinder { a, b, .. } = d.kind {
+            is_pin[a.0] = true;
+            is_pin[b.0] = true;
+        }
+    }
+    (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
+}
+
+fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
+    let passive = &opening.passive;
+    let mut out = Vec::new();
+    for &p in pins {
+        for l in scene.carriers(p).filter(|l| passive[l.0].is_none() && opening.keeps(&Opened::Pin(p, *l))) {
+            out.push(Constraint::Pinned(p, l));
+        }
+    }
+    for (i, g) in scene.guides.iter().enumerate() {
+        let id = GuideId(i);
+        if !opening.keeps(&Opened::Guide(id)) {
+            continue;
+        }
+        if let Some(p) = g.pin
+            && !is_optional(scene, g)
+        {
+            out.push(Constraint::Slot(p, id));
+        }
+        if let Some(s) = g.slider
+            && passive[s.0] != Some(Passive::Block(id))
+        {
+            out.push(Constraint::Lock(id));
+            if g.pin.is_none() {
+                out.push(Constraint::Glide(id));
+            }
+        }
+    }
+    for (d, driver) in scene.drivers.iter().enumerate() {
+        out.push(match driver.kind {
+            DriverKind::Turn { .. } => Constraint::Turn(d),
+            DriverKind::Slide { guide, .. } => Constraint::Slide(d, guide),
+            DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
+        });
+    }
+    let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| opening.keeps(&Opened::Rolling(*r)));
+    out.extend(rolling.map(Constraint::Roll));
+    out
+}
+
+/// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
+/// of their centres is, if anything holds it, not theirs.
+fn is_optional(scene: &Scene, guide: &Guide) -> bool {
+    guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed)
+}
+
+/// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
+fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
+    let passive = &opening.passive;
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
+        let Some(pin) = guide.pin else { continue };
+        constraints.push(Constraint::Slot(pin, GuideId(g)));
+        if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
+            constraints.pop();
+        }
+    }
+    constraints
+}
+
+/// Ground, and every link joined to a never-turning link by a slider that keeps its direction.
+fn find_never_turning(scene: &Scene) -> Vec<bool> {
+    let mut still = vec![false; scene.links.len()];
+    still[scene.ground.0] = true;
+    loop {
+        let before = still.iter().filter(|s| **s).count();
+        for g in &scene.guides {
+            // Only a straight guide keeps its slider's direction in the plane.
+            if let Some(s) = g.slider
+                && matches!(g.path, GuidePath::Line { .. })
+                && (still[s.0] || still[g.on.0])
+            {
+                still[s.0] = true;
+                still[g.on.0] = true;
+            }
+        }
+        if still.iter().filter(|s| **s).count() == before {
+            return still;
+        }
+    }
+}

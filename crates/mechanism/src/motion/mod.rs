@@ -1,0 +1,177 @@
+//! The Assur program: velocities and accelerations group after group, in any number.
+//!
+//! Each group's links and pins are the unknowns of one small linear system ([`conditions`]); what lies upstream is known.
+//! The cost grows with the number of groups, not with its cube, and only what the demand reaches is solved. The formulas
+//! are written over [`Real`]: in numbers that know their error every answer comes with a bound of it.
+//!
+//! The loop equations of `analytic` are not used here, nor is this used there: all rows at once in `f64` are the
+//! check of the drawing, group by group in a ladder of numbers is what certifies the printed digits.
+
+pub(crate) mod conditions;
+
+use crate::answer::Source;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::{Demand, Level, Mechanism, Passive};
+use crate::number::Real;
+use crate::position::Configuration;
+use crate::scene::exact::Inputs;
+use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use conditions::Conditions;
+
+/// Motion of a link.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinkMotion<N = f64> {
+    /// A place of the link (m).
+    pub at: Point<N>,
+    /// Its velocity (m/s).
+    pub v: Vec2<N>,
+    /// ω (rad/s), counter-clockwise plus.
+    pub omega: N,
+    /// Its acceleration (m/s²).
+    pub a: Vec2<N>,
+    /// α (rad/s²), counter-clockwise plus.
+    pub alpha: N,
+}
+
+impl<N: Real> LinkMotion<N> {
+    /// Nothing moves.
+    pub fn rest(at: Point<N>) -> Self {
+        let zero = N::from_f64(0.0);
+        LinkMotion { at, v: Vec2::zero(), omega: zero, a: Vec2::zero(), alpha: zero }
+    }
+
+    /// v of the link's point at a place: v + ω × r.
+    pub fn velocity_at(&self, place: Point<N>) -> Vec2<N> {
+        self.v + (place - self.at).perp() * self.omega
+    }
+
+    /// a of the link's point at a place: a + α × r − ω² r.
+    pub fn acceleration_at(&self, place: Point<N>) -> Vec2<N> {
+        let r = place - self.at;
+        self.a + r.perp() * self.alpha - r * (self.omega * self.omega)
+    }
+}
+
+/// Motion of everything the demand reaches.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion<N = f64> {
+    links: Vec<Option<LinkMotion<N>>>,
+    /// For each pin (m/s, m/s²).
+    pins: Vec<Option<(Vec2<N>, Vec2<N>)>>,
+    points: Vec<Option<Point<N>>>,
+    carriers: Vec<Vec<LinkId>>,
+    /// How many groups were solved, for velocities and for accelerations.
+    pub groups: [usize; 2],
+    /// Groups (indices into [`Mechanism::groups`]) that have no single solution in the numbers used.
+    pub singular: Vec<usize>,
+}
+
+/// Solves the groups that the demand reaches, each up to the level at which it is asked for.
+///
+/// A group whose matrix has a pivot that may be zero (a dead centre, a change point, or a pose too close to one for the
+/// numbers used) is left without motion and listed in [`Motion::singular`], and so is all that rests on it.
+pub fn solve<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, demand: &Demand) -> Motion<N> {
+    let mut motion = Motion {
+        links: vec![None; scene.links.len()],
+        pins: vec![None; scene.points.len()],
+        points: at.points.clone(),
+        carriers: (0..scene.points.len()).map(|p| scene.carriers(PointId(p)).collect()).collect(),
+        groups: [0, 0],
+        singular: Vec::new(),
+    };
+    let mut missing = vec![false; m.groups.len()];
+    motion.links[scene.ground.0] = Some(LinkMotion::rest(Point::origin()));
+    let inputs = Inputs::of(scene);
+    for (g, group) in m.groups.iter().enumerate() {
+        if !demand.wants(g, Level::Velocity) {
+            continue;
+        }
+        missing[g] = group.upstream.iter().any(|u| missing[*u]);
+        if missing[g] {
+            continue;
+        }
+        let conditions = Conditions::of_group(scene, m, at, &inputs, group, &motion);
+        let Some(both) = conditions.solve(demand.wants(g, Level::Acceleration)) else {
+            missing[g] = true;
+            motion.singular.push(g);
+            continue;
+        };
+        motion.groups[0] += 1;
+        motion.groups[1] += usize::from(demand.wants(g, Level::Acceleration));
+        conditions.store(&both, &mut motion);
+    }
+    for l in (0..scene.links.len()).map(LinkId) {
+        if let Some(passive) = m.passive[l.0] {
+            motion.links[l.0] = motion.following(scene, at, passive);
+        }
+    }
+    motion
+}
+
+impl<N: Real> Motion<N> {
+    /// Velocity and acceleration of a pin, or of a point that only one link carries.
+    fn at_point(&self, p: PointId) -> Option<(Vec2<N>, Vec2<N>)> {
+        self.pins[p.0].or_else(|| {
+            let place = self.points[p.0]?;
+            let link = self.carriers[p.0].iter().find_map(|l| self.links[l.0])?;
+            Some((link.velocity_at(place), link.acceleration_at(place)))
+        })
+    }
+
+    /// A block turns with its guide, or with the radius to its pin; barrel and rod turn with the line of their cylinder.
+    fn following(&self, scene: &Scene, at: &Configuration<N>, passive: Passive) -> Option<LinkMotion<N>> {
+        match passive {
+            Passive::Block(g) => {
+                let guide = &scene.guides[g.0];
+                let pin = guide.pin?;
+                let ((v, a), place, on) = (self.at_point(pin)?, at.points[pin.0]?, self.links[guide.on.0]?);
+                let (omega, alpha) = match at.guides[g.0]? {
+                    crate::position::Path::Line { .. } => (on.omega, on.alpha),
+                    crate::position::Path::Arc { centre, .. } => {
+                        turning_of_line(place - centre, v - on.velocity_at(centre), a - on.acceleration_at(centre))
+                    }
+                };
+                Some(LinkMotion { at: place, v, omega, a, alpha })
+            }
+            Passive::Cylinder(d) => {
+                let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind else { return None };
+                self.of_line(at, a, b)
+            }
+            Passive::Held(a, b) => self.of_line(at, a, b),
+        }
+    }
+
+    /// The motion of the line of two points.
+    fn of_line(&self, at: &Configuration<N>, a: PointId, b: PointId) -> Option<LinkMotion<N>> {
+        let ((va, aa), (vb, ab)) = (self.at_point(a)?, self.at_point(b)?);
+        let place = at.points[a.0]?;
+        let (omega, alpha) = turning_of_line(at.points[b.0]? - place, vb - va, ab - aa);
+        Some(LinkMotion { at: place, v: va, omega, a: aa, alpha })
+    }
+}
+
+/// (ω, α) of the line d whose end moves by v and a against its start: ω d² = d × v, α d² = d × a − 2 ω d·v.
+fn turning_of_line<N: Real>(d: Vec2<N>, v: Vec2<N>, a: Vec2<N>) -> (N, N) {
+    let d2 = d.norm2();
+    let omega = d.cross(v) / d2;
+    let two = N::from_f64(2.0);
+    (omega, (d.cross(a) - two * omega * d.dot(v)) / d2)
+}
+
+impl<N: Real> Source<N> for Motion<N> {
+    fn vector(&self, level: Level, p: PointId, on: Option<LinkId>) -> Option<Vec2<N>> {
+        let (v, a) = match on {
+            None => self.at_point(p)?,
+            Some(l) => {
+                let (link, place) = (self.links[l.0]?, self.points[p.0]?);
+                (link.velocity_at(place), link.acceleration_at(place))
+            }
+        };
+        Some(if level == Level::Velocity { v } else { a })
+    }
+
+    fn turning(&self, level: Level, link: LinkId) -> Option<N> {
+        let m = self.links[link.0]?;
+        Some(if level == Level::Velocity { m.omega } else { m.alpha })
+    }
+}

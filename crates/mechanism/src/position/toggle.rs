@@ -1,0 +1,208 @@
+//! Why a mechanism can be assembled no farther: which legs of a group hold one another at its limit, in words.
+//!
+//! At the limit of a dyad the two loci of its pin touch: the lines square to them, along which the legs hold the pin, fall together. At
+//! that of a link on three legs the lines along which they hold it meet in one point, or run parallel. Decided here: what is said of
+//! it, wherever limits are told (sweeps, lessons). Where the limit is, is found by those who ask.
+//!
+//! `analytic` tells singular poses by what the loop equations load, for any block; the two do not know one another.
+
+use super::Configuration;
+use crate::geom::{Point, Vec2, cross_lines};
+use crate::mechanism::{ConstraintLine, Core, Group, Hold, Leg, Mechanism, Strut};
+use crate::scene::{Lang, LinkId, PointId, Scene};
+
+/// At a limit found to the last digit of the driver the sine is the root of the rounding (1e-8 for links of like length),
+/// elsewhere it is not small.
+const IN_LINE: f64 = 1e-5;
+
+/// Three lines that cross under less than this (sine) count as parallel: their crossing lies a thousand times as far away as they
+/// lie apart, on no paper.
+pub const PARALLEL: f64 = 1e-3;
+
+/// What holds at a limit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Toggle {
+    /// Two legs that hold a pin along one line.
+    Line {
+        /// The pin.
+        pin: PointId,
+        /// The legs.
+        legs: [Leg; 2],
+    },
+    /// Three legs of a link.
+    Legs {
+        /// The link.
+        link: LinkId,
+        /// Its legs.
+        legs: Vec<Leg>,
+        /// Whether the lines along which they hold it are parallel; else they meet in one point.
+        parallel: bool,
+    },
+    /// Links of a group that is neither, together.
+    Open(Vec<LinkId>),
+}
+
+impl Toggle {
+    /// What holds a group at its limit; `parallel` is asked for a link on three legs only.
+    pub fn of(group: &Group, parallel: impl FnOnce() -> bool) -> Option<Toggle> {
+        match &group.core {
+            Core::Pin { pin, legs } => match &legs[..] {
+                [a, b] if [a, b].iter().all(|l| told(l)) => Some(Toggle::Line { pin: *pin, legs: [*a, *b] }),
+                _ => None,
+            },
+            Core::Link { link, legs } if group.class() == Some("III") => {
+                Some(Toggle::Legs { link: *link, legs: legs.clone(), parallel: parallel() })
+            }
+            Core::Link { .. } => None,
+            Core::Higher => Some(Toggle::Open(group.links.clone())),
+        }
+    }
+
+    /// The group that stands at its limit in a pose, if one does.
+    pub fn at(m: &Mechanism, at: &Configuration) -> Option<Toggle> {
+        m.groups.iter().find_map(|group| match &group.core {
+            Core::Pin { legs, .. } => {
+                let [(p, u), (_, v)] = legs.iter().map(|l| line(at, l)).collect::<Option<Vec<_>>>()?[..] else {
+                    return None;
+                };
+                (u.cross(v).abs() < IN_LINE && p.is_finite()).then(|| Toggle::of(group, || false))?
+            }
+            Core::Link { legs, .. } if group.class() == Some("III") => {
+                let lines: Vec<(Point, Vec2)> = legs.iter().map(|l| line(at, l)).collect::<Option<_>>()?;
+                let parallel = meeting(&lines, at.extent())?;
+                Toggle::of(group, || parallel)
+            }
+            _ => None,
+        })
+    }
+
+    /// The same as a clause: `link 2 (BC) and link 3 (CD) lie in line`.
+    pub fn words(&self, scene: &Scene, lang: Lang) -> String {
+        match self {
+            Toggle::Line { pin, legs } => match legs.each_ref().map(|l| bar(scene, l, lang)) {
+                [Some(a), Some(b)] => match lang {
+                    Lang::En => format!("{a} and {b} lie in line"),
+                    Lang::Zh => format!("{a}与{b}共线"),
+                },
+                [Some(bar), None] | [None, Some(bar)] => match lang {
+                    Lang::En => format!("{bar} stands square to the guide of {}", scene.point_name(*pin)),
+                    Lang::Zh => format!("{bar}垂直于点 {} 的导路", scene.point_name(*pin)),
+                },
+                [None, None] => match lang {
+                    Lang::En => format!("the two guides of {} run parallel", scene.point_name(*pin)),
+                    Lang::Zh => format!("点 {} 的两条导路平行", scene.point_name(*pin)),
+                },
+            },
+            Toggle::Legs { link, legs, parallel } => {
+                let legs: Vec<String> = legs.iter().map(|l| bar(scene, l, lang).unwrap_or_else(|| normal(scene, l, lang))).collect();
+                let link = scene.link_name(*link);
+                match lang {
+                    Lang::En => {
+                        let how = if *parallel { "run parallel" } else { "lie on lines through one point" };
+                        format!("{}, the legs of link {link}, {how}", listed(&legs, lang))
+                    }
+                    Lang::Zh => {
+                        let how = if *parallel { "相互平行" } else { "交于一点" };
+                        format!("构件 {link} 的三条支链（{}）{how}", listed(&legs, lang))
+                    }
+                }
+            }
+            Toggle::Open(links) => {
+                let names: Vec<String> = links.iter().map(|l| scene.link_name(*l).to_owned()).collect();
+                match lang {
+                    Lang::En => format!("links {} leave one freedom open", listed(&names, lang)),
+                    Lang::Zh => format!("构件 {} 处于奇异位置，多出一个瞬时自由度", listed(&names, lang)),
+                }
+            }
+        }
+    }
+
+    /// The links that it names.
+    pub fn links(&self) -> Vec<LinkId> {
+        let of = |legs: &[Leg]| legs.iter().filter_map(|l| Some(l.hold()?.bar()?.0)).collect::<Vec<_>>();
+        match self {
+            Toggle::Line { legs, .. } => of(legs),
+            Toggle::Legs { link, legs, .. } => std::iter::once(*link).chain(of(legs)).collect(),
+            Toggle::Open(links) => links.clone(),
+        }
+    }
+}
+
+/// Whether a clause names a leg that holds a pin. One with a ram does not: there the links of the group are told instead.
+fn told(leg: &Leg) -> bool {
+    matches!(leg.line(), Some(ConstraintLine::Along { .. } | ConstraintLine::Normal { .. }))
+        && !matches!(leg.hold(), Some(Hold::Distance { strut: Strut::Ram { .. }, .. }))
+}
+
+/// The line along which a leg holds the pin, or the link: a point of it and its direction (a unit vector).
+fn line(at: &Configuration, leg: &Leg) -> Option<(Point, Vec2)> {
+    let line = leg.line()?;
+    let p = at.points[line.pin().0]?;
+    let along = match line {
+        ConstraintLine::Along { far, .. } => p - at.points[far.0]?,
+        ConstraintLine::Normal { guide, .. } => at.guides[guide.0]?.tangent_at(p).perp(),
+        // The links of a group that rolls are told, not its lines.
+        ConstraintLine::Tangent { .. } => return None,
+    };
+    Some((p, along.unit()?))
+}
+
+/// Whether three lines are parallel (else they meet in one point); `None` where they do neither.
+fn meeting(lines: &[(Point, Vec2)], size: f64) -> Option<bool> {
+    let [(p, u), (q, v), (r, w)] = lines[..] else { return None };
+    let sine = |a: Vec2, b: Vec2| a.cross(b).abs();
+    let pairs = [((p, u), (q, v), (r, w)), ((p, u), (r, w), (q, v)), ((q, v), (r, w), (p, u))];
+    let widest = pairs.into_iter().max_by(|a, b| sine(a.0.1, a.1.1).total_cmp(&sine(b.0.1, b.1.1)))?;
+    let ((p, u), (q, v), (r, w)) = widest;
+    if sine(u, v) < PARALLEL {
+        return Some(true);
+    }
+    let crossing = cross_lines(p, u, q, v).at;
+    // By how much the third line misses the crossing, as a part of how far that is, or of the mechanism's size.
+    let miss = w.cross(crossing - r).abs();
+    (miss < IN_LINE * size.max((crossing - r).norm())).then_some(false)
+}
+
+/// A leg that is a line itself: `link 2 (BC)`, `cylinder BC`.
+fn bar(scene: &Scene, leg: &Leg, lang: Lang) -> Option<String> {
+    // In the order of the scene, so that one line has one name: AB, never BA.
+    let Some(Hold::Distance { near, far, strut }) = leg.hold() else { return None };
+    let letters = format!("{}{}", scene.point_name(near.min(far)), scene.point_name(near.max(far)));
+    match (strut, lang) {
+        (Strut::Bar(link), Lang::En) => Some(format!("link {} ({letters})", scene.link_name(link))),
+        (Strut::Bar(link), Lang::Zh) => Some(format!("构件 {}（{letters}）", scene.link_name(link))),
+        (Strut::Cylinder(_), Lang::En) => Some(format!("cylinder {letters}")),
+        (Strut::Cylinder(_), Lang::Zh) => Some(format!("油缸 {letters}")),
+        (Strut::Ram { .. }, _) => None,
+    }
+}
+
+/// The line along which a guide holds: `the normal to the guide at C`.
+fn normal(scene: &Scene, leg: &Leg, lang: Lang) -> String {
+    let pin = leg.line().map_or("", |line| scene.point_name(line.pin()));
+    match lang {
+        Lang::En => format!("the normal to the guide at {pin}"),
+        Lang::Zh => format!("过 {pin} 的导路垂线"),
+    }
+}
+
+fn listed(all: &[String], lang: Lang) -> String {
+    match (all, lang) {
+        ([head @ .., last], Lang::En) if !head.is_empty() => format!("{} and {last}", head.join(", ")),
+        (all, _) => all.join("、"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_lines_meet_run_parallel_or_do_neither() {
+        let line = |x: f64, y: f64, degrees: f64| (Point::new(x, y), Vec2::from_angle(degrees.to_radians()));
+        // Through (1, 2): along x, along y, along x = y − 1.
+        assert_eq!(meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.0, 45.0)], 1.0), Some(false));
+        assert_eq!(meeting(&[line(0.0, 2.0, 30.0), line(1.0, 0.0, 210.0), line(4.0, 1.0, 30.0)], 1.0), Some(true));
+        assert_eq!(meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.1, 45.0)], 1.0), None);
+    }
+}

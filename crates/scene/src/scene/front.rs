@@ -1,0 +1,111 @@
+//! What other files have in common with scenes: title, units, parameters, paper and language, and quantities read alike.
+//!
+//! Decided here: nothing of its own. A synthesis file is no scene, yet `"2*r"` means the same in both, a bare number takes the unit of
+//! the same table, and a fault is told with its place in the same words.
+
+use super::decode;
+use super::eval::{NoValue, Value, evaluate};
+use super::expr::Expr;
+use super::model::{Lang, Localized, Paper};
+use super::raw::{RawQuantity, RawScene};
+use super::resolve;
+use super::units::{Dim, Wanted};
+use super::values::Values;
+use crate::diag::{Diagnostic, Faults, both};
+use crate::json::Node;
+use crate::json::fields::What;
+
+/// The keys of a front.
+pub const KEYS: [&str; 6] = ["title", "parameters", "units", "paper", "language", "notation"];
+
+/// The front of a file as written.
+pub struct RawFront(RawScene);
+
+impl RawFront {
+    /// Takes the keys of the front from an object whose other keys are somebody else's.
+    pub fn decode(root: &Node, faults: &mut Faults) -> RawFront {
+        RawFront(decode::front(root, faults))
+    }
+}
+
+/// The front of a file, ready to read its quantities.
+pub struct Front<'a> {
+    raw: &'a RawScene,
+    values: Values<'a>,
+    /// The file's title, if it has one.
+    pub title: Option<Localized>,
+    /// The language it names.
+    pub language: Option<Lang>,
+    /// Its sheet and scales.
+    pub paper: Paper,
+}
+
+impl<'a> Front<'a> {
+    /// Reads units and parameters, in order.
+    pub fn new(raw: &'a RawFront, source: &'a str, faults: &mut Faults) -> Front<'a> {
+        let raw = &raw.0;
+        let (values, _) = Values::new(source, &raw.units, &raw.parameters, faults);
+        let (title, language, paper) = resolve::front(raw, &values, faults);
+        Front { raw, values, title, language, paper }
+    }
+
+    /// A quantity in SI.
+    pub fn si(&self, node: &Node, wanted: Wanted, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+        let quantity = decode::quantity(node, what, faults)?;
+        Some(self.values.si(&quantity, wanted, faults)?.value)
+    }
+
+    /// An angle in radians, rounded once from what is written.
+    pub fn angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+        let quantity = decode::quantity(node, what, faults)?;
+        Some(self.values.angle(&quantity, faults)?.value.radians())
+    }
+
+    /// A number without a dimension.
+    pub fn number(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<f64> {
+        let quantity: RawQuantity = decode::quantity(node, what, faults)?;
+        self.values.pure_number(&quantity, faults)
+    }
+
+    /// A function of a variable, such as `ln(x)`.
+    pub fn curve(&self, node: &Node, variable: &str, what: impl Into<What>, faults: &mut Faults) -> Option<Curve> {
+        let quantity = decode::quantity(node, what, faults)?;
+        self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
+    }
+
+    /// Warnings about parameters that nothing uses; to be asked when everything has been read.
+    pub fn unused(&self) -> Vec<Diagnostic> {
+        self.values.unused(&self.raw.parameters)
+    }
+}
+
+/// A function of one variable, a pure number of a pure number.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    pub(super) expr: Expr,
+    pub(super) variable: String,
+    pub(super) parameters: Vec<(String, Value)>,
+}
+
+impl Curve {
+    /// Its value.
+    ///
+    /// # Errors
+    /// Where the expression has none, and where it is no pure number.
+    pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
+        let variable = Value { number: x, dim: Dim::NUMBER, degrees: false };
+        let lookup = |name: &str| match name == self.variable {
+            true => Some(variable),
+            false => self.parameters.iter().find(|(n, _)| n == name).map(|(_, v)| *v),
+        };
+        match evaluate(&self.expr, &lookup) {
+            Ok(value) if value.dim == Dim::NUMBER => Ok(value.number),
+            Ok(value) => {
+                let message = both!("a function of numbers is wanted, this is {}", "此处需要数值函数，现为{}", value.dim.describe());
+                Err(Diagnostic::error("dimension", message))
+            }
+            Err(NoValue::Fault(d)) => Err(Diagnostic { span: None, ..d }),
+            Err(NoValue::Reported) => Err(Diagnostic::error("expression", both!("the function has no value", "函数无值"))),
+        }
+    }
+}

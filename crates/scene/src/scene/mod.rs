@@ -1,0 +1,172 @@
+//! The file a person writes: raw mirror, validation, units, expressions, embedded templates.
+//!
+//! Bytes → JSON tree with places (`json`) → `RawScene` (`decode`) → [`Scene`] (`resolve`). A later stage finds
+//! nothing in a [`Scene`] that it would have to interpret; an earlier one knows nothing of the rules of a later one.
+
+pub mod book;
+pub mod build;
+pub mod cams;
+mod decode;
+pub mod edit;
+pub mod eval;
+pub mod exact;
+pub mod expr;
+pub mod front;
+mod keys;
+mod lang;
+mod law;
+mod mistake;
+pub mod model;
+mod names;
+pub mod quantity;
+mod raw;
+pub mod readings;
+mod resolve;
+pub mod rolling;
+pub mod schema;
+pub mod statement;
+pub mod templates;
+#[cfg(test)]
+mod tests;
+mod told;
+pub mod units;
+mod values;
+mod write;
+mod written;
+
+pub use book::{Book, Kind};
+pub use model::*;
+pub use quantity::{Asked, Axis};
+pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};
+pub use write::write;
+pub use written::Told;
+
+use crate::diag::{Faults, Severity, Span, Warned};
+use crate::json;
+
+/// Reads the error of a pencil as `"paper": {"pencil": ...}` would say it, such as `0.1 mm`; in mm.
+///
+/// # Errors
+/// What is no length, not greater than zero, or more than 5 mm; places count in `text`.
+///
+/// ```
+/// assert_eq!(hodograph::scene::pencil("1/4 * 1 mm").unwrap(), 0.25);
+/// assert!(hodograph::scene::pencil("1 deg").is_err());
+/// ```
+pub fn pencil(text: &str) -> Result<f64, Faults> {
+    let mut faults = Faults::default();
+    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let read = resolve::pencil(&quantity, text, &mut faults);
+    read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
+/// Whether a text begins as a question does: `v_`, `omega_`.
+pub fn begins_a_question(text: &str) -> bool {
+    resolve::begins_a_question(text)
+}
+
+/// Reads a scene file: JSON in UTF-8, in the format that `docs/scene.md` describes.
+///
+/// # Errors
+/// All faults of the file in one list, each with its place as byte offsets into `source`; warnings are among them.
+///
+/// ```
+/// let scene = hodograph::scene::read(r#"{
+///   "links": {"1": ["A", "B"], "2": ["A"]}, "ground": "2", "lengths": {"AB": "100 mm"},
+///   "driver": {"link": "1", "angle": "30 deg", "omega": "10 rad/s"}, "find": ["v_B"] }"#).unwrap().value;
+/// assert_eq!(scene.lengths[0].value.value, 0.1);
+/// ```
+pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), None)
+}
+
+/// Places from here on count in the questions of [`read_asking`] instead of in the file: no file is so long.
+const ASKED: usize = usize::MAX / 2;
+
+/// The same with other questions than the file's, such as `v_E, a_E`.
+///
+/// # Errors
+/// As [`read`]. The places of the questions, in these faults and in those of later stages, are told from the file's by
+/// [`place_in_asked`].
+///
+/// ```
+/// use hodograph::{diag::Span, scene};
+/// let text = scene::templates::get("crank-rocker").unwrap();
+/// assert_eq!(scene::read_asking(text, "a_C, x_C").unwrap().value.find.len(), 2);
+/// let faults = scene::read_asking(text, "a_C, x_Q").unwrap_err();
+/// assert_eq!(faults.list[0].span.and_then(scene::place_in_asked), Some(Span::new(5, 8)));
+/// ```
+pub fn read_asking(source: impl AsRef<[u8]>, questions: &str) -> Result<Warned<Scene>, Faults> {
+    read_with(source.as_ref(), Some(questions))
+}
+
+/// A place in the questions of [`read_asking`]; `None` where it is one in the file.
+pub fn place_in_asked(span: Span) -> Option<Span> {
+    Some(Span::new(span.start.checked_sub(ASKED)?, span.end.checked_sub(ASKED)?))
+}
+
+/// The language that a scene names, as far as its JSON can be read: what is wrong with it is told in that.
+pub fn language_of(source: &[u8]) -> Option<Lang> {
+    let (_, root) = json::parse(source, &mut Faults::default()).ok()?;
+    decode::language_of(&root)
+}
+
+/// Reads links and pairs, as counting them needs: a driver, its rate, the direction of a guide, any length may be missing.
+///
+/// # Errors
+/// As [`read`].
+///
+/// ```
+/// let text = r#"{"links": {"1": ["A", "D"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"]}, "ground": "1"}"#;
+/// assert!(hodograph::scene::read_topology(text).unwrap().value.drivers.is_empty());
+/// assert!(hodograph::scene::read(text).is_err());
+/// ```
+pub fn read_topology(source: impl AsRef<[u8]>) -> Result<Warned<Scene>, Faults> {
+    read_as(source.as_ref(), None, true)
+}
+
+fn read_with(source: &[u8], questions: Option<&str>) -> Result<Warned<Scene>, Faults> {
+    read_as(source, questions, false)
+}
+
+fn read_as(source: &[u8], questions: Option<&str>, topology: bool) -> Result<Warned<Scene>, Faults> {
+    let mut faults = Faults::default();
+    let (text, root) = json::parse(source, &mut faults)?;
+    let raw = decode::scene(&root, topology, &mut faults).map(|raw| match questions {
+        Some(questions) => raw::RawScene { find: Some(asked(questions, &mut faults)), ..raw },
+        None => raw,
+    });
+    let scene = raw.and_then(|raw| resolve::resolve(&raw, text, &mut faults));
+    match scene {
+        Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
+        _ => {
+            // Errors first; within each kind the order of the file, so that the list can be worked down from the top.
+            faults.list.sort_by_key(|d| (d.severity != Severity::Error, d.span.map_or(0, |s| s.start)));
+            Err(faults)
+        }
+    }
+}
+
+/// The questions of a list that is parted by commas, with their places: what does not begin as a question does (`v_`, `omega_`) belongs to
+/// the one before.
+fn asked(questions: &str, faults: &mut Faults) -> Vec<json::Word> {
+    let mut words = Vec::new();
+    let mut start = ASKED;
+    for part in questions.split(',') {
+        let from = start + part.len() - part.trim_start().len();
+        let word = json::Word { text: part.trim().to_owned(), span: Span::new(from, from + part.trim().len()) };
+        faults.list.extend(json::unprintable(&word));
+        match words.last_mut() {
+            _ if word.text.is_empty() => {}
+            // Names of points may be parted by a comma too.
+            Some(last) if !begins_a_question(&word.text) => {
+                let last: &mut json::Word = last;
+                last.text = format!("{},{}", last.text, word.text);
+                last.span.end = word.span.end;
+            }
+            _ => words.push(word),
+        }
+        start += part.len() + 1;
+    }
+    words
+}

@@ -1,0 +1,84 @@
+//! `P_24`: the instantaneous centre of two links, by their velocities: P = Q + i (v_i − v_j)/(ω_i − ω_j), v of the links' points at Q.
+//!
+//! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
+
+use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
+use crate::diag::{Diagnostic, both};
+use crate::geom::Vec2;
+use crate::number::Real;
+use crate::scene::book::Kind;
+use crate::scene::model::{LinkId, OnLink, PointId, Scene};
+use crate::scene::resolve::Question;
+
+/// What rounding leaves of a difference of two angular velocities, as a part of the larger one.
+const ROUNDING: f64 = 1e-13;
+
+/// The instantaneous centre of two links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InstantCentre {
+    /// The two links, each with a point of its own; the ground needs none.
+    pub links: [(LinkId, Option<PointId>); 2],
+}
+
+impl Quantity for InstantCentre {
+    const WRITTEN: &'static [Entry] = &[Entry::new("P", "P_13", Kind::Length, Form::Point, ["instantaneous centre", "速度瞬心"])
+        .printed("P", Over::Nothing)
+        .at_level(Level::Velocity)];
+
+    fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
+        let links = question.two_links()?;
+        let mut of = [(links[0], None), (links[1], None)];
+        for (link, point) in &mut of {
+            *point = question.first_point(*link);
+            if point.is_none() && !question.is_ground(*link) {
+                let d = question.fault(both!(
+                    "`{}`: a link without a point of its own has a centre that `find` does not tell",
+                    "`{}`：没有点的构件，其瞬心不能用 `find` 求",
+                    question.text()
+                ));
+                return Err(d.help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
+            }
+            if question.is_ground(*link) {
+                *point = None;
+            }
+        }
+        Ok(Some(InstantCentre { links: of }))
+    }
+
+    fn entry(&self) -> &'static Entry {
+        &Self::WRITTEN[0]
+    }
+
+    fn of(&self) -> Of {
+        Of::Links(self.links[0].0, self.links[1].0)
+    }
+
+    fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
+        None
+    }
+
+    fn needs(&self) -> Vec<(Need, Level)> {
+        let moving = self.links.iter().filter_map(|(l, p)| Some((*l, (*p)?)));
+        moving.flat_map(|(l, p)| [Need::Turning(l), Need::Point(p, Some(l))]).map(|need| (need, Level::Velocity)).collect()
+    }
+
+    fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
+        let zero = N::from_f64(0.0);
+        let base = known.point(self.links.iter().find_map(|(_, p)| *p)?)?;
+        // Velocity of the link's point at `base`, and ω.
+        let motion = |(link, point): (LinkId, Option<PointId>)| {
+            let Some(point) = point else { return Some((Vec2::zero(), zero)) };
+            let omega = known.turning(Level::Velocity, link)?;
+            let v = known.vector(Level::Velocity, &OnLink { point, link: Some(link) })?;
+            Some((v + (base - known.point(point)?).perp() * omega, omega))
+        };
+        let ((v, a), (w, b)) = (motion(self.links[0])?, motion(self.links[1])?);
+        // Plain numbers do not tell a difference that is all rounding from none: then the centre is nowhere.
+        let largest = a.approx().abs().max(b.approx().abs());
+        if !N::refines() && (a - b).approx().abs() <= ROUNDING * largest {
+            return None;
+        }
+        let at = base + (v - w).perp() * (N::from_f64(1.0) / (a - b));
+        at.is_finite().then_some(Value::Point(at))
+    }
+}

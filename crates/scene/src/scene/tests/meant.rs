@@ -1,0 +1,101 @@
+//! What a scene means where it says a thing in another way than usual, says it twice, or does not quite say it.
+
+use super::{faults, good, read, with, written};
+use crate::scene::quantity::Of;
+use crate::scene::{Angle, DriverKind, LinkId, OnLink, PointId};
+
+/// A disc that is nothing but its pivot and its slot, in which a pin runs that a rod guides.
+fn slotted(angle: &str, driver: &str) -> String {
+    format!(
+        r#"{{"links": {{"1": ["O"], "2": ["B", "C"], "4": ["O", "C"]}}, "ground": "4",
+ "points": {{"O": [0, 0], "C": ["300 mm", "40 mm"]}}, "lengths": {{"BC": "150 mm"}},
+ "guides": [{{"pin": "B", "on": "1", "through": "O"{angle}}}], "driver": {{"link": "1"{driver}, "omega": "2 rad/s"}},
+ "sketch": {{"B": [150, 60]}}, "units": {{"length": "mm"}}, "find": ["v_B", "phi_1"]}}"#
+    )
+}
+
+#[test]
+fn the_angle_of_a_slot_is_that_of_its_link() {
+    good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "20 deg""#));
+    let slot = good(&slotted(r#", "angle": "20 deg""#, ""));
+    let DriverKind::Turn { angle: Some(angle), .. } = &slot.drivers[0].kind else { panic!("{:?}", slot.drivers) };
+    assert_eq!(angle.value, Angle::Deg(20.0));
+    good(&slotted(r#", "angle": "20 deg""#, r#", "angle": "-340 deg""#));
+    for other in ["45 deg", "200 deg", "20.001 deg"] {
+        assert_eq!(
+            faults(&slotted(r#", "angle": "20 deg""#, &format!(r#", "angle": "{other}""#))),
+            format!(
+                "[\"{other}\"] the driver puts link `1` at {other}, but its guide, which is its direction, is at 20 deg (leave one of the two angles out)\n"
+            )
+        );
+    }
+}
+
+#[test]
+fn radians_are_pure_numbers_beside_a_time() {
+    let driver = |omega: &str| {
+        let parameters = r#"{"vA": "0.5 m/s", "R1": "100 mm"}, "driver""#;
+        with("parameters", &format!(r#"{parameters}: {{"link": "1", "angle": "60 deg", "omega": "{omega}", "alpha": "(vA/R1)^2"}}"#))
+            .replacen(r#""driver": {"link": "1", "angle": "60 deg", "omega": "10 rad/s"},"#, "", 1)
+    };
+    let scene = good(&driver("-vA/R1"));
+    assert_eq!((scene.drivers[0].rate.value, scene.drivers[0].acceleration.as_ref().unwrap().value), (-5.0, 25.0));
+    assert_eq!(good(&driver("vA/R1 - 60 rpm")).drivers[0].rate.value, 5.0 - std::f64::consts::TAU);
+    // A scale is no rate of turning, nor is a length of time.
+    assert!(faults(&driver("1 s*vA/R1")).contains("an angular velocity is wanted here"));
+    assert!(faults(&with("paper", r#"{"mu_v": "10 rad/s"}"#)).contains("a scale of velocities is wanted here"));
+}
+
+#[test]
+fn a_decimal_comma_is_told_with_the_point() {
+    let said = faults(&with("lengths", r#"{"AB": "100,5 mm", "BC": "2*(1,25 mm)"}"#));
+    assert!(said.contains("[,] `100,5 mm` has a comma in a number (write the decimal point: \"100.5 mm\")"), "{said}");
+    assert!(said.contains("write the decimal point: \"2*(1.25 mm)\""), "{said}");
+}
+
+#[test]
+fn a_velocity_of_a_link_is_told_with_its_points() {
+    let yoke = crate::scene::templates::get("scotch-yoke").unwrap();
+    let asked = |what: &str| faults(&crate::scene::edit::with_find(yoke, &[what]).unwrap());
+    assert!(asked("v_3").contains("`3` in `v_3` is a link; `v` is of a point (write v_B3)"), "{}", asked("v_3"));
+    assert!(asked("a_1").contains("(write a_A or a_B)"), "{}", asked("a_1"));
+    assert!(asked("x_1").contains("(write x_A or x_B)"), "{}", asked("x_1"));
+}
+
+#[test]
+fn a_comma_parts_a_point_from_its_link() {
+    let links = r#"{"2": ["O", "B"], "3": ["B", "O2"], "4": ["O", "O2"]}"#;
+    let scene = format!(
+        r#"{{"links": {links}, "ground": "4", "points": {{"O": [0, 0], "O2": ["1 m", 0], "B": ["1 m", "1 m"]}},
+ "driver": {{"link": "2", "omega": "1 rad/s"}}, "find": ["v_B,3", "v_O2", "v_O,2", "v_O,O2"]}}"#
+    );
+    let scene = read(&scene).unwrap_or_else(|f| panic!("{f}")).value;
+    let said: Vec<_> = scene.find.iter().map(|f| f.what.of()).collect();
+    let link = |p: &crate::scene::OnLink| p.link.map(|l| scene.link_name(l));
+    let Of::Point(b3) = said[0] else { panic!("{said:?}") };
+    let Of::Point(o2) = said[1] else { panic!("{said:?}") };
+    let Of::Point(o) = said[2] else { panic!("{said:?}") };
+    assert_eq!((link(&b3), link(&o2), link(&o)), (Some("3"), None, Some("2")));
+    assert!(matches!(said[3], Of::Points(..)));
+}
+
+#[test]
+fn lists_are_whole() {
+    let points: Vec<String> = ('A'..='Z').map(|c| format!("{c}0")).collect();
+    let links = format!(r#"{{"1": {points:?}, "4": ["A0", "zz"]}}"#);
+    let said = faults(&format!(r#"{{"links": {links}, "ground": "4", "driver": {{"link": "1", "omega": "1 rad/s"}}, "find": ["v_9"]}}"#));
+    assert!(said.contains("Y0, Z0, zz)") && !said.contains("..."), "{said}");
+    let said = faults(&with("lengths", r#"{"QQ": "1 m"}"#));
+    assert!(said.contains("the points are A, B, C, E, D"), "{said}");
+}
+
+#[test]
+fn a_loose_pin_in_two_slots_and_a_height_called_h() {
+    let scene = good(
+        r#"{"parameters": {"h": "200 mm"}, "links": {"1": ["O", "F"], "2": ["O", "E"], "3": ["O"]}, "ground": "3", "lengths": {"OF": "h", "OE": "2*h"},
+        "guides": [{"pin": "M", "on": "1", "line": "OF", "angle": "90 deg", "through": "F"}, {"pin": "M", "on": "2", "line": "OE"}],
+        "driver": [{"link": "1", "angle": "0 deg", "omega": "6 rad/s"}, {"link": "2", "angle": "40 deg", "omega": "1 rev/s"}], "find": ["v_M", "vr_MM1"]}"#,
+    );
+    let on = |link: Option<usize>| OnLink { point: PointId(3), link: link.map(LinkId) };
+    assert_eq!(written(&scene.find[1].what), ("vr", Of::Points(on(None), on(Some(0)))));
+}
