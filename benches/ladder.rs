@@ -2,8 +2,8 @@
 //! whole of `certify` against the plain `f64` solution. Ratios of one run: `cargo bench --bench ladder`.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use hodograph::accuracy::{certify, steps};
 use hodograph::answer::evaluate;
+use hodograph::certified::{certify, steps};
 use hodograph::number::{Ball, Big, Dd, Real, within};
 use hodograph::scene::{Scene, read, templates};
 use hodograph::worked::{Scope, Worked, work};

@@ -53,10 +53,11 @@
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
-//! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, how many digits are
-//!   true ([`accuracy::ladder`], for the steps of the drawing [`accuracy::steps()`]), what that costs ([`accuracy::ways`]), and what a pencil makes of the drawing; [`effort`]:
-//!   what was done for it.
+//! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, and what a pencil makes of the
+//!   drawing.
 //! - [`worked`]: the whole way as one call, each stage's result kept.
+//! - [`certified`]: how many digits are true ([`certified::ladder`], for the steps of the drawing [`certified::steps()`]);
+//!   [`effort`]: what was done, and what accuracy costs ([`effort::ways`]).
 //! - [`centres`]: instantaneous centres of velocity: the order of finding from topology alone, two lines drawn for each, rates and
 //!   speeds by centres beside those of drawing and analysis.
 //! - [`curvature`]: how paths bend: pole, inflection circle, centres of curvature with the ruler and from accelerations; centrodes.
@@ -78,7 +79,7 @@
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
 //! # Crates
-//! The rooms up to the loop equations are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
+//! The rooms up to the loop equations, and the sweep, are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
 //! that drawing and analysis know one another. The others stand in the root package, which hands on all that a user needs.
 //! ```text
 //! base       diag json digits trig number geom
@@ -86,6 +87,7 @@
 //! mechanism  mechanism position answer motion
 //! board      plan construct
 //! analytic   analytic
+//! sweep      sweep
 //! ```
 //!
 //! # Who may import whom
@@ -94,37 +96,38 @@
 //! ```text
 //! diag       -
 //! json       diag
-//! digits   -
+//! digits     -
 //! trig       -
 //! number     trig
 //! geom       number
 //! cam        geom
 //! scene      diag json digits trig number geom cam
 //! mechanism  diag scene
-//! position   diag digits number scene geom mechanism
-//! answer     number scene geom mechanism position
-//! motion     number scene geom mechanism position answer
+//! position   diag digits number geom scene mechanism
+//! answer     number geom scene mechanism position
+//! motion     number geom scene mechanism position answer
 //! plan       diag scene mechanism
-//! construct  diag digits number scene geom mechanism position answer plan
-//! analytic   diag scene geom mechanism position answer
-//! accuracy   diag digits number scene geom mechanism position answer motion plan construct analytic worked*
+//! construct  diag digits number geom scene mechanism position answer plan
+//! analytic   diag geom scene mechanism position answer
+//! sweep      diag digits trig number geom scene mechanism position answer analytic
+//! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
+//! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
+//! effort     diag number geom scene mechanism position answer motion plan construct analytic accuracy worked certified
 //! gears      geom
 //! trains     scene
-//! centres    diag scene geom mechanism position answer accuracy worked
-//! composite  diag scene geom mechanism answer worked
-//! attempts   diag digits scene geom mechanism position answer plan construct worked
-//! sweep      diag digits trig number scene geom mechanism position answer analytic accuracy
-//! curvature  diag scene geom mechanism position answer analytic worked centres sweep
-//! inversions diag scene mechanism position worked curvature sweep
-//! synthesis  diag json digits number scene geom mechanism position sweep
-//! effort     mechanism plan construct accuracy worked
-//! report     diag cam digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite trains sweep curvature inversions synthesis attempts effort figure* render*
-//! figure     diag cam json digits scene geom mechanism position answer plan construct analytic accuracy worked centres composite gears trains sweep curvature inversions synthesis attempts report
+//! centres    diag geom scene mechanism position answer worked certified
+//! composite  diag geom scene mechanism answer worked
+//! attempts   diag digits geom scene mechanism position answer plan construct worked
+//! curvature  diag geom scene mechanism position answer analytic sweep worked centres
+//! inversions diag scene mechanism position sweep worked curvature
+//! synthesis  diag json digits number geom scene mechanism position sweep
+//! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep accuracy worked certified effort trains centres composite attempts curvature inversions synthesis figure* render*
+//! figure     diag json digits geom cam scene mechanism position answer plan construct analytic sweep accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
 //! render     diag geom figure
-//! worksheet  diag cam digits scene geom mechanism answer plan construct accuracy worked attempts report figure render
-//! lesson     diag scene geom mechanism position plan construct accuracy worked sweep report figure render
-//! cli        diag cam geom json scene mechanism position plan accuracy worked centres composite attempts sweep curvature inversions synthesis effort report figure render worksheet lesson
+//! worksheet  diag digits geom cam scene mechanism answer plan construct worked certified attempts report figure render
+//! lesson     diag geom scene mechanism position plan construct sweep worked certified report figure render
+//! cli        diag json geom cam scene mechanism position plan sweep worked certified effort centres composite attempts curvature inversions synthesis report figure render worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -143,12 +146,14 @@ pub use hodograph_base::{diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
 pub use hodograph_mechanism::{answer, mechanism, motion, position};
 pub use hodograph_scene::{cam, scene};
+pub use hodograph_sweep::sweep;
 
 use hodograph_base::json;
 
 pub mod accuracy;
 pub mod attempts;
 pub mod centres;
+pub mod certified;
 #[cfg(feature = "cli")]
 pub mod cli;
 pub mod composite;
@@ -160,7 +165,6 @@ pub mod inversions;
 pub mod lesson;
 pub mod render;
 pub mod report;
-pub mod sweep;
 pub mod synthesis;
 pub mod trains;
 pub mod worked;

@@ -10,7 +10,7 @@ mod tests;
 
 pub use far::{Far, Unanswered};
 
-use crate::accuracy::ladder::Rung;
+use crate::accuracy::Rung;
 use crate::accuracy::{
     Agreement, BadAngle, Drafting, Drawn, Kept, Regular, Ways, bad_angles, compare, drafting, estimated, groups_of_question, kept, regular,
     settled, settled_finely,

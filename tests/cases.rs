@@ -1,8 +1,8 @@
 //! The reference problems: each scene of `tests/cases` solved by drawing and by the loop equations, against answers that
 //! were computed without this project.
 
-use hodograph::accuracy::ladder::{Certified, Part, certify};
 use hodograph::answer::Value;
+use hodograph::certified::ladder::{Certified, Part, certify};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Counts;
 use hodograph::report::mobility;

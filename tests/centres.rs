@@ -1,9 +1,9 @@
 //! Instantaneous centres: the cases against places that were computed without this project, which eight-bars stall, and what is said where
 //! lines coincide.
 
-use hodograph::accuracy::certify;
 use hodograph::answer::Value;
 use hodograph::centres::{By, Centres, How, Origin, Place, Undetermined, centres, closure, count};
+use hodograph::certified::certify;
 use hodograph::diag::Warned;
 use hodograph::geom::Vec2;
 use hodograph::scene::{self, LinkId, Scene, edit, templates};

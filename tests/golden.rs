@@ -13,8 +13,8 @@ mod worksheet;
 use files::{
     CENTRES, CURVATURE, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden,
 };
-use hodograph::accuracy::{certify, steps};
 use hodograph::centres;
+use hodograph::certified::{certify, steps};
 use hodograph::effort::Work;
 use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::list::{self, Extras, Wanted};

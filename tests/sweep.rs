@@ -1,7 +1,6 @@
 //! Sweeps against single solutions: every row of a table is what `solve` says at that position, and what differences of
 //! neighbouring positions say of its rates.
 
-use hodograph::accuracy::toggle::{driver_position, with_driver_at};
 use hodograph::analytic;
 use hodograph::answer::evaluate;
 use hodograph::diag::Diagnostic;
@@ -9,6 +8,7 @@ use hodograph::digits::significant;
 use hodograph::mechanism::{Demand, Mechanism};
 use hodograph::position;
 use hodograph::scene::{Angle, DriverKind, Lang, Scene, edit, read, templates};
+use hodograph::scene::{driver_position, with_driver_at};
 use hodograph::sweep::batch::{Batch, Block, Choice};
 use hodograph::sweep::long::Long;
 use hodograph::sweep::pieces::{Pieces, gather};

@@ -3,7 +3,7 @@
 //!
 //! Drawing and analysis share the positions: digits that these have lost neither way can notice.
 
-use super::ladder::{Climb, Rung};
+use super::rung::{Climb, Rung};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::number::Real;

@@ -1,37 +1,8 @@
-//! Where a driver can go no farther: the toggle, found by halving, and poses at given distances before it.
+//! Where a driver can go no farther: the toggle, found by halving.
 
 use crate::mechanism::{Demand, Mechanism};
 use crate::position;
-use crate::scene::{Angle, DriverKind, Given, Scene};
-
-/// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
-/// coordinates.
-pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
-    match &scene.drivers.get(driver)?.kind {
-        DriverKind::Turn { angle, .. } => Some(angle.as_ref()?.value.radians()),
-        DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => Some(x.as_ref()?.value),
-    }
-}
-
-/// The same scene with a driver elsewhere: just the decimal that is printed for `position` (radians or metres).
-///
-/// A scene whose driver has no position stays as it is.
-pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
-    let mut scene = scene.clone();
-    // The shortest decimal that reads back as the same double is within half a unit of its last place.
-    let radius = position.abs() * f64::EPSILON;
-    match &mut scene.drivers[driver].kind {
-        DriverKind::Turn { angle: Some(angle), .. } => {
-            *angle = Given { value: Angle::Rad(position), radius, text: format!("({position:?}) rad"), span: angle.span };
-        }
-        DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => {
-            *x = Given { value: position, radius, text: format!("({position:?}) m"), span: x.span };
-        }
-        _ => {}
-    }
-    scene.set_followers(driver, None);
-    scene
-}
+use crate::scene::{DriverKind, Scene, driver_position, with_driver_at};
 
 /// Steps of the search: a degree, or as fine a part of the mechanism's size.
 const STEPS: usize = 360;

@@ -4,7 +4,7 @@
 //! (one by coordinates), the loop equations must take a pose for a singular one. In longer numbers lengths and coordinates are what
 //! is written, and a group whose pivots are surely not zero has one motion.
 
-use super::ladder::{Climb, Rung};
+use super::rung::{Climb, Rung};
 use crate::answer::{Value, evaluate};
 use crate::mechanism::{Demand, Mechanism};
 use crate::motion;

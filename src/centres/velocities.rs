@@ -1,8 +1,8 @@
 //! What the loop equations say of a centre: P_ij = i (v_i − v_j)/(ω_i − ω_j), v of the links' points at one place.
 
-use crate::accuracy::certify;
-use crate::accuracy::ladder::Part;
 use crate::answer::Source;
+use crate::certified::certify;
+use crate::certified::ladder::Part;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::scene::{Find, LinkId, PointId, Scene};

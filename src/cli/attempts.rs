@@ -1,8 +1,8 @@
 //! The command `attempts`: the wrong solutions that the scene names, or all typical mistakes that it lets one make.
 
 use super::{Input, Run, args, choices, files};
-use crate::accuracy::certify;
 use crate::attempts;
+use crate::certified::certify;
 use crate::report::answers::DIGITS;
 use crate::report::attempts as report;
 use crate::worked::Scope;

@@ -35,9 +35,10 @@ mod together;
 mod values;
 mod worksheet;
 
-use crate::accuracy::{certify, steps, ways};
+use crate::certified::{certify, steps};
 use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
 use crate::effort::Work;
+use crate::effort::ways;
 use crate::figure::font::own::Fonts;
 use crate::figure::sheet;
 use crate::figure::style::Style;

@@ -1,7 +1,7 @@
 //! What an argument may be: the choices that have names, and how numbers are read.
 
 use super::{Failure, Told, help};
-use crate::accuracy::ladder::MOST_DIGITS;
+use crate::certified::ladder::MOST_DIGITS;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::figure::list::{self, Entry};
 use crate::scene::Lang;

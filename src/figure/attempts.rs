@@ -1,8 +1,8 @@
 //! A wrong solution drawn over the right one: from the same pole, to the same μ, the wrong vectors dashed and red, the gap between the
 //! tips red and named; below the equation with the missing or wrong vector in a frame, and what it gives.
 
-use crate::accuracy::certify;
 use crate::attempts::{Attempt, wanted};
+use crate::certified::certify;
 use crate::construct::{Edge, Polygon};
 use crate::diag::{Faults, Warned};
 use crate::geom::Point;

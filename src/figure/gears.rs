@@ -231,7 +231,7 @@ impl Drawn<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accuracy::certify;
+    use crate::certified::certify;
     use crate::figure::item::{Item, Shape};
     use crate::figure::sheet::Options;
     use crate::scene::{Lang, read};

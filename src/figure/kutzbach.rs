@@ -330,7 +330,7 @@ impl Plan<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accuracy::certify;
+    use crate::certified::certify;
     use crate::figure::sheet::Options;
     use crate::scene::{Lang, read};
     use crate::worked::{Scope, work};

@@ -1,8 +1,8 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
-use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::answer::Value;
+use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::construct::ShownAs;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::mechanism::Level;

@@ -23,7 +23,7 @@ use super::style::Style;
 use super::tables::Tables;
 use super::words::{Words, words};
 use super::{mechanism, polygon, results};
-use crate::accuracy::{Certified, Steps, certify, steps};
+use crate::certified::{Certified, Steps, certify, steps};
 
 /// How a sheet is written.
 #[derive(Clone, Debug, PartialEq)]

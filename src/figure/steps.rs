@@ -1,7 +1,7 @@
 //! The construction as a series of pictures: the mechanism, the polygon as it has grown so far with what the step draws in full
 //! ink, the equation that is being solved, and the step's sentence. All pictures have one size, so that slides do not jump.
 
-use crate::accuracy;
+use crate::certified;
 use crate::construct::Polygon;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
@@ -28,7 +28,7 @@ const EARLIER: Colour = Colour::grey(135);
 pub fn figures(scene: &Scene, worked: &Worked, options: &Options) -> Vec<Figure> {
     // Nothing of the results is shown: they need no digits.
     let maker = Maker { scene, worked, options, certified: Vec::new() };
-    let told = accuracy::steps(scene, worked, None);
+    let told = certified::steps(scene, worked, None);
     let levels: Vec<Steps> = Level::RATES
         .into_iter()
         .zip(maker.equations(&told))
@@ -82,7 +82,7 @@ struct Steps {
 }
 
 impl Steps {
-    fn of(maker: &Maker, p: &Polygon, told: &accuracy::Steps, written: &[Part]) -> Steps {
+    fn of(maker: &Maker, p: &Polygon, told: &certified::Steps, written: &[Part]) -> Steps {
         let polygon = maker.captioned(maker.polygon(p), "", p.level);
         let sentences = sentences(&maker.writer(), &maker.worked.construction, p, told);
         let finds = |part: &Part| part.items.iter().flat_map(Item::steps).max();

@@ -1,7 +1,7 @@
 //! The equations of a level as they are written beside the polygon: tables for equations with two chains, one line for
 //! everything else.
 
-use crate::accuracy::Steps;
+use crate::certified::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Level, Mechanism};

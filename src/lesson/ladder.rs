@@ -82,8 +82,8 @@ impl Ladder {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accuracy::toggle::{driver_position, with_driver_at};
     use crate::scene::{self, Scene, templates};
+    use crate::scene::{driver_position, with_driver_at};
     use crate::worked::{Scope, work};
 
     fn poses(scene: &Scene) -> Vec<(f64, Worked)> {

@@ -4,7 +4,6 @@
 
 use serde_json::{Value, json};
 
-use crate::accuracy::toggle::driver_position;
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::sheet;
@@ -17,6 +16,7 @@ use crate::render::escaped;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
+use crate::scene::driver_position;
 use crate::scene::{Book, DriverKind, Lang, Scene};
 
 use super::bank::{self, Formulas};

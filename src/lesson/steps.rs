@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use rayon::prelude::*;
 
-use crate::accuracy::ladder::Certified;
-use crate::accuracy::{Steps, certify, steps as certified_steps, toggle};
+use crate::certified::ladder::Certified;
+use crate::certified::{Steps, certify, steps as certified_steps};
 use crate::figure::results::{DIGITS, amount, sense, symbol};
 use crate::figure::words::words;
 use crate::mechanism::Level;
@@ -13,7 +13,7 @@ use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::construction::sentences;
 use crate::report::phrase::{Phrase, Piece};
-use crate::scene::Lang;
+use crate::scene::{Lang, driver_position};
 
 use super::bank::{self, Formulas};
 use super::frames::{Frame, Frames};
@@ -81,7 +81,7 @@ fn certified(frame: &Frame, driver: usize) -> Vec<Certified> {
     if frame.end {
         return Vec::new();
     }
-    let told = frame.travel == 0.0 || toggle::driver_position(&frame.scene, driver).is_some();
+    let told = frame.travel == 0.0 || driver_position(&frame.scene, driver).is_some();
     let mut list = certify(&frame.scene, &frame.worked, DIGITS);
     if !told {
         list.iter_mut().for_each(|c| (c.parts, c.reading) = (Vec::new(), None));

@@ -3,9 +3,9 @@
 use super::construction;
 use super::drafting;
 use super::phrase::{fill, formula, sense, tr};
-use crate::accuracy::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
 use crate::answer::Value;
+use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::construct::Measured;
 use crate::diag::{Diagnostic, Severity};
 use crate::digits::{direction_degrees, shortest, significant};

@@ -4,9 +4,9 @@
 //! certificate.
 
 use super::phrase::{Phrase, sense, tr};
-use crate::accuracy::Certified;
 use crate::answer::Value;
 use crate::attempts::{Attempt, Row, Shown, Side};
+use crate::certified::Certified;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::figure::results::{amount, number, sense as certified_sense, symbol};
 use crate::figure::words::words;

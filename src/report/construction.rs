@@ -1,9 +1,9 @@
 //! The construction, step by step, as sentences with the lengths measured on paper.
 
 use super::phrase::{Phrase, formula, sense, tr};
-use crate::accuracy::Steps;
-use crate::accuracy::ladder::Number;
-use crate::accuracy::steps::What;
+use crate::certified::Steps;
+use crate::certified::ladder::Number;
+use crate::certified::steps::What;
 use crate::construct::{Action, Construction, Mark, Polygon};
 use crate::digits::{inked, shortest, significant};
 use crate::figure::sheet::of_level;
@@ -13,7 +13,7 @@ use crate::plan::{Term, VertexId};
 use crate::scene::{Book, Kind, Lang};
 
 /// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of
-/// [`steps`](crate::accuracy::steps()); where those know of a pencil error, how far it moves each crossing.
+/// [`steps`](crate::certified::steps()); where those know of a pencil error, how far it moves each crossing.
 pub fn sentences(w: &Writer, paper: &Construction, polygon: &Polygon, steps: &Steps) -> Vec<Phrase> {
     let level = polygon.level;
     let (pole, mu) = (w.pole(level), of_level(&w.scene.book, level, polygon.mu));

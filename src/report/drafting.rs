@@ -1,8 +1,9 @@
 //! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
 
 use super::phrase::{formula, tr};
-use crate::accuracy::steps::What;
-use crate::accuracy::{CrossingTolerance, Drafting, Steps, Tolerance};
+use crate::accuracy::{CrossingTolerance, Drafting, Tolerance};
+use crate::certified::Steps;
+use crate::certified::steps::What;
 use crate::digits::{shortest, significant};
 use crate::mechanism::Level;
 use crate::plan::text::{Writer, vertex_name};

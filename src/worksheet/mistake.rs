@@ -4,8 +4,8 @@
 //! drawn over the right solution, why it is one, and then the right solution as in any worksheet.
 
 use super::{Block, Document, Maker, Options, Sides, document};
-use crate::accuracy::{certify, steps};
 use crate::attempts::Attempt;
+use crate::certified::{certify, steps};
 use crate::figure::attempts::{as_printed, page_of};
 use crate::report::attempts::Words;
 use crate::report::phrase::Phrase;

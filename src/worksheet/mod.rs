@@ -20,7 +20,7 @@ mod results;
 mod solution;
 pub mod typst;
 
-use crate::accuracy::{Certified, Steps, certify, steps};
+use crate::certified::{Certified, Steps, certify, steps};
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::sheet;

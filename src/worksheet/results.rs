@@ -1,8 +1,8 @@
 //! The results with their senses, and how the drawing compares with the loop equations.
 
 use super::{Block, Maker, Table, TableKind};
-use crate::accuracy::ladder::Why;
 use crate::answer::Value;
+use crate::certified::ladder::Why;
 use crate::digits::shortest;
 use crate::figure::label::Label;
 use crate::figure::remarks::{agreement, remarks};

@@ -16,7 +16,7 @@ use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::construction::sentences;
-use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -54,8 +54,8 @@ fn assert_quiet(b: &Browser, name: &str) {
 
 /// The scene with its driver `travel` farther on, to the scales of the page.
 fn worked_at(b: &mut Browser, scene: &Scene, travel: f64) -> (Scene, Worked) {
-    let start = toggle::driver_position(scene, 0).unwrap();
-    let mut there = toggle::with_driver_at(scene, 0, start + travel);
+    let start = driver_position(scene, 0).unwrap();
+    let mut there = with_driver_at(scene, 0, start + travel);
     let mut mu =
         |key: &str| b.eval(&format!("document.querySelector('#{key} svg')?.dataset.mu ?? ''")).as_str().unwrap().parse::<f64>().ok();
     there.paper.mu_l = mu("mechanism");
@@ -158,7 +158,7 @@ fn a_dragged_crank_shows_what_the_library_computes() {
         let scene = template(name);
         let window = if name == "shaper" { PHONE } else { PROJECTOR };
         b.open(&page(name, &scene), window);
-        let start = toggle::driver_position(&scene, 0).unwrap();
+        let start = driver_position(&scene, 0).unwrap();
         let (_, first) = worked_at(&mut b, &scene, 0.0);
         let (centre, radius) = crank(&scene, &first);
         let mut from = start.to_degrees();
@@ -230,7 +230,7 @@ fn every_step_reveals_what_it_names() {
             let Some(p) = worked.construction.polygon(level) else { continue };
             let w = Writer { scene: &there, plan: &worked.plan, notation: &notation, lang: Lang::En };
             let items = polygon::drawing(&Style::default(), &w, p, polygon::is_full(&w, p)).finish().items;
-            let said = sentences(&w, &worked.construction, p, &hodograph::accuracy::steps(&scene, &worked, None));
+            let said = sentences(&w, &worked.construction, p, &hodograph::certified::steps(&scene, &worked, None));
             let step =
                 |class: &str| class.split(' ').filter_map(|w| w.strip_prefix("step-")?.parse::<usize>().ok()).min().map_or(0, |n| n + 1);
             for (n, phrase) in said.iter().enumerate() {
@@ -313,7 +313,7 @@ fn a_limit_stops_the_driver_and_says_why() {
     let Some(mut b) = browser() else { return };
     let scene = template("five-bar");
     b.open(&page("limit", &scene), PROJECTOR);
-    let start = toggle::driver_position(&scene, 0).unwrap();
+    let start = driver_position(&scene, 0).unwrap();
     let said = |b: &mut Browser| b.eval("document.getElementById('limit').textContent").as_str().unwrap().to_owned();
     assert_eq!(said(&mut b), "");
     for (key, up) in [("+", true), ("-", false)] {

@@ -6,7 +6,7 @@
 
 mod mutate;
 
-use hodograph::accuracy::certify;
+use hodograph::certified::certify;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::figure::style;
 use hodograph::render::svg;

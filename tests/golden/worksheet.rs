@@ -2,7 +2,7 @@
 
 use super::files::{LANGS, WORKSHEETS, check_text, finish, golden};
 use super::pdf::{letters, read};
-use hodograph::accuracy::certify;
+use hodograph::certified::certify;
 use hodograph::digits::significant;
 use hodograph::figure::extent::{Rect, bounds};
 use hodograph::figure::item::{Item, Shape};

@@ -8,11 +8,10 @@ mod faults;
 mod read;
 
 use faults::Faults;
-use hodograph::accuracy::toggle::{driver_position, with_driver_at};
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::figure::style::Style;
 use hodograph::render::svg;
-use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
 
 /// Angles of the whole check: every so many degrees from this one, so that nothing stands square by accident.

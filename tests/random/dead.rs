@@ -1,7 +1,7 @@
 //! A dead point takes away what rests on it, and nothing else.
 
 use crate::rng::Rng;
-use hodograph::accuracy::{certify, steps};
+use hodograph::certified::{certify, steps};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::{answers, construction};

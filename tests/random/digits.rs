@@ -4,11 +4,13 @@ use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
 use crate::told::told;
-use hodograph::accuracy::ladder::{Part, certify, parts};
-use hodograph::accuracy::{steps, toggle, truth};
+use hodograph::accuracy::toggle;
 use hodograph::answer::Value;
+use hodograph::certified::ladder::{Part, certify, parts};
+use hodograph::certified::steps;
+use hodograph::effort::truth;
 use hodograph::number::{Ball, Big, Real, within};
-use hodograph::scene::{Kind, Scene, read, templates};
+use hodograph::scene::{Kind, Scene, driver_position, read, templates, with_driver_at};
 use hodograph::worked::{Scope, Worked, work};
 
 /// What was compared.
@@ -150,11 +152,11 @@ fn printed_digits_are_true_on_templates() {
     for t in templates::list() {
         let scene = in_si(read(templates::get(t.name).unwrap()).unwrap().value);
         tally.check(t.name, &scene);
-        let Some(start) = toggle::driver_position(&scene, 0) else { continue };
+        let Some(start) = driver_position(&scene, 0) else { continue };
         for _ in seeds(3) {
             // Anywhere on its way, as the shortest decimal of a double.
             let at = if start.abs() > 0.0 { start * rng.between(0.6, 1.4) } else { rng.between(-0.5, 0.5) };
-            tally.check(&format!("{} at {at}", t.name), &toggle::with_driver_at(&scene, 0, at));
+            tally.check(&format!("{} at {at}", t.name), &with_driver_at(&scene, 0, at));
         }
     }
     tally.done(1500);
@@ -273,7 +275,7 @@ impl Tally {
             let Some(limit) = toggle::limit(scene, 0, up) else { continue };
             for k in (2..=12).step_by(2) {
                 let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
-                self.check(&format!("{name} 1e-{k} before {limit}"), &toggle::with_driver_at(scene, 0, at));
+                self.check(&format!("{name} 1e-{k} before {limit}"), &with_driver_at(scene, 0, at));
             }
         }
     }

@@ -1,9 +1,10 @@
 //! A group of class IV: named, not drawn, answered from the loop equations, which differences of positions confirm.
 
-use hodograph::accuracy::ladder::Part;
-use hodograph::accuracy::{certify, truth};
 use hodograph::answer::Value;
+use hodograph::certified::certify;
+use hodograph::certified::ladder::Part;
 use hodograph::digits::significant;
+use hodograph::effort::truth;
 use hodograph::geom::Point;
 use hodograph::number::{Real, within};
 use hodograph::position::newton::{driver_values, moved};

@@ -3,7 +3,7 @@
 use crate::emit::{self, Ask, Pose};
 use crate::properties::{mechanism, seeds, style};
 use crate::rng::Rng;
-use hodograph::accuracy::{certify, steps};
+use hodograph::certified::{certify, steps};
 use hodograph::plan::notation::Notation;
 use hodograph::plan::text::Writer;
 use hodograph::report::diagnostics::render;

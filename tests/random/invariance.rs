@@ -5,8 +5,8 @@
 use crate::emit::{self, Ask, Pose, Style, scene as emitted};
 use crate::mech::Mech;
 use crate::properties::{mechanism, seeds, style};
-use hodograph::accuracy::ladder::{Certified, Part, certify};
 use hodograph::answer::Value;
+use hodograph::certified::ladder::{Certified, Part, certify};
 use hodograph::scene::{Scene, read};
 use hodograph::worked::{Scope, Worked, work};
 use serde_json::Value as Json;

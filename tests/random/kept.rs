@@ -4,12 +4,12 @@
 use crate::emit::{Ask, Pose, scene as emitted};
 use crate::properties::{mechanism, seeds, style};
 use crate::singular::{FOUR_BAR, FRAMES, RATES, drive, scene_in};
-use hodograph::accuracy::ladder::{Certified, Part, Why, certify};
 use hodograph::accuracy::{Agreement, toggle};
 use hodograph::answer::Value;
+use hodograph::certified::ladder::{Certified, Part, Why, certify};
 use hodograph::geom::Vec2;
 use hodograph::mechanism::Level;
-use hodograph::scene::{Scene, read, templates};
+use hodograph::scene::{Scene, read, templates, with_driver_at};
 use hodograph::worked::{Outcome, Scope, Worked, work};
 
 /// What was seen.
@@ -136,7 +136,7 @@ fn promises_are_kept_next_to_toggles() {
             let Some(limit) = toggle::limit(&scene, 0, up) else { continue };
             for k in 2..=14 {
                 let at = limit + if up { -1.0 } else { 1.0 } * 10f64.powi(-k) * limit.abs().min(1.0);
-                seen.check(&format!("{} 1e-{k} before {limit}", t.name), &toggle::with_driver_at(&scene, 0, at));
+                seen.check(&format!("{} 1e-{k} before {limit}", t.name), &with_driver_at(&scene, 0, at));
             }
         }
     }

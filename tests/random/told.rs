@@ -1,11 +1,11 @@
 //! What the steps of a construction tell, found without drawing anything: from differences of positions in long numbers, and
 //! from what each term means.
 
-use hodograph::accuracy::steps::What;
-use hodograph::accuracy::truth::Differences;
 use hodograph::answer::Source;
+use hodograph::certified::steps::What;
 use hodograph::construct::{Action, Polygon};
 use hodograph::digits::shortest;
+use hodograph::effort::truth::Differences;
 use hodograph::geom::{Point, Vec2, cross_lines};
 use hodograph::mechanism::{ConstraintLine, Level};
 use hodograph::number::{Big, Real};

@@ -2,10 +2,10 @@
 //! driver that differ from template to template, so that all together many are looked at.
 
 use crate::legible::{SMALLEST_MM, look};
-use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
+use hodograph::accuracy::toggle::limit;
 use hodograph::figure::list::{self, Extras, Wanted};
 use hodograph::figure::sheet::Options;
-use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
 
 /// Positions of a template.

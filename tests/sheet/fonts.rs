@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use hodograph::accuracy::ways;
+use hodograph::effort::ways;
 use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::font::{Face, own::Fonts};
 use hodograph::figure::item::{Figure, Item, Shape};

@@ -3,7 +3,7 @@
 //!
 //! The table: `cargo test --release --test sheet every_pose -- --nocapture`
 
-use hodograph::accuracy::toggle::{driver_position, limit, with_driver_at};
+use hodograph::accuracy::toggle::limit;
 use hodograph::figure::extent::Rect;
 use hodograph::figure::item::{Figure, Item, Shape};
 use hodograph::figure::list::{self, Extras, Wanted};
@@ -11,7 +11,7 @@ use hodograph::figure::place::Obstacles;
 use hodograph::figure::sheet::{Options, sheet};
 use hodograph::geom::{Point, Vec2};
 use hodograph::plan::notation::Notation;
-use hodograph::scene::{self, DriverKind, Lang, Scene, templates};
+use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
 
 /// Positions of the driver.

@@ -1,12 +1,12 @@
 //! Two links that lie over one another are seen as two, whatever the pose.
 
-use hodograph::accuracy::toggle::{driver_position, with_driver_at};
 use hodograph::figure::item::{Item, Shape};
 use hodograph::figure::mechanism::mechanism;
 use hodograph::figure::style::Style;
 use hodograph::geom::Point;
 use hodograph::plan::notation::Notation;
 use hodograph::scene::{self, Lang, Scene, templates};
+use hodograph::scene::{driver_position, with_driver_at};
 use hodograph::worked::{Scope, work};
 
 /// White is seen between two bars of 0.7 mm whose middles are so far apart.

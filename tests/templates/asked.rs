@@ -3,7 +3,7 @@
 //! The expected numbers are counted by hand from the mechanics: a driven link and a dyad have one equation each, a crossing
 //! draws two vectors, a moving link has three unknowns.
 
-use hodograph::accuracy::certify;
+use hodograph::certified::certify;
 use hodograph::effort::{Motion, Work};
 use hodograph::plan::{Effect, Reason};
 use hodograph::scene::{self, Scene, templates};

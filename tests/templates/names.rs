@@ -3,7 +3,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use hodograph::accuracy::certify;
+use hodograph::certified::certify;
 use hodograph::diag::Severity;
 use hodograph::figure::curves::{self, Diagram};
 use hodograph::figure::item::Figure;
@@ -315,7 +315,7 @@ fn everything(text: &str, scene: &Scene, worked: &Worked, failures: &mut Vec<Str
         let notation = Notation::of_language(lang);
         let options = Options::of_language(lang);
         let w = Writer { scene, plan: &worked.plan, notation: &notation, lang };
-        let told = hodograph::accuracy::steps(scene, worked, None);
+        let told = hodograph::certified::steps(scene, worked, None);
         plan::text(scene, &worked.mechanism, &w);
         plan_json::json(&worked.mechanism, &worked.demand, &w, None, &[]);
         construction::text(&w, &worked.construction, &told);

@@ -1,6 +1,6 @@
 //! Each gear pair with its teeth.
 
-use crate::accuracy::certify;
+use crate::certified::certify;
 use crate::diag::{Faults, Warned};
 use crate::figure::gears::pairs;
 use crate::figure::sheet::Maker;

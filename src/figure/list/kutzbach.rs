@@ -1,6 +1,6 @@
 //! Kutzbach's plan of each gear train, with Willis' table.
 
-use crate::accuracy::certify;
+use crate::certified::certify;
 use crate::diag::{Faults, Warned};
 use crate::figure::kutzbach::plans;
 use crate::figure::sheet::Maker;

@@ -1,6 +1,6 @@
 //! The polygons of a mechanism with many links, split by group: a page of A4 for what each group adds, with its equations.
 
-use crate::accuracy::{certify, steps};
+use crate::certified::{certify, steps};
 use crate::diag::{Faults, Warned};
 use crate::figure::arrange::{Tree, put_together};
 use crate::figure::drawing::Part;

@@ -1,8 +1,9 @@
 //! How a place in the plane is told.
 
 use super::*;
-use crate::accuracy::ladder::{Rung, parts};
-use crate::accuracy::printed::with_printed;
+use crate::accuracy::Rung;
+use crate::certified::ladder::parts;
+use crate::certified::printed::with_printed;
 use crate::figure::results::amount;
 use crate::geom::Point;
 use crate::number::Ball;

@@ -8,6 +8,7 @@ pub mod build;
 pub mod cams;
 mod decode;
 pub mod edit;
+mod elsewhere;
 pub mod eval;
 pub mod exact;
 pub mod expr;
@@ -35,6 +36,7 @@ mod write;
 mod written;
 
 pub use book::{Book, Kind};
+pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;
 pub use quantity::{Asked, Axis};
 pub use rolling::{Contours, Flanks, Rolling, RollingId, Sizes};

@@ -4,7 +4,10 @@
 //! equations hold its motion. So the counters show whether the work is what was asked, and a stage that does more than
 //! that shows in them.
 
-use crate::accuracy::ladder::Certified;
+pub mod truth;
+pub mod ways;
+
+use crate::certified::ladder::Certified;
 use crate::construct::{Action, Mark, Polygon};
 use crate::mechanism::Level;
 use crate::plan::Step;

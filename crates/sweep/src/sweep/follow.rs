@@ -6,11 +6,11 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::accuracy::toggle::{driver_position, with_driver_at};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, Pose as Frame, newton};
 use crate::scene::{DriverKind, Given, LinkId, Scene};
+use crate::scene::{driver_position, with_driver_at};
 
 use super::extreme::turns_seen;
 use super::train::Train;

@@ -4,9 +4,9 @@
 //! of a level, relative to the answer (or to a thousandth of the largest vector of its kind). The truth is 512-bit arithmetic
 //! with a bound of its error.
 
-use super::ladder::Rung;
 use super::truth::Differences;
-use super::{simulate, toggle};
+use crate::accuracy::Rung;
+use crate::accuracy::{Errors, simulate, toggle};
 use crate::analytic;
 use crate::answer::{Source, Value, evaluate};
 use crate::construct::pencil::Single;
@@ -16,7 +16,7 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
 use crate::position::{Configuration, newton};
-use crate::scene::{DriverKind, Scene};
+use crate::scene::{DriverKind, Scene, driver_position, with_driver_at};
 use crate::worked::{Scope, Worked, work};
 use crate::{motion, position};
 use std::hint::black_box;
@@ -120,7 +120,7 @@ pub struct Watch<'a> {
 /// Measures every way on a worked scene; the median of the times of its runs counts.
 ///
 /// ```
-/// use hodograph::accuracy::ways::{Watch, measure};
+/// use hodograph::effort::ways::{Watch, measure};
 /// use hodograph::{scene, worked::{Scope, work}};
 /// use std::time::{Duration, Instant};
 ///
@@ -162,7 +162,7 @@ pub struct Near {
 /// Nothing stops the driver, or the pose is given by coordinates.
 pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
     let limits = [true, false].map(|up| toggle::limit(scene, 0, up));
-    let start = toggle::driver_position(scene, 0);
+    let start = driver_position(scene, 0);
     let nearest = start.and_then(|s| limits.into_iter().flatten().min_by(|a, b| (a - s).abs().total_cmp(&(b - s).abs())));
     let (Some(start), Some(limit)) = (start, nearest) else {
         let why = if start.is_none() {
@@ -182,7 +182,7 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
     for k in 1..=12 {
         let distance = libm::exp10(f64::from(-k)) * unit;
         let position = limit + distance.copysign(start - limit);
-        let there = toggle::with_driver_at(scene, 0, position);
+        let there = with_driver_at(scene, 0, position);
         let ways = match work(&there, Scope::Questions) {
             Ok(worked) => of_ways(&there, &worked.value, &SERIES, watch).unwrap_or_default(),
             Err(_) => Vec::new(),
@@ -263,7 +263,7 @@ fn one(scene: &Scene, worked: &Worked, truth: &[Option<Long>], way: Way, watch: 
         Way::Paper(mm) => {
             let drawn = worked.drawn(scene);
             let errors = simulate(&drawn, mm, DRAWINGS, 1);
-            let of = |pick: fn(&super::Errors) -> f64| {
+            let of = |pick: fn(&Errors) -> f64| {
                 by_level(scene, worked, |i| {
                     errors[worked.results[i].find].as_ref().map(|e| pick(e) / size(worked, i)).unwrap_or(f64::INFINITY)
                 })

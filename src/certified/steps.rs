@@ -4,7 +4,8 @@
 //! drawing in `f64` chose; what is measured on that board is true within its bound. As with the answers, what one rung leaves
 //! uncertain the next is asked for, and the loop equations take no part.
 
-use super::ladder::{Climb, Number, READING_DIGITS, Rung, Why};
+use super::ladder::{Number, READING_DIGITS, Why};
+use crate::accuracy::{Climb, Rung};
 use crate::construct::pencil::Exact;
 use crate::construct::{Action, Construction, Edge, Layout, Mark, Polygon, by_hand, scale};
 use crate::geom::Vec2;

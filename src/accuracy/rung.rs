@@ -1,0 +1,51 @@
+//! The rungs of the precision ladder: balls over `f64`, over double-double, over longer and longer numbers.
+
+use crate::number::decimal::Certain;
+use crate::number::{Ball, Big, Dd, within};
+
+/// A rung of the ladder.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rung {
+    /// `f64` with a bound of its error.
+    Double,
+    /// Double-double with a bound of its error.
+    DoubleDouble,
+    /// Numbers of so many bits, with a bound of their error.
+    Long(usize),
+}
+
+impl Rung {
+    /// All of them, the cheapest first. The last is longer than any digits that are asked for by the depth of a dead centre
+    /// written with twenty decimals; beyond it lie only ties and poses that are singular as written.
+    pub const LADDER: [Rung; 5] = [Rung::Double, Rung::DoubleDouble, Rung::Long(192), Rung::Long(384), Rung::Long(768)];
+
+    /// The last: beyond it nothing is tried.
+    pub const LAST: Rung = Rung::LADDER[Rung::LADDER.len() - 1];
+
+    /// Does the work in this rung's numbers.
+    pub fn climb<C: Climb>(self, work: &C) -> C::Found {
+        match self {
+            Rung::Double => work.with::<Ball<f64>>(),
+            Rung::DoubleDouble => work.with::<Ball<Dd>>(),
+            Rung::Long(bits) => within(bits, || work.with::<Ball<Big>>()),
+        }
+    }
+
+    /// For programs and tables: `f64`, `double-double`, `192 bit`.
+    pub fn name(self) -> String {
+        match self {
+            Rung::Double => "f64".into(),
+            Rung::DoubleDouble => "double-double".into(),
+            Rung::Long(bits) => format!("{bits} bit"),
+        }
+    }
+}
+
+/// Work that can be done on any rung.
+pub trait Climb {
+    /// What comes of it: nothing that holds numbers of the rung, which mean nothing outside.
+    type Found;
+
+    /// The work itself.
+    fn with<N: Certain>(&self) -> Self::Found;
+}
