@@ -53,6 +53,8 @@
 //! - [`plan`]: the vector equations: legs to loci, images, notation profiles, words and symbols. Holds no numbers.
 //! - [`construct`]: the drawing board: the one door between SI and millimetres ([`construct::scale`]), polygons, readings.
 //! - [`analytic`]: constraint rows, Jacobian, conditioning; singular poses by the next orders. Knows neither plan nor paper.
+//! - [`paper`]: what figures are made of: typed items in mm, labels, words of both languages, fonts, placement of labels, styles;
+//!   [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
 //! - [`answer`]: what a question means, for both ways alike; [`accuracy`]: how far the two are apart, and what a pencil makes of the
 //!   drawing.
 //! - [`worked`]: the whole way as one call, each stage's result kept.
@@ -69,9 +71,8 @@
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
-//! - [`figure`]: typed items in mm of paper: symbols, labels and their placement, diagram, polygons, tables, sheet; of a motion
-//!   line diagrams, paths with hodographs, the sheet of many poses, the motion frame by frame.
-//! - [`render`]: ink: numbers, SVG and PDF (the doors between y up and y down), PNG; GIF and SVG that move.
+//! - [`figure`]: diagram, polygons, tables, sheet as items on paper; of a motion line diagrams, paths with hodographs, the sheet of many
+//!   poses, the motion frame by frame.
 //! - [`lesson`]: one HTML page with the construction step by step and a driver to drag, and fragments for slides.
 //! - [`report`]: plan, construction, answers, diagnostics as text (in either language) and JSON.
 //! - [`worksheet`]: problem and solution as a document, and its writers: HTML with MathML, Markdown, Typst, pages for PDF.
@@ -79,7 +80,7 @@
 //! - Small shared ones: [`geom`], [`trig`], [`digits`], [`diag`], [`json`].
 //!
 //! # Crates
-//! The rooms up to the loop equations, and the sweep, are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
+//! The rooms up to the loop equations, the sweep and the paper are crates of their own under `crates/`, so that Cargo refuses what the table below forbids; above all,
 //! that drawing and analysis know one another. The others stand in the root package, which hands on all that a user needs.
 //! ```text
 //! base       diag json digits trig number geom
@@ -88,11 +89,11 @@
 //! board      plan construct
 //! analytic   analytic
 //! sweep      sweep
+//! paper      paper render
 //! ```
 //!
 //! # Who may import whom
-//! Rooms from the bottom up, each with the rooms that it imports. A star marks an import from further up: circles that are left, and
-//! that shall go. `tests/tidy.rs` compares the table with the imports of all files.
+//! Rooms from the bottom up, each with the rooms that it imports. `tests/tidy.rs` compares the table with the imports of all files.
 //! ```text
 //! diag       -
 //! json       diag
@@ -110,6 +111,8 @@
 //! construct  diag digits number geom scene mechanism position answer plan
 //! analytic   diag geom scene mechanism position answer
 //! sweep      diag digits trig number geom scene mechanism position answer analytic
+//! paper      diag json geom scene mechanism plan
+//! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic
 //! worked     diag digits geom scene mechanism position answer plan construct analytic accuracy
 //! certified  diag digits number geom scene mechanism position answer motion plan construct accuracy worked
@@ -122,12 +125,11 @@
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
 //! synthesis  diag json digits number geom scene mechanism position sweep
-//! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep accuracy worked certified effort trains centres composite attempts curvature inversions synthesis figure* render*
-//! figure     diag json digits geom cam scene mechanism position answer plan construct analytic sweep accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
-//! render     diag geom figure
-//! worksheet  diag digits geom cam scene mechanism answer plan construct worked certified attempts report figure render
-//! lesson     diag geom scene mechanism position plan construct sweep worked certified report figure render
-//! cli        diag json geom cam scene mechanism position plan sweep worked certified effort centres composite attempts curvature inversions synthesis report figure render worksheet lesson
+//! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis
+//! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
+//! worksheet  diag digits geom cam scene mechanism answer plan construct paper render worked certified attempts report figure
+//! lesson     diag geom scene mechanism position plan construct sweep paper render worked certified report figure
+//! cli        diag json geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions synthesis report figure worksheet lesson
 //! ```
 //!
 //! # What must not be
@@ -145,6 +147,7 @@ pub use hodograph_analytic::analytic;
 pub use hodograph_base::{diag, digits, geom, number, trig};
 pub use hodograph_board::{construct, plan};
 pub use hodograph_mechanism::{answer, mechanism, motion, position};
+pub use hodograph_paper::{paper, render};
 pub use hodograph_scene::{cam, scene};
 pub use hodograph_sweep::sweep;
 
@@ -163,7 +166,6 @@ pub mod figure;
 pub mod gears;
 pub mod inversions;
 pub mod lesson;
-pub mod render;
 pub mod report;
 pub mod synthesis;
 pub mod trains;

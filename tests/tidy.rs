@@ -23,9 +23,6 @@ const LONG_FILES: &[(&str, usize)] = &[
 /// Lines that a reader still oversees.
 const LONGEST: usize = 450;
 
-/// Imports against the order of the rooms: the circles that are left. The list only shrinks.
-const AGAINST_THE_ORDER: &[(&str, &str)] = &[("report", "figure"), ("report", "render")];
-
 /// Imports that no table may ever allow, and why.
 const NEVER: &[(&str, &str, &str)] = &[
     ("construct", "analytic", "their agreement is evidence only because the drawing does not know the loop equations"),
@@ -189,14 +186,14 @@ fn chapter(heading: &str) -> String {
     doc[from + 1..from + 1 + length].join("\n")
 }
 
-/// The table of the crate's documentation: rooms from the bottom up, each with what it imports; against the order with a star.
-fn table() -> Vec<(String, BTreeMap<String, bool>)> {
+/// The table of the crate's documentation: rooms from the bottom up, each with what it imports.
+fn table() -> Vec<(String, BTreeSet<String>)> {
     let chapter = chapter("# Who may import whom");
     let block = chapter.split("```").nth(1).expect("a block with the table").strip_prefix("text\n").expect("text").to_owned();
     let row = |line: &str| {
         let mut words = line.split_whitespace();
         let room = words.next().expect("a room").to_owned();
-        (room, words.filter(|w| *w != "-").map(|w| (w.trim_end_matches('*').to_owned(), w.ends_with('*'))).collect())
+        (room, words.filter(|w| *w != "-").map(str::to_owned).collect())
     };
     block.lines().map(row).collect()
 }
@@ -245,31 +242,24 @@ fn imports_are_those_of_the_map() {
     }
     let table = table();
     let place = |room: &str| table.iter().position(|(r, _)| r == room);
-    let allowed: BTreeMap<(String, String), bool> =
-        table.iter().flat_map(|(r, list)| list.iter().map(move |(other, star)| ((r.clone(), other.clone()), *star))).collect();
+    let allowed: BTreeSet<(String, String)> =
+        table.iter().flat_map(|(room, list)| list.iter().map(move |other| (room.clone(), other.clone()))).collect();
     for ((room, other), at) in &actual {
-        if !allowed.contains_key(&(room.clone(), other.clone())) {
+        if !allowed.contains(&(room.clone(), other.clone())) {
             faults.push(format!("{at}: {room} imports {other}, which the table does not allow"));
         }
         if let Some((_, _, why)) = NEVER.iter().find(|(r, o, _)| r == room && o == other) {
             faults.push(format!("{at}: {room} must never import {other}: {why}"));
         }
     }
-    for ((room, other), star) in &allowed {
+    for (room, other) in &allowed {
         if !actual.contains_key(&(room.clone(), other.clone())) {
             faults.push(format!("the table allows {room} to import {other}, and no file does: strike it off"));
         }
-        let up = place(room) < place(other);
-        let known = AGAINST_THE_ORDER.contains(&(room, other));
-        if up && !known {
-            faults.push(format!("{room} imports {other}, which stands above it: a new circle"));
-        }
-        if up != *star {
-            faults.push(format!("the table: {room}'s {other} has {} star", if up { "no" } else { "a needless" }));
+        if place(room) <= place(other) {
+            faults.push(format!("{room} imports {other}, which does not stand below it: a circle"));
         }
     }
-    let gone = AGAINST_THE_ORDER.iter().filter(|(room, other)| !allowed.contains_key(&((*room).into(), (*other).into())));
-    faults.extend(gone.map(|(room, other)| format!("{room} imports {other} no more: strike it off AGAINST_THE_ORDER in tests/tidy.rs")));
     finish(&faults, "Imports follow the table under \"Who may import whom\" in src/lib.rs, from the bottom up.");
 }
 

@@ -3,7 +3,7 @@
 use crate::diag::{Diagnostic, Faults, Warned};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::synthesis::cognates::Cognates;
 use std::f64::consts::TAU;
 

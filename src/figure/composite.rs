@@ -186,7 +186,7 @@ fn polygon(w: &Wanted, maker: &Maker, mu: f64, s: &Solved, k: usize) -> Part {
 /// What is told below the drawings.
 fn text(w: &Wanted, words: &Words, s: &Solved, k: usize) -> Part {
     let style = &w.options.style;
-    let row = |(i, line): (usize, crate::report::phrase::Phrase)| {
+    let row = |(i, line): (usize, crate::paper::phrase::Phrase)| {
         let (label, id) = (line.label().in_fonts(&style.fonts), format!("composite-{}-line-{}", k + 1, i + 1));
         let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id };
         Row { cells: vec![Some(cell)], height_mm: ROW_MM }

@@ -9,8 +9,8 @@ use super::style::Style;
 use super::words::words;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Group;
+use crate::paper::phrase::tr;
 use crate::plan::notation::Notation;
-use crate::report::phrase::tr;
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 

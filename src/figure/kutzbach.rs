@@ -12,8 +12,8 @@ use std::f64::consts::TAU;
 
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::phrase::tr;
 use crate::plan::names::{name_label, point_label};
-use crate::report::phrase::tr;
 use crate::report::trains::{number, omega, table, turns};
 use crate::scene::{Kind, LinkId, PointId};
 use crate::trains::{Train, Turns, trains};

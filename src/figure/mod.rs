@@ -2,8 +2,11 @@
 //!
 //! Everything here is y up and knows no file format; [`crate::render`] turns a [`item::Figure`] into ink.
 
+pub use crate::paper::{arrow, drawing, extent, font, grid, item, label, place, style, symbols, text, words};
+
+pub(crate) use crate::paper::lines;
+
 mod arrange;
-pub mod arrow;
 pub mod attempts;
 pub mod cam;
 mod centres;
@@ -12,22 +15,14 @@ mod composite;
 pub(crate) mod course;
 mod curvature;
 pub mod curves;
-pub mod drawing;
-pub mod extent;
-pub mod font;
 mod gears;
-pub mod grid;
 pub mod groups;
 pub mod hodograph;
 mod inversions;
-pub mod item;
 mod kutzbach;
-pub mod label;
-pub(crate) mod lines;
 pub mod list;
 pub mod mechanism;
 pub mod path;
-pub mod place;
 mod plot;
 pub mod polygon;
 pub mod poses;
@@ -37,9 +32,5 @@ pub mod results;
 pub mod series;
 pub mod sheet;
 pub mod steps;
-pub mod style;
-pub mod symbols;
 pub mod synthesis;
 pub mod tables;
-pub mod text;
-pub mod words;

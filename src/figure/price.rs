@@ -11,7 +11,7 @@ use super::words::words;
 use crate::accuracy::Rung;
 use crate::effort::ways::{Measured, Near, Way};
 use crate::geom::{Point, Vec2};
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::report::price::name;
 use crate::scene::{Lang, Scene};
 

@@ -7,12 +7,12 @@ use crate::construct::conditions;
 use crate::diag::Both;
 use crate::digits::{shortest, significant};
 use crate::mechanism::{Core, Level, Opened};
+use crate::paper::phrase::{Phrase, fill};
 use crate::plan::names::name_label;
 use crate::plan::text::{point_label, vertex_name};
 use crate::position::redundant::Checked;
 use crate::report::answers::worst;
 use crate::report::drafting;
-use crate::report::phrase::{Phrase, fill};
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
 

@@ -4,14 +4,15 @@
 
 use crate::construct::Polygon;
 use crate::diag::Faults;
-use crate::digits::{inked, shortest};
 use crate::geom::Point;
 use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
-use crate::scene::{Book, Kind, Lang, Scene};
+use crate::scene::{Kind, Lang, Scene};
 use crate::worked::Worked;
+
+pub use crate::report::amount::{of_level, scale};
 
 use super::arrange::{Pieces, arrange, column};
 use super::drawing::Part;
@@ -240,22 +241,6 @@ impl Maker<'_> {
         self.options.style.palette.paint(&mut figure);
         figure
     }
-}
-
-/// The scale of a level: `\mu_v = 0.01 (m/s)/mm`.
-pub fn of_level(book: &Book, level: Level, mu: f64) -> String {
-    let kind = level.kind();
-    let letter = match level {
-        Level::Position => 'l',
-        Level::Velocity => 'v',
-        Level::Acceleration => 'a',
-    };
-    format!("\\mu_{letter} = {} {}", scale(book.value(kind, mu)), book.scale_label(kind))
-}
-
-/// A scale as the label language wants it: `0.002`, `2 \times 10^{-6}`.
-pub fn scale(mu: f64) -> String {
-    inked(&shortest(mu))
 }
 
 /// A driver's position in the label language, and what it is: `\varphi_{1}` an angle, `s_{B}` or `l_{BC}` a length.

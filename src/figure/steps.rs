@@ -5,8 +5,8 @@ use crate::certified;
 use crate::construct::Polygon;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::phrase::Phrase;
 use crate::report::construction::sentences;
-use crate::report::phrase::Phrase;
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 

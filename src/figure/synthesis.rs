@@ -12,7 +12,7 @@ use crate::construct::scale::choose;
 use crate::diag::Faults;
 use crate::digits::{inked, shortest, significant};
 use crate::geom::{Point, Vec2};
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::report::synthesis::{positions, traced};
 use crate::scene::Lang;
 use crate::synthesis::board::{Board, Stroke as Drawn, Weight};

@@ -5,9 +5,9 @@ use crate::certified::Steps;
 use crate::construct::{Action, Construction, Polygon};
 use crate::digits::inked;
 use crate::mechanism::{ConstraintLine, Level, Mechanism};
+use crate::paper::phrase::{Phrase, fill};
 use crate::plan::text::Writer;
 use crate::plan::{Chain, Special, SpecialLine, Step, VertexId};
-use crate::report::phrase::{Phrase, fill};
 use crate::scene::{PointId, Scene};
 
 use super::drawing::Part;

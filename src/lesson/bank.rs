@@ -5,9 +5,9 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use crate::figure::label::Label;
+use crate::paper::phrase::{Phrase, Piece};
 use crate::render::escaped;
 use crate::report::math::mathml;
-use crate::report::phrase::{Phrase, Piece};
 
 /// Formulas without changing numbers, each once: they come again and again.
 #[derive(Default)]

@@ -235,7 +235,7 @@ fn driver(scene: &Scene, k: usize) -> Value {
     };
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;
-    let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::report::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
+    let mut told = json!({"turns": turns, "symbol": mathml(&Label::math(&symbol)), "plain": crate::paper::phrase::formula(&symbol), "start": start, "factor": factor, "back": back});
     // A unit of the book, and in how many parts of it the page tells the position.
     if book.chosen(what).is_some() {
         told["unit"] = json!(book.text(what, ""));

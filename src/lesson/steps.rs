@@ -9,10 +9,10 @@ use crate::certified::{Steps, certify, steps as certified_steps};
 use crate::figure::results::{DIGITS, amount, sense, symbol};
 use crate::figure::words::words;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, Piece};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::construction::sentences;
-use crate::report::phrase::{Phrase, Piece};
 use crate::scene::{Lang, driver_position};
 
 use super::bank::{self, Formulas};

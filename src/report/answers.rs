@@ -2,7 +2,6 @@
 
 use super::construction;
 use super::drafting;
-use super::phrase::{fill, formula, sense, tr};
 use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
 use crate::answer::Value;
 use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
@@ -10,6 +9,7 @@ use crate::construct::Measured;
 use crate::diag::{Diagnostic, Severity};
 use crate::digits::{direction_degrees, shortest, significant};
 use crate::mechanism::Level;
+use crate::paper::phrase::{fill, formula, sense, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::{Book, Find, Kind, Lang, Scene};

@@ -3,17 +3,17 @@
 //! True values are certified, as `solve` prints them. Those of wrong equations are read off their drawing; a number without a meaning needs no
 //! certificate.
 
-use super::phrase::{Phrase, sense, tr};
 use crate::answer::Value;
 use crate::attempts::{Attempt, Row, Shown, Side};
 use crate::certified::Certified;
 use crate::digits::{direction_degrees, inked, significant};
-use crate::figure::results::{amount, number, sense as certified_sense, symbol};
-use crate::figure::words::words;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, sense, tr};
+use crate::paper::words::words;
 use crate::plan::Step;
 use crate::plan::notation::Notation;
 use crate::plan::text::{Column, Writer};
+use crate::report::amount::{amount, number, sense as certified_sense, symbol};
 use crate::scene::{Book, Find, Given, Lang, Scene};
 use crate::worked::Worked;
 use serde_json::{Value as Json, json};
@@ -255,7 +255,7 @@ pub fn text(words: &Words, all: &[Attempt]) -> String {
         lines.push(format!("({}) {}  [{}]", k + 1, words.heading(a), a.site.mistake().name()));
         if let Some(columns) = words.equation(a) {
             let part = |f: &Framed| {
-                let symbol = super::phrase::formula(&f.column.symbol);
+                let symbol = crate::paper::phrase::formula(&f.column.symbol);
                 let symbol = if f.framed { format!("[{symbol}]") } else { symbol };
                 if f.column.joint.is_empty() { symbol } else { format!("{} {symbol}", f.column.joint) }
             };
@@ -288,7 +288,7 @@ pub fn json(words: &Words, all: &[Attempt]) -> Json {
         };
         let framed = words
             .equation(a)
-            .map(|all| all.iter().filter(|f| f.framed).map(|f| super::phrase::formula(&f.column.symbol)).collect::<Vec<_>>());
+            .map(|all| all.iter().filter(|f| f.framed).map(|f| crate::paper::phrase::formula(&f.column.symbol)).collect::<Vec<_>>());
         json!({
             "mistake": a.site.mistake().name(),
             "pair": a.site.point(words.scene),

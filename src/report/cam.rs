@@ -1,9 +1,9 @@
 //! A cam over a whole turn, for people and programs: stages, strokes, extremes, shocks, pressure angle, curvature, and what does not work.
 
-use super::phrase::tr;
 use crate::cam::{Disc, Fault, Follower, Jump, Law, Motion, Shock, Side, Station, Survey, Touch, Way, in_turn, round};
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
+use crate::paper::phrase::tr;
 use crate::scene::{Cam, Follows, Kind, Lang, Scene, Turning};
 use serde_json::{Value as Json, json};
 use std::f64::consts::TAU;

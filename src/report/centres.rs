@@ -1,9 +1,9 @@
 //! Instantaneous centres as a table: how each is found, where it lies, and what they tell.
 
-use super::phrase::tr;
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
+use crate::paper::phrase::tr;
 use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 

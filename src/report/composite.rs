@@ -2,12 +2,12 @@
 //! of the motion, and the projection that leaves out the unwanted unknown. In the words of theoretical mechanics.
 
 use super::answers::diagnostic;
-use super::phrase::{Phrase, tr};
 use crate::composite::{Choice, Known, Place, Projection, Solved, Verdict, name_of, projections};
 use crate::diag::Diagnostic;
 use crate::digits::{direction_degrees, inked, significant};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, tr};
 use crate::plan::names::name_label;
 use crate::scene::quantity::composite::Part;
 use crate::scene::quantity::{Frame, RelativePath};

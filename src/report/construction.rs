@@ -1,15 +1,15 @@
 //! The construction, step by step, as sentences with the lengths measured on paper.
 
-use super::phrase::{Phrase, formula, sense, tr};
 use crate::certified::Steps;
 use crate::certified::ladder::Number;
 use crate::certified::steps::What;
 use crate::construct::{Action, Construction, Mark, Polygon};
 use crate::digits::{inked, shortest, significant};
-use crate::figure::sheet::of_level;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, formula, sense, tr};
 use crate::plan::text::Writer;
 use crate::plan::{Term, VertexId};
+use crate::report::amount::of_level;
 use crate::scene::{Book, Kind, Lang};
 
 /// The sentences of one polygon, one for each action, the pole first. Their numbers are the certified ones of

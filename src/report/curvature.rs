@@ -1,13 +1,13 @@
 //! Curvature in words: the steps of the construction, the values by drawing beside those by analysis, and what is to be said of poses in
 //! which something lies at infinity.
 
-use super::phrase::{Phrase, tr};
 use crate::curvature::drawing::Drawing;
 use crate::curvature::motion::{Bend, State};
 use crate::curvature::plane::End;
 use crate::curvature::{Curvature, OfLink, OfPoint};
 use crate::digits::{direction_degrees, significant};
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::{Phrase, tr};
 use crate::plan::names::{name_label, point_label};
 use crate::scene::{Kind, Lang, LinkId, PointId, Scene};
 use unicode_width::UnicodeWidthStr;

@@ -1,12 +1,12 @@
 //! The construction of pole, inflection circle and centres of curvature as sentences, one a step.
 
 use super::curvature::Words;
-use super::phrase::{Phrase, tr};
 use crate::curvature::drawing::{Drawing, How, Rays, Rolled};
 use crate::curvature::known::{Known, Why};
 use crate::curvature::plane::End;
 use crate::curvature::{OfLink, OfPoint};
 use crate::geom::Vec2;
+use crate::paper::phrase::{Phrase, tr};
 use crate::scene::{Lang, PointId};
 
 impl Words<'_> {

@@ -7,8 +7,8 @@ use miette::{
     SourceCode, SourceSpan, SpanContents,
 };
 
-use super::phrase::tr;
 use crate::diag::{Diagnostic, Faults, Severity, Span, both};
+use crate::paper::phrase::tr;
 use crate::scene::Lang;
 
 /// Width of the text in columns: that of a printed listing; terminals are at least this wide, and tests want it fixed.

@@ -1,11 +1,11 @@
 //! Tolerances of drawing by hand: as words beside an answer, as a table, as JSON.
 
-use super::phrase::{formula, tr};
 use crate::accuracy::{CrossingTolerance, Drafting, Tolerance};
 use crate::certified::Steps;
 use crate::certified::steps::What;
 use crate::digits::{shortest, significant};
 use crate::mechanism::Level;
+use crate::paper::phrase::{formula, tr};
 use crate::plan::text::{Writer, vertex_name};
 use crate::scene::{Book, Find, Kind, Scene};
 use crate::worked::Worked;

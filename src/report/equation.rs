@@ -2,10 +2,10 @@
 //!
 //! Decided here: which equations need a table. Worksheets and lessons write what this says.
 
-use super::phrase::{Phrase, tr};
 use crate::construct::Construction;
-use crate::figure::words::words;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, tr};
+use crate::paper::words::words;
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Chain, Step, VertexId};
 use crate::scene::Lang;

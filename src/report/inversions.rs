@@ -2,9 +2,9 @@
 
 use super::answers::diagnostic;
 use super::limits;
-use super::phrase::tr;
 use crate::diag::Diagnostic;
 use crate::inversions::Inversion;
+use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use crate::sweep::extreme::Output;
 use serde_json::{Value as Json, json};

@@ -1,8 +1,8 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
-use super::phrase::tr;
 use crate::diag::{Both, both};
 use crate::digits::significant;
+use crate::paper::phrase::tr;
 use crate::scene::{Book, Kind, Lang, LinkId, PointId, Scene};
 use crate::sweep::extreme::{Extreme, Grashof, Limits, Output, Swing};
 use crate::sweep::limit::{Event, Kind as EventKind};

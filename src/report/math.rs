@@ -3,8 +3,8 @@
 //! One walk over a parsed [`Label`]; each language says how it writes letters, numbers, signs and scripts. Decided here:
 //! that what looks alike on the figures is written alike (letters of quantities italic, units and words upright).
 
-use crate::figure::font::Slant;
-use crate::figure::label::{Label, Node, Role};
+use crate::paper::font::Slant;
+use crate::paper::label::{Label, Node, Role};
 use crate::render::escaped;
 
 /// A part of a formula that stands on a line of its own.

@@ -1,9 +1,9 @@
 //! Freedoms for people and programs: what is counted and why, what repeats others, groups from the far end.
 
-use super::phrase::tr;
 use super::plan::{group_words, links_with_blocks};
 use crate::diag::{Both, both};
 use crate::mechanism::{Counts, ForDrivers, Group, Local, Survey};
+use crate::paper::phrase::tr;
 use crate::position::redundant::{Checked, Verdict, look, opened_words};
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};

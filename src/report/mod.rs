@@ -1,5 +1,6 @@
 //! What is said about a run, as text and as JSON: the plan, the construction, the answers, the diagnostics; tables of numbers as files.
 
+pub mod amount;
 pub mod answers;
 pub mod attempts;
 pub mod cam;
@@ -17,7 +18,6 @@ pub mod inversions;
 pub mod limits;
 pub mod math;
 pub mod mobility;
-pub mod phrase;
 pub mod plan;
 pub mod plan_json;
 pub mod price;

@@ -1,7 +1,7 @@
 //! The plan as text: groups, effects, equations in solving order.
 
-use super::phrase::{formula, tr};
 use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
+use crate::paper::phrase::{formula, tr};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
 use crate::scene::{DriverKind, Lang, LinkId, PointId, Scene};

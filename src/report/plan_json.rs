@@ -5,11 +5,11 @@
 //! and in the label language, which is a part of TeX's (`tex`).
 
 use super::answers::diagnostic;
-use super::phrase::formula;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use crate::diag::Diagnostic;
 use crate::effort::{Motion, Work};
 use crate::mechanism::{Constraint, Demand, Level, Mechanism};
+use crate::paper::phrase::formula;
 use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
 use crate::scene::{DriverKind, GuidePath, LinkId, PointId, Scene};

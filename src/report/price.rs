@@ -1,9 +1,9 @@
 //! The price of accuracy as a table for people and as JSON for programs.
 
-use super::phrase::tr;
 use crate::accuracy::Rung;
 use crate::digits::significant;
 use crate::effort::ways::{Measured, Near, Way};
+use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;

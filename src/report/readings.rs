@@ -1,9 +1,9 @@
 //! The table of readings: for each the answers, right and by the wrong equations that the scene names, against what was printed.
 
-use super::phrase::tr;
 use crate::answer::Value;
 use crate::attempts::Attempt;
 use crate::digits::{direction_degrees, significant};
+use crate::paper::phrase::tr;
 use crate::scene::{Find, Lang, Scene};
 use crate::worked::Worked;
 use serde_json::{Value as Json, json};

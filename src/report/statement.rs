@@ -1,8 +1,8 @@
 //! The problem's statement as sentences, and what of its mathematics cannot be read.
 
-use super::phrase::{Phrase, Piece};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::figure::label::Label;
+use crate::paper::label::Label;
+use crate::paper::phrase::{Phrase, Piece};
 use crate::scene::statement::Run;
 use crate::scene::{Lang, Scene};
 

@@ -1,11 +1,11 @@
 //! The candidates of a synthesis for people and programs: lengths, errors, defects, transmission, and which is taken and why.
 
 use super::limits::grashof_words;
-use super::phrase::tr;
 use crate::diag::{Both, Diagnostic, Severity};
 use crate::digits::{metres, shortest, significant};
 use crate::geom::Point;
 use crate::mechanism::{Demand, Mechanism};
+use crate::paper::phrase::tr;
 use crate::position;
 use crate::scene::{self, Kind, Lang, PointId};
 use crate::sweep::station::position_now;

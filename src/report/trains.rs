@@ -1,9 +1,9 @@
 //! Gear trains in words: Willis' table, the ratio as a formula, and how far it agrees with drawing and analysis.
 
-use super::phrase::{formula, tr};
 use crate::answer::Source;
 use crate::digits::{inked, significant};
 use crate::mechanism::Level;
+use crate::paper::phrase::{formula, tr};
 use crate::plan::Body;
 use crate::plan::names::name_label;
 use crate::scene::{Kind, Lang, LinkId, Scene};

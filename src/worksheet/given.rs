@@ -6,9 +6,9 @@ use super::Maker;
 use crate::digits::{self, shortest};
 use crate::figure::results::number;
 use crate::figure::sheet::scale;
+use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
 use crate::plan::text::point_label;
-use crate::report::phrase::Phrase;
 use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Through, Told};
 
 /// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.

@@ -6,9 +6,9 @@ use crate::diag::Faults;
 use crate::figure::item::{Figure, Item};
 use crate::figure::label::Label;
 use crate::figure::words::words;
+use crate::paper::phrase::{Phrase, Piece};
 use crate::render::{escaped, number::mm, svg};
 use crate::report::math::{mathml, mathml_display};
-use crate::report::phrase::{Phrase, Piece};
 
 /// The style: a page of text on the screen, A4 in print; drawings keep their millimetres there, for their scales are true.
 /// Letters of quantities come from the text's italic: in many mathematical fonts an italic v reads as υ.

@@ -7,8 +7,8 @@ use super::{Block, Document, Maker, Options, Sides, document};
 use crate::attempts::Attempt;
 use crate::certified::{certify, steps};
 use crate::figure::attempts::{as_printed, page_of};
+use crate::paper::phrase::Phrase;
 use crate::report::attempts::Words;
-use crate::report::phrase::Phrase;
 use crate::scene::Scene;
 use crate::worked::Worked;
 

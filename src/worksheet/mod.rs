@@ -25,10 +25,10 @@ use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::sheet;
 use crate::figure::words::{Words, words};
+use crate::paper::phrase::{Phrase, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::math::Math;
-use crate::report::phrase::{Phrase, tr};
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 

@@ -16,9 +16,9 @@ use crate::figure::label::Label;
 use crate::figure::lines::wrapped;
 use crate::figure::text;
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::Phrase;
 use crate::render::pages::{Kind, Page, Part};
 use crate::report::math::Math;
-use crate::report::phrase::Phrase;
 
 /// A4.
 const PAPER_MM: [f64; 2] = [210.0, 297.0];

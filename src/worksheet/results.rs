@@ -7,10 +7,10 @@ use crate::digits::shortest;
 use crate::figure::label::Label;
 use crate::figure::remarks::{agreement, remarks};
 use crate::figure::results::{Answers, amount, measured, named, number, sense, symbol};
+use crate::paper::phrase::{Phrase, fill};
 use crate::report::answers::{Line, at_infinity, lines, reason, verdict};
 use crate::report::drafting;
 use crate::report::math::Math;
-use crate::report::phrase::{Phrase, fill};
 use crate::scene::{Find, Lang};
 use crate::worked::Outcome;
 

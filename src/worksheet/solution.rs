@@ -7,13 +7,13 @@ use crate::figure::results::number;
 use crate::figure::sheet::{drawing, of_level};
 use crate::figure::tables::special_line;
 use crate::mechanism::Level;
+use crate::paper::phrase::{Phrase, fill};
 use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
 use crate::report::math::Math;
-use crate::report::phrase::{Phrase, fill};
 use crate::report::plan::group_words;
 use crate::scene::Lang;
 

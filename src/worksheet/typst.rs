@@ -4,9 +4,9 @@ use super::{Beside, Block, Document, Table, TableKind, backslashed, guarded, pic
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::words::words;
+use crate::paper::phrase::{Phrase, Piece};
 use crate::render::{number::mm, svg};
 use crate::report::math::{typst as formula, typst_display};
-use crate::report::phrase::{Phrase, Piece};
 
 /// Widest drawing on a page: A4 less its margins. A wider one would be cut; it is made as wide as the page, and its scales
 /// then hold no more.

@@ -117,7 +117,7 @@ fn fuzz_scenes() {
 /// A style is refused with words, or a sheet is drawn in it.
 #[test]
 fn fuzz_styles() {
-    let mut seeds = corpus(&["src/figure/style"]);
+    let mut seeds = corpus(&["crates/paper/src/paper/style"]);
     seeds.push(r##"{ "base": "print", "lines": { "vector": 0.5 }, "colours": { "links": ["#0072b2", "#d55e00"] }, "notation": { "pole": "P", "coriolis": "k", "sliding": "r", "known": "\\surd", "unknown": "?" } }"##.into());
     let scene = scene::read(templates::get("slider-crank").unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap().value;
@@ -168,7 +168,7 @@ fn fuzz_arguments() {
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();
     fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
-    fs::copy(root("src/figure/style/dark.json"), folder.path().join("style.json")).unwrap();
+    fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json")).unwrap();
     let before = fs::read(folder.path().join("scene.json")).unwrap();
     fuzz("arguments", &seeds, 60, &|input, k| {
         let mut rng = Rng::new(k);

@@ -12,8 +12,8 @@ use crate::cam::{Disc, Follower, Motion, Side, Station, Touch, round};
 use crate::construct::scale::choose_in;
 use crate::digits::{inked, shortest};
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::tr;
 use crate::report::cam::Report;
-use crate::report::phrase::tr;
 use crate::scene::{Kind, Lang};
 use std::f64::consts::TAU;
 

@@ -12,8 +12,8 @@ use super::super::words::words;
 use super::{heading, words_at};
 use crate::cam::{Follower, Shock, Side, in_turn, round};
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::tr;
 use crate::report::cam::Report;
-use crate::report::phrase::tr;
 use crate::scene::{Book, Kind, Lang};
 
 /// A plot's size, room around it, in mm.

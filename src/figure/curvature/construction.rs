@@ -20,8 +20,8 @@ use crate::figure::place::LabelRequest;
 use crate::figure::sheet::Maker;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::phrase::Phrase;
 use crate::report::curvature::Words;
-use crate::report::phrase::Phrase;
 use crate::scene::PointId;
 
 use super::board::Board;

@@ -16,7 +16,7 @@ use super::results::number;
 use super::style::Style;
 use super::words::words;
 use crate::geom::{Point, Vec2};
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use diagram::DEGREE;
 

@@ -11,8 +11,8 @@ use crate::figure::sheet::scale;
 use crate::figure::symbols as sym;
 use crate::gears::{Gear, Mate};
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::tr;
 use crate::plan::names::{name_label, point_label};
-use crate::report::phrase::tr;
 use crate::scene::{Kind, Lang};
 
 use super::Drawn;

@@ -7,7 +7,7 @@ use crate::figure::item::{Anchor, Colour, Item, Shape};
 use crate::figure::label::Label;
 use crate::gears::{Gear, Mate, standard};
 use crate::geom::Point;
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::scene::Kind;
 
 use super::Drawn;

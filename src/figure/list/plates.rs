@@ -8,7 +8,7 @@ use crate::figure::label::Label;
 use crate::figure::polygon::plates;
 use crate::figure::sheet::{Maker, of_level};
 use crate::mechanism::Level;
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::report::plan::group_words;
 
 use super::{Entry, Pages, Wanted};

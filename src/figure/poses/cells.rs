@@ -13,8 +13,8 @@ use crate::figure::sheet::Options;
 use crate::figure::{mechanism, polygon};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
+use crate::paper::phrase::tr;
 use crate::plan::text::Writer;
-use crate::report::phrase::tr;
 use crate::scene::Scene;
 use crate::worked::Worked;
 

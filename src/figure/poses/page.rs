@@ -11,7 +11,7 @@ use crate::figure::path::turned;
 use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol, of_level};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
-use crate::report::phrase::{fill, formula, tr};
+use crate::paper::phrase::{fill, formula, tr};
 use crate::scene::Kind;
 
 /// Air around a drawing in its cell.

@@ -4,9 +4,9 @@ use super::*;
 use crate::accuracy::Rung;
 use crate::certified::ladder::parts;
 use crate::certified::printed::with_printed;
-use crate::figure::results::amount;
 use crate::geom::Point;
 use crate::number::Ball;
+use crate::report::amount::amount;
 use crate::scene::read;
 
 /// A crank whose answers are in this unit.

@@ -1,0 +1,107 @@
+//! The geometry of arrows: a slim head with a hollow back, and where the shaft ends.
+//!
+//! Heads are drawn by ourselves, not by SVG markers: a marker takes no part in bounding boxes, its colour does not
+//! follow the line everywhere, and PDF has none.
+
+use crate::geom::{Point, Vec2};
+
+use super::extent::on_circle;
+
+/// The shape of an arrow's head.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Head {
+    /// From the tip to the barbs, along the shaft.
+    pub length_mm: f64,
+    /// From barb to barb.
+    pub width_mm: f64,
+    /// How far the back is hollow, as a part of the length.
+    pub notch: f64,
+}
+
+/// A head is at most this part of its vector, so that a short vector is still a vector and not a head alone. Larger,
+/// and the shaft vanishes in the hollow back; smaller, and the head of a vector of 2 mm is no wider than its shaft.
+pub const HEAD_PART_MAX: f64 = 0.7;
+
+impl Head {
+    /// Vectors of polygons and on the mechanism: three times as long as wide, as the textbooks print it.
+    pub const VECTOR: Head = Head { length_mm: 3.0, width_mm: 1.0, notch: 0.25 };
+    /// Angles and dimensions.
+    pub const THIN: Head = Head { length_mm: 2.2, width_mm: 0.75, notch: 0.2 };
+
+    fn limited(self, length_mm: f64) -> Head {
+        let k = (length_mm * HEAD_PART_MAX / self.length_mm).min(1.0);
+        // A short head is blunter than a long one (√k > k): the shaft keeps its width, and the head must show beside it.
+        Head { length_mm: self.length_mm * k, width_mm: self.width_mm * k.sqrt(), ..self }
+    }
+
+    fn polygon(self, tip: Point, along: Vec2) -> [Point; 4] {
+        let back = tip - along * self.length_mm;
+        let side = along.perp() * (self.width_mm / 2.0);
+        [tip, back + side, tip - along * (self.length_mm * (1.0 - self.notch)), back - side]
+    }
+}
+
+/// A straight arrow taken apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Straight {
+    /// Where the shaft ends, inside the head.
+    pub shaft_end: Point,
+    /// Corners of the head, tip first; empty for a vector of no length, which has no direction.
+    pub head: Vec<Point>,
+}
+
+/// Takes a straight arrow apart.
+pub fn straight(from: Point, to: Point, head: Head) -> Straight {
+    let Some(along) = (to - from).unit() else {
+        return Straight { shaft_end: to, head: Vec::new() };
+    };
+    let corners = head.limited(from.distance(to)).polygon(to, along);
+    Straight { shaft_end: corners[2], head: corners.to_vec() }
+}
+
+/// A bent arrow taken apart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bent {
+    /// Angle at which the shaft ends, inside the head.
+    pub shaft_end_rad: f64,
+    /// Corners of the head, tip first; empty for an arc of no length.
+    pub head: Vec<Point>,
+}
+
+/// Takes a bent arrow apart: the head lies along the chord of its own length, so that it follows the bend.
+pub fn bent(centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64, head: Head) -> Bent {
+    let sweep = to_rad - from_rad;
+    let head = head.limited(sweep.abs() * radius_mm);
+    let tip = on_circle(centre, radius_mm, to_rad);
+    let back = on_circle(centre, radius_mm, to_rad - sweep.signum() * head.length_mm / radius_mm);
+    let Some(along) = (tip - back).unit() else {
+        return Bent { shaft_end_rad: to_rad, head: Vec::new() };
+    };
+    let shaft_end_rad = to_rad - sweep.signum() * head.length_mm * (1.0 - head.notch) / radius_mm;
+    Bent { shaft_end_rad, head: head.polygon(tip, along).to_vec() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn head_points_at_the_end_and_shrinks() {
+        let long = straight(Point::ORIGIN, Point::new(30.0, 0.0), Head::VECTOR);
+        assert_eq!(long.head[0], Point::new(30.0, 0.0));
+        assert_eq!(long.head[1], Point::new(27.0, 0.5));
+        let short = straight(Point::ORIGIN, Point::new(2.0, 0.0), Head::VECTOR);
+        assert!((short.head[1].x - 0.6).abs() < 1e-12, "70 % of 2 mm");
+        assert!((0.25..0.5).contains(&short.head[1].y), "narrower than a full head, wider than the 0.4 mm shaft");
+        assert!(straight(Point::ORIGIN, Point::ORIGIN, Head::VECTOR).head.is_empty());
+    }
+
+    #[test]
+    fn bent_arrow_points_the_way_it_turns() {
+        for (from, to, down) in [(0.0, std::f64::consts::PI, true), (std::f64::consts::PI, 0.0, true), (-1.5, 0.0, false)] {
+            let a = bent(Point::ORIGIN, 10.0, from, to, Head::VECTOR);
+            let back = a.head[2];
+            assert_eq!(back.y > a.head[0].y, down, "{from} to {to}: {a:?}");
+        }
+    }
+}

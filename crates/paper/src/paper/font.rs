@@ -1,0 +1,433 @@
+//! The embedded fonts: which character comes from which font, how a run of characters becomes glyphs, and what these look like.
+//!
+//! Decided here: the order in which the four fonts are asked, after the author's own ([`own::Fonts`]) where there are any. Not decided here: what is italic (the label
+//! language, [`super::label`]) and where scripts go ([`super::text`]). No system font is ever asked: the same
+//! label gives the same outline on every machine, and a character that none of the fonts has is reported by the
+//! caller, never drawn as a box.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+use std::sync::{Arc, LazyLock};
+
+use harfrust::{Buffer, ShapeOptions, ShaperFont, shape};
+use skrifa::font::{Font, glyph::outline::PathSink};
+use skrifa::{DrawMemory, GlyphId, ScalerFont};
+
+pub mod own;
+
+use own::{Fonts, Own};
+
+/// The file of a font; copies share it.
+pub type Bytes = Arc<dyn AsRef<[u8]> + Send + Sync>;
+
+/// How a character is to look, before a font is chosen for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Slant {
+    /// Letters of quantities and points.
+    Italic,
+    /// Digits, units, words.
+    Upright,
+    /// Operators, relations and primes: the mathematical font first, so that all of them share one weight and axis.
+    Symbol,
+}
+
+/// A cut of the author's own font.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Cut {
+    /// For digits and words.
+    Upright,
+    /// For letters of quantities and points.
+    Slanted,
+}
+
+impl Cut {
+    fn name(self) -> &'static str {
+        match self {
+            Cut::Upright => "upright",
+            Cut::Slanted => "slanted",
+        }
+    }
+}
+
+/// One of the fonts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Face {
+    /// Tinos Regular: Latin and Greek with the metrics of Times.
+    Roman,
+    /// Tinos Italic.
+    Italic,
+    /// STIX Two Math (subset): arrows, ⊥ ∥ ∠ √, primes, circled numbers.
+    Math,
+    /// Noto Serif CJK SC (subset): Song-style Chinese.
+    Song,
+    /// One of the author's own.
+    Own(Own),
+}
+
+/// Stands for a font where fonts are looked up: it holds no file. Bundled fonts come before the author's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FaceKey(u8, u64);
+
+const ITALIC_FIRST: [Face; 4] = [Face::Italic, Face::Roman, Face::Math, Face::Song];
+const ROMAN_FIRST: [Face; 4] = [Face::Roman, Face::Math, Face::Song, Face::Italic];
+const MATH_FIRST: [Face; 4] = [Face::Math, Face::Roman, Face::Song, Face::Italic];
+
+struct Loaded {
+    font: Font,
+    scaler: ScalerFont,
+}
+
+impl Loaded {
+    fn new(face: &Face) -> Loaded {
+        Loaded::try_new(face.bytes()).expect("an embedded font is readable: a test shapes with each of them")
+    }
+
+    fn try_new(bytes: Bytes) -> Option<Loaded> {
+        let font = Font::new(bytes, 0)?;
+        let scaler = ScalerFont::unhinted(font.clone(), None);
+        Some(Loaded { font, scaler })
+    }
+
+    /// The outline of a glyph; `None` where it is damaged.
+    fn outline(&self, glyph: u32) -> Option<Outline> {
+        let mut sink = Sink { segments: Vec::new(), ink: Ink::NONE, em: f64::from(self.font.units_per_em().max(1)) };
+        if let Some(outline) = self.scaler.outline(GlyphId::new(glyph)) {
+            outline.draw(DrawMemory::Scratch, &mut sink).ok()?;
+        }
+        let reach = sink.ink.min.iter().chain(&sink.ink.max).fold(0.0_f64, |most, v| most.max(v.abs()));
+        let sound = sink.segments.len() <= MOST_SEGMENTS && (!sink.ink.any() || reach <= MOST_EM);
+        sound.then_some(Outline { segments: sink.segments, ink: sink.ink })
+    }
+
+    fn shape(&self, run: &str) -> Run {
+        let em = f64::from(self.font.units_per_em().max(1));
+        let mut buffer = Buffer::new();
+        buffer.push_str(run);
+        buffer.guess_segment_properties();
+        shape(&ShaperFont::new(&self.font), &mut buffer, ShapeOptions::new()).expect("direction is set, no plan is handed in");
+        let mut glyphs: Vec<Glyph> = Vec::new();
+        let mut ink = Ink::NONE;
+        let mut pen = 0.0;
+        for (info, pos) in buffer.glyph_infos().iter().zip(buffer.glyph_positions()) {
+            let start = info.cluster as usize;
+            // Scripts run from left to right here, so the characters of a glyph end where those of the next begin.
+            if let Some(before) = glyphs.last_mut().filter(|g| g.text.start < start) {
+                before.text.end = start;
+            }
+            let offset_em = [f64::from(pos.x_offset) / em, f64::from(pos.y_offset) / em];
+            let own = self.outline(info.glyph_id).map_or(Ink::NONE, |o| o.ink);
+            ink = ink.union(own.placed(1.0, pen + offset_em[0], offset_em[1]));
+            let advance_em = f64::from(pos.x_advance) / em;
+            glyphs.push(Glyph { id: info.glyph_id, advance_em, offset_em, text: start..run.len() });
+            pen += advance_em;
+        }
+        Run { ink, advance_em: pen, glyphs }
+    }
+}
+
+static ROMAN: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Roman));
+static ITALIC: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Italic));
+static MATH: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Math));
+static SONG: LazyLock<Loaded> = LazyLock::new(|| Loaded::new(&Face::Song));
+
+/// Runs kept: a few sheets' worth, about a megabyte; a batch of thousands of sheets must not grow without bound.
+const MOST_RUNS: usize = 2048;
+/// A damaged font may tell outlines without end: no letter has so many pieces, nor reaches so far (em).
+const MOST_SEGMENTS: usize = 20_000;
+const MOST_EM: f64 = 8.0;
+/// Glyphs kept, of about a kilobyte each: more than two languages' sheets ever use at once.
+const MOST_OUTLINES: usize = 2048;
+
+thread_local! {
+    /// Only looked up in, never iterated.
+    static RUNS: RefCell<HashMap<(FaceKey, String), Rc<Run>>> = RefCell::default();
+    static KNOWN: RefCell<HashMap<(FaceKey, char), bool>> = RefCell::default();
+    static OUTLINES: RefCell<HashMap<(FaceKey, u32), Rc<Outline>>> = RefCell::default();
+}
+
+impl Face {
+    /// What it is looked up by.
+    pub fn key(&self) -> FaceKey {
+        match self {
+            Face::Roman => FaceKey(0, 0),
+            Face::Italic => FaceKey(1, 0),
+            Face::Math => FaceKey(2, 0),
+            Face::Song => FaceKey(3, 0),
+            Face::Own(own) => FaceKey(4 + own.cut() as u8, own.key()),
+        }
+    }
+
+    /// The font file, for formats that carry their fonts.
+    pub fn bytes(&self) -> Bytes {
+        let embedded: &'static [u8] = match self {
+            Face::Roman => include_bytes!("../../../../fonts/tinos-normal.ttf"),
+            Face::Italic => include_bytes!("../../../../fonts/tinos-italic.ttf"),
+            Face::Math => include_bytes!("../../../../fonts/stix-math-sub.ttf"),
+            Face::Song => include_bytes!("../../../../fonts/song-gb1-cff.otf"),
+            Face::Own(own) => return own.bytes(),
+        };
+        Arc::new(embedded)
+    }
+
+    fn loaded(&self) -> &Loaded {
+        match self {
+            Face::Roman => &ROMAN,
+            Face::Italic => &ITALIC,
+            Face::Math => &MATH,
+            Face::Song => &SONG,
+            Face::Own(own) => own.loaded(),
+        }
+    }
+
+    /// The font for a character of that slant: of the author's, else of the embedded ones; `None` when none has it.
+    pub fn of(c: char, slant: Slant, fonts: &Fonts) -> Option<Face> {
+        let order = match slant {
+            Slant::Italic => ITALIC_FIRST,
+            Slant::Upright => ROMAN_FIRST,
+            Slant::Symbol => MATH_FIRST,
+        };
+        fonts.face_of(c, slant).or_else(|| order.into_iter().find(|face| face.loaded().font.charmap().map_unicode(c).is_some()))
+    }
+
+    /// Shapes a run of characters (kerning included).
+    ///
+    /// A sheet measures the same few runs many times over while it looks for places: they are kept.
+    pub fn shaped(&self, run: &str) -> Rc<Run> {
+        RUNS.with_borrow_mut(|runs| {
+            if let Some(known) = runs.get(&(self.key(), run.to_owned())) {
+                return Rc::clone(known);
+            }
+            if runs.len() >= MOST_RUNS {
+                runs.clear();
+            }
+            let shaped = Rc::new(self.shape(run));
+            runs.insert((self.key(), run.to_owned()), Rc::clone(&shaped));
+            shaped
+        })
+    }
+
+    fn shape(&self, run: &str) -> Run {
+        let whole = self.loaded().shape(run);
+        if !matches!(self, Face::Own(_)) || sound(&whole, run) {
+            return whole;
+        }
+        // A damaged font: what goes wrong between letters does not where each stands alone.
+        let mut out = Run { ink: Ink::NONE, advance_em: 0.0, glyphs: Vec::new() };
+        for (at, c) in run.char_indices() {
+            let one = self.loaded().shape(c.encode_utf8(&mut [0; 4]));
+            out.ink = out.ink.union(one.ink.placed(1.0, out.advance_em, 0.0));
+            out.advance_em += one.advance_em;
+            out.glyphs.extend(one.glyphs.into_iter().map(|g| Glyph { text: at..at + c.len_utf8(), ..g }));
+        }
+        out
+    }
+
+    /// Whether the font has a character and can draw it.
+    fn draws(&self, c: char) -> bool {
+        KNOWN.with_borrow_mut(|known| {
+            if known.len() >= MOST_RUNS {
+                known.clear();
+            }
+            *known.entry((self.key(), c)).or_insert_with(|| drawn(self.loaded(), c).is_some())
+        })
+    }
+
+    /// What a glyph looks like.
+    pub fn outline(&self, glyph: u32) -> Rc<Outline> {
+        OUTLINES.with_borrow_mut(|outlines| {
+            if outlines.len() >= MOST_OUTLINES {
+                outlines.clear();
+            }
+            Rc::clone(outlines.entry((self.key(), glyph)).or_insert_with(|| Rc::new(self.draw(glyph))))
+        })
+    }
+
+    fn draw(&self, glyph: u32) -> Outline {
+        // A character that cannot be drawn has been taken from another font.
+        self.loaded().outline(glyph).unwrap_or(Outline { segments: Vec::new(), ink: Ink::NONE })
+    }
+}
+
+/// How a font draws a character; `None` where it does not have it, or only a damaged one.
+fn drawn(loaded: &Loaded, c: char) -> Option<Outline> {
+    let glyph = loaded.font.charmap().map_unicode(c)?;
+    let text = String::from(c);
+    let run = loaded.shape(&text);
+    let all = sound(&run, &text) && run.glyphs.iter().all(|g| loaded.outline(g.id).is_some());
+    let outline = loaded.outline(glyph.to_u32()).filter(|_| all)?;
+    // A letter without ink is a hole in the sentence.
+    (outline.ink.any() || c.is_whitespace()).then_some(outline)
+}
+
+/// Whether a run's measures are those of letters.
+fn sound(run: &Run, text: &str) -> bool {
+    let within = |v: f64, most: f64| v.is_finite() && v.abs() <= most;
+    let glyph = |g: &Glyph| {
+        let place = text.is_char_boundary(g.text.start) && text.is_char_boundary(g.text.end) && g.text.start <= g.text.end;
+        place && within(g.advance_em, MOST_EM) && g.offset_em.iter().all(|v| within(*v, MOST_EM))
+    };
+    run.glyphs.len() <= 4 * text.len() + 4 && run.glyphs.iter().all(glyph) && run.advance_em >= 0.0
+}
+
+/// The contours of a glyph.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// In em, y up, its origin at 0. Filled by the non-zero rule.
+    pub segments: Vec<Segment<f64>>,
+    /// The box around them.
+    pub ink: Ink,
+}
+
+/// A box around ink, in em: that of the control points, which the curves of the fonts at hand touch at their extremes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ink {
+    /// Left and lower edge.
+    pub min: [f64; 2],
+    /// Right and upper edge; smaller than `min` where there is no ink.
+    pub max: [f64; 2],
+}
+
+impl Ink {
+    /// No ink.
+    pub const NONE: Ink = Ink { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
+
+    /// Whether there is any.
+    pub fn any(&self) -> bool {
+        self.min[0] <= self.max[0]
+    }
+
+    /// The box around both.
+    pub fn union(self, other: Ink) -> Ink {
+        let each = |a: [f64; 2], b: [f64; 2], f: fn(f64, f64) -> f64| [f(a[0], b[0]), f(a[1], b[1])];
+        Ink { min: each(self.min, other.min, f64::min), max: each(self.max, other.max, f64::max) }
+    }
+
+    /// The same scaled, then moved.
+    pub fn placed(self, scale: f64, dx: f64, dy: f64) -> Ink {
+        let at = |[x, y]: [f64; 2]| [dx + x * scale, dy + y * scale];
+        Ink { min: at(self.min), max: at(self.max) }
+    }
+}
+
+/// One piece of a glyph's outline, in em, y up.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Segment<T> {
+    /// Starts a contour.
+    Move([T; 2]),
+    /// A straight line.
+    Line([T; 2]),
+    /// A quadratic curve: control point, end.
+    Quad([T; 2], [T; 2]),
+    /// A cubic curve: two control points, end.
+    Cubic([T; 2], [T; 2], [T; 2]),
+    /// Closes the contour.
+    Close,
+}
+
+impl<T: Copy> Segment<T> {
+    /// The same segment with each of its points mapped.
+    pub fn map<U>(self, mut f: impl FnMut([T; 2]) -> [U; 2]) -> Segment<U> {
+        match self {
+            Segment::Move(a) => Segment::Move(f(a)),
+            Segment::Line(a) => Segment::Line(f(a)),
+            Segment::Quad(a, b) => Segment::Quad(f(a), f(b)),
+            Segment::Cubic(a, b, c) => Segment::Cubic(f(a), f(b), f(c)),
+            Segment::Close => Segment::Close,
+        }
+    }
+}
+
+/// A shaped run of one font.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The box around all glyphs, the first one's origin at 0.
+    pub ink: Ink,
+    /// Where the next run begins, in em.
+    pub advance_em: f64,
+    /// The glyphs by number.
+    pub glyphs: Vec<Glyph>,
+}
+
+/// A glyph of a shaped run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Glyph {
+    /// Its number in the font.
+    pub id: u32,
+    /// From its origin to that of the next one.
+    pub advance_em: f64,
+    /// From the pen to where it is drawn, y up.
+    pub offset_em: [f64; 2],
+    /// The bytes of the run's text that it stands for: more than one character for a ligature.
+    pub text: std::ops::Range<usize>,
+}
+
+struct Sink {
+    segments: Vec<Segment<f64>>,
+    ink: Ink,
+    em: f64,
+}
+
+impl Sink {
+    fn at(&mut self, x: f32, y: f32) -> [f64; 2] {
+        let p = [f64::from(x) / self.em, f64::from(y) / self.em];
+        self.ink = self.ink.union(Ink { min: p, max: p });
+        p
+    }
+
+    fn push(&mut self, segment: Segment<f64>) {
+        if self.segments.len() <= MOST_SEGMENTS {
+            self.segments.push(segment);
+        }
+    }
+}
+
+impl PathSink for Sink {
+    fn move_to(&mut self, x: f32, y: f32) {
+        let to = self.at(x, y);
+        self.push(Segment::Move(to));
+    }
+    fn line_to(&mut self, x: f32, y: f32) {
+        let to = self.at(x, y);
+        self.push(Segment::Line(to));
+    }
+    fn quad_to(&mut self, cx0: f32, cy0: f32, x: f32, y: f32) {
+        let (control, to) = (self.at(cx0, cy0), self.at(x, y));
+        self.push(Segment::Quad(control, to));
+    }
+    fn curve_to(&mut self, cx0: f32, cy0: f32, cx1: f32, cy1: f32, x: f32, y: f32) {
+        let (one, other, to) = (self.at(cx0, cy0), self.at(cx1, cy1), self.at(x, y));
+        self.push(Segment::Cubic(one, other, to));
+    }
+    fn close(&mut self) {
+        self.push(Segment::Close);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_embedded_font_shapes() {
+        // Advances as printed by `ttx -t hmtx`, in em.
+        for (face, text, advance_em) in
+            [(Face::Roman, "1", 0.5), (Face::Italic, "v", 0.444), (Face::Math, "⊥", 0.720), (Face::Song, "速", 1.0)]
+        {
+            let run = face.shaped(text);
+            assert!(face.outline(run.glyphs[0].id).segments.len() > 3, "{face:?} draws {text}");
+            assert!((run.advance_em - advance_em).abs() < 1e-3, "{face:?} {text}: {} em", run.advance_em);
+        }
+    }
+
+    #[test]
+    fn faces_by_slant() {
+        let none = Fonts::default();
+        assert_eq!(Face::of('v', Slant::Italic, &none), Some(Face::Italic));
+        assert_eq!(Face::of('v', Slant::Upright, &none), Some(Face::Roman));
+        assert_eq!(Face::of('=', Slant::Symbol, &none), Some(Face::Math));
+        assert_eq!(Face::of('→', Slant::Italic, &none), Some(Face::Math));
+        assert_eq!(Face::of('度', Slant::Italic, &none), Some(Face::Song));
+        assert_eq!(Face::of('\u{1F600}', Slant::Upright, &none), None);
+    }
+}

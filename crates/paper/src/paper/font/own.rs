@@ -1,0 +1,269 @@
+//! Fonts of the author's own, asked before the embedded ones.
+//!
+//! Decided here: what is accepted (a font whose letters can be drawn), and that a character that a font does not have, or draws
+//! in a damaged way, comes from the embedded fonts; [`Fonts::lacking`] says which. They are a part of a style; a label carries
+//! those it is set in ([`Label::in_fonts`](crate::paper::label::Label::in_fonts)), since it is measured and drawn where no style is known.
+
+use std::collections::BTreeSet;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use skrifa::font::attribute::Style;
+use skrifa::font::name::NameId;
+
+use super::{Bytes, Cut, Face, Loaded, Slant};
+use crate::diag::{Both, Diagnostic, both};
+
+/// The largest font file that is read: whole Chinese fonts are smaller.
+pub const LARGEST: usize = 64 << 20;
+/// Characters named in [`Fonts::lacking`]'s note.
+const NAMED_MAX: usize = 12;
+
+/// A font of the author's; the same file is the same font.
+#[derive(Clone)]
+pub struct Own(Arc<File>);
+
+struct File {
+    cut: Cut,
+    loaded: Loaded,
+    bytes: Bytes,
+    family: String,
+    key: u64,
+}
+
+impl Own {
+    /// The font in a file.
+    ///
+    /// # Errors
+    /// `font` for a file that is none or whose letters cannot be drawn.
+    fn read(name: &str, bytes: Vec<u8>) -> Result<Own, Diagnostic> {
+        let fault = |what: Both| Diagnostic::error("font", what);
+        if bytes.len() > LARGEST {
+            return Err(fault(both!("{name} is larger than {} MiB", "{name} 超过 {} MiB", LARGEST >> 20))
+                .help(both!("give a font of the usual size", "请用通常大小的字体")));
+        }
+        let key = fingerprint(&bytes);
+        let bytes: Bytes = Arc::new(bytes);
+        let Some(loaded) = Loaded::try_new(Arc::clone(&bytes)) else {
+            return Err(fault(both!("{name} is no font that can be read", "{name} 不是可读的字体"))
+                .help(both!("give an OpenType or TrueType file (.otf, .ttf)", "请用 OpenType 或 TrueType 文件（.otf、.ttf）")));
+        };
+        let cut = match loaded.font.default_attributes().style {
+            Style::Normal => Cut::Upright,
+            _ => Cut::Slanted,
+        };
+        let sound = |c: &char| super::drawn(&loaded, *c).is_some();
+        if !('a'..='z').chain('A'..='Z').chain('0'..='9').chain("的速度".chars()).any(|c| sound(&c)) {
+            return Err(fault(both!("{name} has no letter and no digit that can be drawn", "{name} 没有可绘制的字母和数字"))
+                .help(both!("give a text font", "请用文字字体")));
+        }
+        // A name goes into files as it is: nothing in it may end an attribute.
+        let named = loaded.font.names().get(NameId::FAMILY_NAME).and_then(|n| n.english_or_first());
+        let letters = named.iter().flat_map(|n| n.name().chars().take(64)).filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-'));
+        let family = letters.collect::<String>();
+        Ok(Own(Arc::new(File { cut, loaded, bytes, family, key })))
+    }
+
+    /// Whether it is upright or slanted.
+    pub fn cut(&self) -> Cut {
+        self.0.cut
+    }
+
+    /// The family's name, for text that stays text; empty where the font does not tell.
+    pub fn family(&self) -> &str {
+        &self.0.family
+    }
+
+    /// A number that stands for the file: the same on every machine.
+    pub fn key(&self) -> u64 {
+        self.0.key
+    }
+
+    pub(super) fn bytes(&self) -> Bytes {
+        Arc::clone(&self.0.bytes)
+    }
+
+    pub(super) fn loaded(&self) -> &Loaded {
+        &self.0.loaded
+    }
+}
+
+/// FNV-1a in 64 bits (Fowler, Noll, Vo): tells the few fonts of a program apart.
+fn fingerprint(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, b| (hash ^ u64::from(*b)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+impl fmt::Debug for Own {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{} ({})", self.0.family, self.0.cut.name())
+    }
+}
+
+impl PartialEq for Own {
+    fn eq(&self, other: &Own) -> bool {
+        self.0.key == other.0.key
+    }
+}
+
+impl Eq for Own {}
+
+/// The author's fonts: an upright one for digits, words and upright letters, a slanted one for the letters of quantities and
+/// points, both or none. Copies share them.
+#[derive(Clone, Default)]
+pub struct Fonts(Option<Arc<Chosen>>);
+
+#[derive(Default)]
+struct Chosen {
+    /// Upright and slanted.
+    cuts: [Option<Own>; 2],
+    /// Characters that were wanted of them in vain.
+    lacking: Mutex<BTreeSet<char>>,
+}
+
+impl fmt::Debug for Fonts {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        f.debug_list().entries(self.cuts().into_iter().flatten()).finish()
+    }
+}
+
+impl PartialEq for Fonts {
+    fn eq(&self, other: &Fonts) -> bool {
+        self.cuts() == other.cuts()
+    }
+}
+
+impl Fonts {
+    fn cuts(&self) -> [Option<&Own>; 2] {
+        self.0.as_ref().map_or([None, None], |chosen| chosen.cuts.each_ref().map(Option::as_ref))
+    }
+
+    fn of(cuts: [Option<Own>; 2]) -> Fonts {
+        let any = cuts.iter().any(Option::is_some);
+        Fonts(any.then(|| Arc::new(Chosen { cuts, ..Chosen::default() })))
+    }
+
+    /// Whether there are none: everything is set in the embedded fonts.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_none()
+    }
+
+    /// These and the font in a file of that name.
+    ///
+    /// # Errors
+    /// `font` for a file that is none or whose letters cannot be drawn, and for a second one of a cut.
+    pub fn with(&self, name: &str, bytes: Vec<u8>) -> Result<Fonts, Diagnostic> {
+        let own = Own::read(name, bytes)?;
+        let cut = own.cut();
+        let mut cuts = self.cuts().map(Option::<&Own>::cloned);
+        if cuts[cut as usize].replace(own).is_some() {
+            let d = Diagnostic::error("font", both!("{name} is the second {} font", "{name} 是第二个 {} 字体", cut.name()));
+            return Err(d.help(both!("give one upright and one slanted (italic) font at most", "正体和斜体字体至多各一个")));
+        }
+        Ok(Fonts::of(cuts))
+    }
+
+    /// These, and those of others for the cuts that these do not have.
+    pub fn over(&self, others: &Fonts) -> Fonts {
+        let [mut upright, mut slanted] = self.cuts();
+        let [other_upright, other_slanted] = others.cuts();
+        upright = upright.or(other_upright);
+        slanted = slanted.or(other_slanted);
+        Fonts::of([upright.cloned(), slanted.cloned()])
+    }
+
+    /// The author's font that writes a character of a slant.
+    pub(super) fn face_of(&self, c: char, slant: Slant) -> Option<Face> {
+        let chosen = self.0.as_ref()?;
+        let cut = match slant {
+            // Signs share the axis and weight of the mathematical font.
+            Slant::Symbol => return None,
+            // Chinese letters are never slanted.
+            Slant::Italic if c as u32 >= 0x2E80 => Cut::Upright,
+            Slant::Italic => Cut::Slanted,
+            Slant::Upright => Cut::Upright,
+        };
+        let face = Face::Own(chosen.cuts[cut as usize].clone()?);
+        if face.draws(c) {
+            return Some(face);
+        }
+        if !c.is_whitespace() {
+            chosen.lacking.lock().unwrap_or_else(PoisonError::into_inner).insert(c);
+        }
+        None
+    }
+
+    /// What these fonts did not have of all that has been set in them so far; `None` where they had everything.
+    pub fn lacking(&self) -> Option<Diagnostic> {
+        let lacking = self.0.as_ref()?.lacking.lock().unwrap_or_else(PoisonError::into_inner);
+        let named: Vec<String> = lacking.iter().take(NAMED_MAX).map(char::to_string).collect();
+        let more = lacking.len().saturating_sub(NAMED_MAX);
+        let more = if more > 0 { both!(" and {more} more", " 等另 {more} 个字符") } else { Both::default() };
+        let message = both!("the font has no {}{}: set in the bundled fonts", "字体中没有 {}{}：改用内置字体", named.join(" "), more);
+        (!named.is_empty()).then(|| Diagnostic::note("font-lacks", message))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bytes(face: &Face) -> Vec<u8> {
+        (*face.bytes()).as_ref().to_vec()
+    }
+
+    #[test]
+    fn a_font_is_read_with_its_cut_and_name() {
+        let own = Own::read("tinos-italic.ttf", bytes(&Face::Italic)).unwrap();
+        assert_eq!((own.cut(), own.family()), (Cut::Slanted, "Tinos"));
+        assert_eq!(Own::read("tinos.ttf", bytes(&Face::Roman)).unwrap().cut(), Cut::Upright);
+    }
+
+    #[test]
+    fn fonts_of_two_styles_do_not_meet() {
+        let italic = Fonts::default().with("tinos-italic.ttf", bytes(&Face::Italic)).unwrap();
+        let song = Fonts::default().with("song.otf", bytes(&Face::Song)).unwrap();
+        assert_ne!(italic, song);
+        assert!(matches!(Face::of('v', Slant::Italic, &italic), Some(Face::Own(_))));
+        assert_eq!(Face::of('v', Slant::Italic, &song), Some(Face::Italic), "an upright font writes no quantities");
+        assert_eq!(Face::of('α', Slant::Upright, &song), Some(Face::Roman));
+        assert!(song.lacking().unwrap().message.en.contains('α') && italic.lacking().is_none());
+        let both = italic.over(&song);
+        assert_eq!(both.cuts(), [song.cuts()[0], italic.cuts()[1]]);
+        assert_eq!(both.over(&Fonts::default()), both);
+        assert_eq!(both.with("song.otf", bytes(&Face::Song)).unwrap_err().code, "font");
+    }
+
+    #[test]
+    fn what_is_no_font_is_refused() {
+        for bytes in [Vec::new(), b"no font".to_vec(), vec![0; 4096]] {
+            assert_eq!(Own::read("x.ttf", bytes).err().unwrap().code, "font");
+        }
+    }
+
+    #[test]
+    fn a_damaged_font_is_refused_or_drawn_in_bounds() {
+        // A linear congruential generator (Knuth, MMIX): the same damage every time.
+        let mut state: u64 = 1;
+        let mut random = |n: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as usize % n
+        };
+        for face in [Face::Roman, Face::Song] {
+            for _ in 0..24 {
+                let mut bytes = bytes(&face);
+                let reach = if random(2) == 0 { 2048 } else { bytes.len() };
+                for _ in 0..=random(40) {
+                    let at = random(reach);
+                    bytes[at] = random(256) as u8;
+                }
+                bytes.truncate(bytes.len() - if random(4) == 0 { random(bytes.len()) } else { 0 });
+                let Ok(own) = Own::read("damaged.ttf", bytes) else { continue };
+                for c in ('!'..='~').chain("αβω速度".chars()) {
+                    if let Some(outline) = super::super::drawn(own.loaded(), c) {
+                        assert!(!outline.ink.any() || outline.ink.max.iter().chain(&outline.ink.min).all(|v| v.abs() <= 8.0));
+                    }
+                }
+            }
+        }
+    }
+}

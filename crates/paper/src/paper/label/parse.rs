@@ -1,0 +1,360 @@
+//! The parser of the label language: characters to rows of atoms.
+
+use crate::diag::{Both, Diagnostic, both};
+use crate::paper::font::Slant;
+
+use super::{Node, Role};
+
+/// A thin space, TeX's `\,`: 3/18 em.
+const THIN_EM: f64 = 0.167;
+/// Whether a node can be the end of a number: upright, without scripts, or a power of ten.
+fn ends_a_number(n: &Node) -> bool {
+    n.slant == Slant::Upright && n.sub.is_empty() && (n.sup.is_empty() || n.text == "10")
+}
+
+/// An interword space of Times: 1/4 em. Stands between a number and its unit, and beside Chinese.
+const WORD_EM: f64 = 0.25;
+
+/// Reads a formula; what cannot be read is reported and, where it has characters, kept upright.
+pub fn formula(source: &str) -> (Vec<Node>, Vec<Diagnostic>) {
+    let mut p = Parser { source, chars: source.chars().collect(), at: 0, faults: Vec::new() };
+    let row = p.row(false);
+    (row, p.faults)
+}
+
+struct Parser<'a> {
+    source: &'a str,
+    chars: Vec<char>,
+    at: usize,
+    faults: Vec<Diagnostic>,
+}
+
+impl Parser<'_> {
+    fn peek(&self) -> Option<char> {
+        self.chars.get(self.at).copied()
+    }
+
+    fn fault(&mut self, what: Both) {
+        let help = both!(
+            "see the label language: v_{{B3B2}}^r, \\omega_1, b'_2, \\text{{words}}",
+            "标注的写法：v_{{B3B2}}^r、\\omega_1、b'_2、\\text{{words}}"
+        );
+        self.faults.push(Diagnostic::error("label-syntax", both!("label `{}`: {}", "标注 `{}`：{}", self.source, what)).help(help));
+    }
+
+    fn take_while(&mut self, keep: impl Fn(char) -> bool) -> String {
+        let start = self.at;
+        while self.peek().is_some_and(&keep) {
+            self.at += 1;
+        }
+        self.chars[start..self.at].iter().collect()
+    }
+
+    /// A row up to the end, or up to the brace that closes it.
+    fn row(&mut self, braced: bool) -> Vec<Node> {
+        let mut row: Vec<Node> = Vec::new();
+        while let Some(c) = self.peek() {
+            match c {
+                '}' if braced => {
+                    self.at += 1;
+                    return row;
+                }
+                '}' => {
+                    self.at += 1;
+                    self.fault(both!("a }} that closes nothing", "多余的 }}"));
+                }
+                '{' => {
+                    self.at += 1;
+                    let inner = self.row(true);
+                    row.extend(inner);
+                }
+                '_' | '^' => self.script(c, &mut row),
+                '\'' | '′' => {
+                    let n = self.take_while(|c| c == '\'' || c == '′').chars().count();
+                    self.host(&mut row, "′").primes += n;
+                }
+                c if c.is_whitespace() => self.space(&mut row),
+                '\\' => self.command(&mut row),
+                c if c.is_ascii_digit() => {
+                    // A dot belongs to the number when a digit follows it.
+                    let mut text = self.take_while(|c| c.is_ascii_digit());
+                    while self.peek() == Some('.') && self.chars.get(self.at + 1).is_some_and(char::is_ascii_digit) {
+                        self.at += 1;
+                        text.push('.');
+                        text += &self.take_while(|c| c.is_ascii_digit());
+                    }
+                    row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+                }
+                c if is_quantity_letter(c) => {
+                    let text = self.take_while(is_quantity_letter);
+                    row.push(Node::new(text, Slant::Italic, Role::Ordinary));
+                }
+                c if is_cjk(c) => {
+                    let text = self.take_while(is_cjk);
+                    row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+                }
+                c => {
+                    self.at += 1;
+                    row.push(symbol(c, &row));
+                }
+            }
+        }
+        if braced {
+            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
+        }
+        row
+    }
+
+    /// The atom that a script or prime belongs to: the last letter of a run of letters, or a new empty one.
+    fn host<'r>(&mut self, row: &'r mut Vec<Node>, mark: &str) -> &'r mut Node {
+        match row.last_mut() {
+            None => {
+                self.fault(both!("{mark} stands on nothing", "{mark} 前面没有内容"));
+                row.push(Node::new("", Slant::Upright, Role::Ordinary));
+            }
+            // A script stands on one letter: in `AB_1` on B.
+            Some(last) if last.slant == Slant::Italic && last.sub.is_empty() && last.sup.is_empty() && last.primes == 0 => {
+                if let Some((i, c)) = last.text.char_indices().next_back().filter(|&(i, _)| i > 0) {
+                    last.text.truncate(i);
+                    row.push(Node::new(c, Slant::Italic, Role::Ordinary));
+                }
+            }
+            Some(_) => {}
+        }
+        row.last_mut().expect("an atom was there or has just been pushed")
+    }
+
+    fn script(&mut self, mark: char, row: &mut Vec<Node>) {
+        self.at += 1;
+        while self.peek().is_some_and(char::is_whitespace) {
+            self.at += 1;
+        }
+        let mut inner = match self.peek() {
+            Some('{') => {
+                self.at += 1;
+                self.row(true)
+            }
+            Some('\\') => {
+                let mut one = Vec::new();
+                self.command(&mut one);
+                one
+            }
+            Some(c) if !matches!(c, '_' | '^' | '}') => {
+                self.at += 1;
+                let slant = if is_quantity_letter(c) { Slant::Italic } else { Slant::Upright };
+                let c = if c == '-' { '−' } else { c };
+                vec![Node::new(c, slant, Role::Ordinary)]
+            }
+            _ => {
+                self.fault(both!("{mark} without a script", "{mark} 后面没有内容"));
+                return;
+            }
+        };
+        // Signs in a script are not spaced, as in TeX's script style.
+        for n in &mut inner {
+            n.role = Role::Ordinary;
+        }
+        let host = self.host(row, &mark.to_string());
+        let slot = if mark == '_' { &mut host.sub } else { &mut host.sup };
+        if slot.is_empty() {
+            *slot = inner;
+        } else {
+            self.fault(both!("two {mark} on one letter", "一个字母有两个 {mark}"));
+        }
+    }
+
+    /// A space means something beside Chinese, and after a number when letters follow: those are then its unit.
+    fn space(&mut self, row: &mut Vec<Node>) {
+        self.take_while(char::is_whitespace);
+        let Some(last) = row.last().and_then(|n| n.text.chars().last()) else { return };
+        let Some(next) = self.peek() else { return };
+        if is_cjk(last) || is_cjk(next) {
+            row.push(Node::space(WORD_EM));
+        } else if row.last().is_some_and(ends_a_number) && last.is_ascii_digit() {
+            let micro = self.chars[self.at..].starts_with(&['\\', 'm', 'u', ' ']);
+            if next.is_ascii_alphabetic() || matches!(next, '(' | '°' | 'µ' | 'μ' | '%') || micro {
+                row.push(Node::space(WORD_EM));
+                self.unit(row);
+            }
+        }
+    }
+
+    fn unit(&mut self, row: &mut Vec<Node>) {
+        let is_unit = |c: char| c.is_ascii_alphanumeric() || matches!(c, '/' | '(' | ')' | '·' | '⋅' | '°' | 'µ' | 'μ' | '%' | '²' | '³');
+        loop {
+            let text = self.take_while(is_unit);
+            if !text.is_empty() {
+                row.push(Node::new(text, Slant::Upright, Role::Ordinary));
+            }
+            match self.peek() {
+                Some('^') => self.script('^', row),
+                _ => return,
+            }
+        }
+    }
+
+    fn command(&mut self, row: &mut Vec<Node>) {
+        self.at += 1;
+        let name = self.take_while(|c| c.is_ascii_alphabetic());
+        if name.is_empty() {
+            match self.peek() {
+                Some(',') => row.push(Node::space(THIN_EM)),
+                Some(' ') => row.push(Node::space(WORD_EM)),
+                Some(c @ ('{' | '}' | '_' | '^' | '\\' | '\'' | '%' | '#' | '&')) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
+                _ => {
+                    self.fault(both!("a \\ with no command after it", "\\ 后面没有命令"));
+                    return;
+                }
+            }
+            self.at += 1;
+            return;
+        }
+        match name.as_str() {
+            "text" => {
+                let words = self.argument();
+                row.push(Node::new(words, Slant::Upright, Role::Ordinary));
+            }
+            "circled" => {
+                let n = self.argument();
+                match n.parse::<u32>() {
+                    Ok(k @ 1..=20) => {
+                        let c = char::from_u32(0x2460 + k - 1).expect("① to ⑳ are characters");
+                        row.push(Node::new(c, Slant::Symbol, Role::Ordinary));
+                    }
+                    _ => self.fault(both!(
+                        "\\circled takes a number from 1 to 20, not `{n}`",
+                        "\\circled 的参数应为 1 到 20 的数，而不是 `{n}`"
+                    )),
+                }
+            }
+            "quad" => row.push(Node::space(1.0)),
+            "sin" | "cos" | "tan" | "arctan" | "arcsin" | "arccos" => row.push(Node::new(name, Slant::Upright, Role::Function)),
+            _ => match named(&name) {
+                Some((c, Kind::Letter)) => row.push(Node::new(c, Slant::Italic, Role::Ordinary)),
+                Some((c, Kind::Capital)) => row.push(Node::new(c, Slant::Upright, Role::Ordinary)),
+                Some((c, Kind::Sign)) => row.push(symbol(c, row)),
+                None => {
+                    self.fault(both!("unknown command \\{name}", "未知命令 \\{name}"));
+                    row.push(Node::new(name, Slant::Upright, Role::Ordinary));
+                }
+            },
+        }
+    }
+
+    /// The characters between the braces after a command, as they stand.
+    fn argument(&mut self) -> String {
+        if self.peek() != Some('{') {
+            self.fault(both!("a command that needs {{…}}", "该命令需要 {{…}}"));
+            return String::new();
+        }
+        self.at += 1;
+        let text = self.take_while(|c| c != '}');
+        if self.peek().is_none() {
+            self.fault(both!("a {{ without its }}", "{{ 没有对应的 }}"));
+        }
+        self.at += 1;
+        text
+    }
+}
+
+fn is_quantity_letter(c: char) -> bool {
+    c.is_ascii_alphabetic() || ('α'..='ω').contains(&c) || matches!(c, 'ϑ' | 'ϕ' | 'ϖ' | 'ϱ' | 'ϵ')
+}
+
+fn is_cjk(c: char) -> bool {
+    matches!(c, '\u{3000}'..='\u{303F}' | '\u{3400}'..='\u{9FFF}' | '\u{F900}'..='\u{FAFF}' | '\u{FF00}'..='\u{FFEF}')
+}
+
+/// A sign as an atom; a sign of an operation with nothing before it is a sign of a number and gets no space.
+fn symbol(c: char, before: &[Node]) -> Node {
+    let opens = |n: &Node| matches!(n.role, Role::Binary | Role::Relation | Role::Punctuation) || n.text.ends_with(['(', '∠']);
+    let starts = before.last().is_none_or(opens);
+    match c {
+        '+' | '-' | '−' | '±' if starts => Node::new(if c == '-' { '−' } else { c }, Slant::Symbol, Role::Ordinary),
+        '-' => Node::new('−', Slant::Symbol, Role::Binary),
+        '+' | '−' | '±' | '×' | '÷' | '·' | '⋅' => Node::new(c, Slant::Symbol, Role::Binary),
+        '=' | '<' | '>' | '≈' | '≠' | '≤' | '≥' | '→' | '←' | '↔' | '∝' | '≡' => {
+            Node::new(c, Slant::Symbol, Role::Relation)
+        }
+        ',' | ';' => Node::new(c, Slant::Upright, Role::Punctuation),
+        '✓' | '✔' => Node::new('√', Slant::Symbol, Role::Ordinary),
+        '⟂' => Node::new('⊥', Slant::Symbol, Role::Ordinary),
+        '⊥' | '∥' | '∠' | '√' | '∞' | '∼' => Node::new(c, Slant::Symbol, Role::Ordinary),
+        '①'..='⑳' => Node::new(c, Slant::Symbol, Role::Ordinary),
+        _ => Node::new(c, Slant::Upright, Role::Ordinary),
+    }
+}
+
+enum Kind {
+    Letter,
+    Capital,
+    Sign,
+}
+
+fn named(name: &str) -> Option<(char, Kind)> {
+    let letter = match name {
+        "alpha" => 'α',
+        "beta" => 'β',
+        "gamma" => 'γ',
+        "delta" => 'δ',
+        "epsilon" | "varepsilon" => 'ε',
+        "zeta" => 'ζ',
+        "eta" => 'η',
+        "theta" => 'θ',
+        "iota" => 'ι',
+        "kappa" => 'κ',
+        "lambda" => 'λ',
+        "mu" => 'μ',
+        "nu" => 'ν',
+        "xi" => 'ξ',
+        "pi" => 'π',
+        "rho" => 'ρ',
+        "sigma" => 'σ',
+        "tau" => 'τ',
+        "upsilon" => 'υ',
+        "phi" | "varphi" => 'φ',
+        "chi" => 'χ',
+        "psi" => 'ψ',
+        "omega" => 'ω',
+        _ => '\0',
+    };
+    if letter != '\0' {
+        return Some((letter, Kind::Letter));
+    }
+    let capital = match name {
+        "Gamma" => 'Γ',
+        "Delta" => 'Δ',
+        "Theta" => 'Θ',
+        "Lambda" => 'Λ',
+        "Pi" => 'Π',
+        "Sigma" => 'Σ',
+        "Phi" => 'Φ',
+        "Psi" => 'Ψ',
+        "Omega" => 'Ω',
+        _ => '\0',
+    };
+    if capital != '\0' {
+        return Some((capital, Kind::Capital));
+    }
+    let sign = match name {
+        "to" | "rightarrow" => '→',
+        "leftarrow" => '←',
+        "perp" => '⊥',
+        "parallel" => '∥',
+        "angle" => '∠',
+        "cdot" => '·',
+        "times" => '×',
+        "pm" => '±',
+        "approx" => '≈',
+        "neq" => '≠',
+        "leq" => '≤',
+        "geq" => '≥',
+        "sim" => '∼',
+        "infty" => '∞',
+        "degree" => '°',
+        // The Chinese books tick a known magnitude with √, and no embedded font has ✓.
+        "checkmark" => '√',
+        _ => return None,
+    };
+    Some((sign, Kind::Sign))
+}

@@ -1,0 +1,140 @@
+//! Breaking a sentence with formulas into lines.
+//!
+//! Decided here: that Unicode's line breaking rules hold, which know where Chinese may not break; a formula is one thing
+//! among the words, and a long one may break before its relations.
+
+use std::collections::VecDeque;
+
+use icu_segmenter::LineSegmenter;
+use icu_segmenter::options::LineBreakOptions;
+
+use super::font::own::Fonts;
+use super::label::Label;
+use super::text;
+use crate::paper::phrase::{Phrase, Piece};
+
+/// Whether a break would part a number from its unit, or from what it counts.
+fn parts_a_number(text: &str, at: usize) -> bool {
+    at < text.len() && text[..at].strip_suffix(' ').is_some_and(|before| before.ends_with(|c: char| c.is_ascii_digit()))
+}
+
+/// Breaks a phrase into lines no wider than `width_mm`, where Unicode's rules allow it. A word that is longer than a line
+/// breaks anywhere; a formula that is, sticks out.
+pub fn wrapped(phrase: &Phrase, width_mm: f64, size_mm: f64, fonts: &Fonts) -> Vec<Label> {
+    // A formula is one thing among the words; before its relations it may break too.
+    const THING: char = '\u{FFFC}';
+    let mut plain = String::new();
+    let mut formulas = VecDeque::new();
+    for piece in phrase.pieces() {
+        match piece {
+            Piece::Words(w) => plain.extend(w.chars().map(|c| if c == THING { char::REPLACEMENT_CHARACTER } else { c })),
+            Piece::Formula(f) => {
+                for part in pieces_of(f) {
+                    plain.push(THING);
+                    formulas.push_back(part);
+                }
+            }
+        }
+    }
+    let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
+    let breaks: Vec<usize> = segmenter.segment_str(&plain).filter(|at| !parts_a_number(&plain, *at)).collect();
+    let label = |from: &str, formulas: &mut VecDeque<String>| {
+        let mut out = Label::text("").in_fonts(fonts);
+        for (k, words) in from.split(THING).enumerate() {
+            if k > 0 {
+                out = out.then(Label::math(formulas.pop_front().unwrap_or_default()));
+            }
+            if !words.is_empty() {
+                out = out.then(Label::text(words));
+            }
+        }
+        out
+    };
+    let wide = |l: &Label| text::set(l).width_em * size_mm;
+    let mut lines = Vec::new();
+    let mut here: Option<Label> = None;
+    let whole = breaks.windows(2).map(|ends| &plain[ends[0]..ends[1]]);
+    let pieces = whole.flat_map(|segment| {
+        let long = !segment.contains(THING) && wide(&Label::text(segment.trim_end()).in_fonts(fonts)) > width_mm;
+        if long { segment.split_inclusive(|_| true).collect() } else { vec![segment] }
+    });
+    for segment in pieces {
+        // The space at a line's end takes no room.
+        let things = segment.matches(THING).count();
+        let mut own: VecDeque<String> = formulas.drain(..things).collect();
+        let trimmed = label(segment.trim_end(), &mut own.clone());
+        let full = label(segment, &mut own);
+        here = Some(match here {
+            None => full,
+            Some(before) if wide(&before.clone().then(trimmed)) <= width_mm => before.then(full),
+            Some(before) => {
+                lines.push(before);
+                full
+            }
+        });
+    }
+    lines.extend(here);
+    lines
+}
+
+/// A formula in parts that may stand on different lines: each relation begins one, if the formula is long.
+fn pieces_of(formula: &str) -> Vec<String> {
+    /// Shorter formulas stay whole.
+    const LONG: usize = 40;
+    if formula.len() < LONG {
+        return vec![formula.to_owned()];
+    }
+    let mut parts: Vec<String> = Vec::new();
+    let mut depth = 0;
+    for c in formula.chars() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        match parts.last_mut() {
+            Some(last) if c != '=' || depth != 0 => last.push(c),
+            _ => parts.push(c.to_string()),
+        }
+    }
+    parts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(source: &str, width_mm: f64) -> Vec<String> {
+        wrapped(&Phrase::new(source), width_mm, 4.0, &Fonts::default()).iter().map(|l| l.plain().trim_end().to_owned()).collect()
+    }
+
+    #[test]
+    fn lines_break_at_words_and_fit() {
+        let source = "Through $b$ draw the direction of $v_{CB}$, $\\perp BC$, and through the pole that of $v_C$.";
+        let lines = wrapped(&Phrase::new(source), 50.0, 4.0, &Fonts::default());
+        assert!(lines.len() > 2);
+        for l in &lines {
+            assert!(text::set(l).width_em * 4.0 <= 51.5, "{}", l.plain());
+        }
+        let joined: String = lines.iter().map(Label::plain).collect();
+        assert_eq!(joined, Phrase::new(source).label().plain());
+        assert!(texts(source, 50.0).iter().all(|l| !l.starts_with([',', '.'])));
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        for width in 20..80 {
+            let lines = texts("from o lay off 59.01 mm square to it, 3 mm more, then 12 mm back", f64::from(width));
+            assert!(lines.iter().all(|l| !l.starts_with("mm")), "{width} mm: {lines:?}");
+        }
+    }
+
+    #[test]
+    fn a_word_longer_than_a_line_breaks_anywhere() {
+        let lines = texts(&format!("see https://example.org/{}.", "path".repeat(40)), 50.0);
+        assert!(lines.len() > 5 && lines.iter().all(|l| text::set(&Label::text(l.as_str())).width_em * 4.0 <= 51.0), "{lines:?}");
+    }
+
+    #[test]
+    fn chinese_breaks_anywhere_but_before_its_stops() {
+        let lines = texts("两线交于一点，交角甚大，故所得结果可靠。取极点，比例尺已知（见图），依次作各矢量。", 30.0);
+        assert!(lines.len() > 4, "{lines:?}");
+        assert!(lines.iter().all(|l| !l.starts_with(['，', '。', '）']) && !l.ends_with('（')), "{lines:?}");
+    }
+}

@@ -1,0 +1,152 @@
+//! The places that a label may take.
+
+use std::f64::consts::{FRAC_PI_4, TAU};
+use std::sync::LazyLock;
+
+use crate::geom::{Point, Vec2};
+use crate::paper::extent::{Rect, on_circle};
+
+use super::{Target, Wanted};
+
+/// One place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Candidate {
+    /// Box of the label's ink there.
+    pub rect: Rect,
+    /// Leader line from the label to its thing.
+    pub leader: Option<(Point, Point)>,
+    /// Box of both.
+    pub reach: Rect,
+    /// What the place costs before anything is covered.
+    pub base: f64,
+}
+
+impl Candidate {
+    /// A place.
+    pub fn new(rect: Rect, leader: Option<(Point, Point)>, base: f64) -> Candidate {
+        Candidate { rect, leader, reach: leader.map_or(rect, |(a, b)| rect.union(Rect::new(a, b))), base }
+    }
+}
+
+/// Directions around a point.
+const DIRECTIONS: usize = 16;
+/// Air between a point's symbol and its label, and what the farther places cost.
+const POINT_GAPS: [(f64, f64); 3] = [(0.6, 0.0), (1.3, 1.0), (2.4, 2.6)];
+/// Stations along a line. The ends are left to the labels of the points.
+const STATIONS: [f64; 7] = [0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74];
+/// Air between a line and its label.
+const LINE_GAPS: [(f64, f64); 2] = [(0.9, 0.0), (1.7, 0.9)];
+/// Cost of a station at the line's end against its middle: less than a place farther off.
+const STATION_COST: f64 = 3.0;
+/// Cost of the inside of an arc, where the lines of an angle are.
+const INSIDE_COST: f64 = 1.2;
+/// Cost of the direction opposite to the preferred one, where one was asked for.
+const PREFER_COST: f64 = 2.4;
+/// The same where none was: enough to decide between equals, too little to go farther off.
+const DEFAULT_COST: f64 = 0.5;
+/// Lengths of a leader line, and what it costs: more than any nearness, less than covering a line's width.
+const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
+
+/// 48 places around a point, 28 along a segment or an arc.
+pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
+    match wanted.target {
+        Target::Point { at, clear_mm } => {
+            let mut all = Vec::with_capacity(DIRECTIONS * POINT_GAPS.len());
+            for (gap, base) in POINT_GAPS {
+                for u in directions() {
+                    let rect = wanted.rect(at + u * reach(u, wanted, clear_mm + gap));
+                    all.push(Candidate::new(rect, None, base + side_cost(u, wanted)));
+                }
+            }
+            all
+        }
+        Target::Segment { from, to, clear_mm } => {
+            // A segment of no length has no sides; above is as good as any.
+            let along = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0));
+            let normal = along.perp();
+            let half = normal.x.abs() * wanted.half_width_mm + normal.y.abs() * wanted.half_height_mm;
+            let mut all = Vec::with_capacity(2 * STATIONS.len() * LINE_GAPS.len());
+            for (gap, base) in LINE_GAPS {
+                for t in STATIONS {
+                    for side in [normal, -normal] {
+                        let on = from + (to - from) * t;
+                        let rect = wanted.rect(on + side * (half + clear_mm + gap));
+                        all.push(Candidate::new(rect, None, base + STATION_COST * (t - 0.5).abs() + side_cost(side, wanted)));
+                    }
+                }
+            }
+            all
+        }
+        Target::Arc { centre, radius_mm, from_rad, to_rad, clear_mm } => {
+            let mut all = Vec::with_capacity(2 * STATIONS.len() * LINE_GAPS.len());
+            for (gap, base) in LINE_GAPS {
+                for t in STATIONS {
+                    let u = Vec2::from_angle(from_rad + (to_rad - from_rad) * t);
+                    let outside = reach(u, wanted, radius_mm + clear_mm + gap);
+                    // Inside, the box's farthest corner must stay in the circle: the half diagonal always does.
+                    let inside = radius_mm - clear_mm - gap - libm::hypot(wanted.half_width_mm, wanted.half_height_mm);
+                    for (t_mm, side, off) in [(outside, u, 0.0), (inside, -u, INSIDE_COST)] {
+                        let rect = wanted.rect(centre + u * t_mm);
+                        let base = base + off + STATION_COST * (t - 0.5).abs();
+                        let wish = if wanted.prefer.is_some() { side_cost(side, wanted) } else { 0.0 };
+                        all.push(Candidate::new(rect, None, base + wish));
+                    }
+                }
+            }
+            all
+        }
+    }
+}
+
+/// Places farther off, with a leader line.
+pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
+    let (at, clear_mm) = match wanted.target {
+        Target::Point { at, clear_mm } => (at, clear_mm),
+        Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
+        Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => (on_circle(centre, radius_mm, (from_rad + to_rad) / 2.0), 0.0),
+    };
+    let mut all = Vec::with_capacity(DIRECTIONS * LEADERS.len());
+    for (length, base) in LEADERS {
+        for u in directions() {
+            let t = reach(u, wanted, clear_mm + length);
+            let rect = wanted.rect(at + u * t);
+            let near = nearest(rect, at);
+            let Some(back) = (near - at).unit() else { continue };
+            // Air at the letters, none at the thing.
+            let leader = (near - back * 0.5, at + back * clear_mm);
+            all.push(Candidate::new(rect, Some(leader), base + side_cost(u, wanted)));
+        }
+    }
+    all
+}
+
+fn directions() -> impl Iterator<Item = Vec2> {
+    static ALL: LazyLock<[Vec2; DIRECTIONS]> =
+        LazyLock::new(|| std::array::from_fn(|k| Vec2::from_angle(k as f64 * TAU / DIRECTIONS as f64)));
+    ALL.iter().copied()
+}
+
+/// How far along `u` a box's middle must go for the box to stand `clear_mm` off the origin.
+fn reach(u: Vec2, wanted: &Wanted, clear_mm: f64) -> f64 {
+    let (ux, uy, hw, hh) = (u.x.abs(), u.y.abs(), wanted.half_width_mm, wanted.half_height_mm);
+    // The box faces the origin with a side, …
+    if ux * (hh + clear_mm) <= uy * hw {
+        return (hh + clear_mm) / uy;
+    }
+    if uy * (hw + clear_mm) <= ux * hh {
+        return (hw + clear_mm) / ux;
+    }
+    // … or with a corner.
+    let b = ux * hw + uy * hh;
+    b + (b * b - hw * hw - hh * hh + clear_mm * clear_mm).max(0.0).sqrt()
+}
+
+fn side_cost(u: Vec2, wanted: &Wanted) -> f64 {
+    let (side, cost) = wanted.prefer.map_or((Vec2::from_angle(FRAC_PI_4), DEFAULT_COST), |side| (side, PREFER_COST));
+    cost * (1.0 - u.dot(side)) / 2.0
+}
+
+/// The point of a box nearest to `p`.
+pub(super) fn nearest(rect: Rect, p: Point) -> Point {
+    Point::new(p.x.clamp(rect.min.x, rect.max.x), p.y.clamp(rect.min.y, rect.max.y))
+}

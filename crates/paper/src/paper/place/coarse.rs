@@ -1,0 +1,241 @@
+//! Places for more labels than a search can weigh against one another: one after the other, each where the paper is still empty.
+//!
+//! The paper is divided into small cells; ink and labels fill them, and a place costs what its cells hold. What a label costs in time
+//! does not depend on how many others there are, nor on how much is drawn, so that the whole grows with the number of labels. In a
+//! crowd the result is coarser than that of [`super::search`]: an early label never makes room for a late one.
+//!
+//! # Source
+//! Greedy placement on a bitmap of what is occupied: I. Mote, *Fast point-feature label placement for dynamic visualizations*,
+//! Information Visualization 6 (2007), with a raster in the place of his trellis.
+
+use crate::geom::Point;
+use crate::paper::extent::Rect;
+
+use super::candidate::{self, Candidate};
+use super::obstacle::Obstacles;
+use super::search::LEAVE;
+use super::{Found, Habit, LabelRequest, Placement, Wanted, cost};
+
+/// More labels than this in one drawing are placed one after the other. The busiest textbook figure has some sixty.
+pub(super) const MANY: usize = 100;
+
+/// Side of a cell: a third of the smallest letter's height, a line's width and the air beside it.
+const CELL_MM: f64 = 0.5;
+/// On a large paper cells grow, so that there are no more of them than this along a side.
+const ACROSS: usize = 2000;
+/// A cell with a line in it.
+const LINE: u8 = 1;
+/// A cell with an arrowhead, a symbol or another label.
+const HEAVY: u8 = 2;
+/// A label on something heavy against one on a line.
+const HEAVIER: f64 = 3.0;
+/// Each square millimetre of what a label covers.
+const PER_MM2: f64 = 2.0;
+
+/// Which cells of the paper hold what.
+struct Raster {
+    corner: Point,
+    cell_mm: f64,
+    columns: usize,
+    rows: usize,
+    cells: Vec<u8>,
+    /// Cells that were looked at or filled.
+    touched: usize,
+}
+
+impl Raster {
+    fn new(paper: Rect) -> Raster {
+        let side = paper.width_mm().max(paper.height_mm());
+        let cell_mm = CELL_MM.max(side / ACROSS as f64);
+        let count = |mm: f64| (mm / cell_mm).ceil().clamp(1.0, ACROSS as f64 + 1.0) as usize;
+        let (columns, rows) = (count(paper.width_mm()), count(paper.height_mm()));
+        Raster { corner: paper.min, cell_mm, columns, rows, cells: vec![0; columns * rows], touched: 0 }
+    }
+
+    fn with(paper: Rect, obstacles: &Obstacles) -> Raster {
+        let mut raster = Raster::new(paper);
+        for bar in &obstacles.bars {
+            raster.fill_bar(bar.from, bar.to, bar.half_width_mm, LINE);
+        }
+        for head in &obstacles.heads {
+            raster.fill_bar(head.from, head.to, head.half_width_mm, HEAVY);
+        }
+        for disc in &obstacles.discs {
+            raster.fill(Rect::new(disc.centre, disc.centre).grown(disc.radius_mm), HEAVY);
+        }
+        for rect in &obstacles.rects {
+            raster.fill(*rect, HEAVY);
+        }
+        raster
+    }
+
+    /// The cells of a box, as far as they are on the paper: columns and rows, end exclusive.
+    fn range(&self, rect: Rect) -> [usize; 4] {
+        let index = |mm: f64, most: usize| (mm / self.cell_mm).floor().clamp(0.0, most as f64) as usize;
+        let [a, b] = [rect.min, rect.max].map(|p| p - self.corner);
+        let end = |mm: f64, most: usize| if mm < 0.0 { 0 } else { (index(mm, most) + 1).min(most) };
+        [index(a.x, self.columns), end(b.x, self.columns), index(a.y, self.rows), end(b.y, self.rows)]
+    }
+
+    fn fill(&mut self, rect: Rect, with: u8) {
+        let [from, to, low, high] = self.range(rect);
+        for row in low..high {
+            for cell in &mut self.cells[row * self.columns..][from.min(to)..to] {
+                *cell |= with;
+            }
+            self.touched += to.saturating_sub(from);
+        }
+    }
+
+    fn fill_bar(&mut self, from: Point, to: Point, half_width_mm: f64, with: u8) {
+        let paper =
+            Rect { min: self.corner, max: self.corner + crate::geom::Vec2::new(self.columns as f64, self.rows as f64) * self.cell_mm };
+        let Some((from, to)) = cost::clipped(from, to, paper) else { return };
+        let steps = (from.distance(to) / self.cell_mm).ceil().max(1.0);
+        for k in 0..=steps as usize {
+            let at = from + (to - from) * (k as f64 / steps);
+            self.fill(Rect::new(at, at).grown(half_width_mm), with);
+        }
+    }
+
+    /// What a place costs before anything is weighed against others.
+    fn cost(&mut self, place: &Candidate, paper: Rect) -> f64 {
+        let [from, to, low, high] = self.range(place.rect);
+        let (mut lines, mut heavy) = (0usize, 0usize);
+        for row in low..high {
+            for cell in &self.cells[row * self.columns..][from.min(to)..to] {
+                heavy += usize::from(cell & HEAVY != 0);
+                lines += usize::from(*cell == LINE);
+            }
+            self.touched += to.saturating_sub(from);
+        }
+        let covered = |cells: usize| if cells > 0 { cost::TOUCH + PER_MM2 * cells as f64 * self.cell_mm * self.cell_mm } else { 0.0 };
+        place.base + covered(lines) + HEAVIER * covered(heavy) + cost::outside(place.rect, paper)
+    }
+}
+
+/// A place for each label, `None` for optional ones without a clear one, as [`super::place_or_leave`]; and how many cells were looked
+/// at for it.
+pub(super) fn place(
+    requests: &[LabelRequest],
+    obstacles: &Obstacles,
+    paper: Rect,
+    before: &[Option<Habit>],
+) -> (Vec<Option<Placement>>, usize) {
+    let mut raster = Raster::with(paper, obstacles);
+    let mut out = vec![None; requests.len()];
+    // Names that may be left out take what the others leave.
+    let (last, first): (Vec<usize>, Vec<usize>) = (0..requests.len()).partition(|i| requests[*i].optional);
+    for i in first.into_iter().chain(last) {
+        let wanted = Wanted::new(&requests[i]);
+        let stood = match before.get(i).copied().flatten() {
+            Some(Habit::At(index)) => Some(index),
+            Some(Habit::LeftOut) | None => None,
+        };
+        let found = best(&mut raster, &wanted, paper, stood, requests[i].optional);
+        if requests[i].optional && found.1 >= cost::TOUCH {
+            continue;
+        }
+        raster.fill(found.0.rect, HEAVY);
+        if let Some((from, to)) = found.0.leader {
+            raster.fill_bar(from, to, 0.0, LINE);
+        }
+        out[i] = Some(wanted.placement(found));
+    }
+    (out, raster.touched)
+}
+
+/// The cheapest of a label's places, the first of equals; those far off only where all near ones cover something.
+fn best(raster: &mut Raster, wanted: &Wanted, paper: Rect, stood: Option<usize>, near_only: bool) -> Found {
+    let near = candidate::near(wanted);
+    let count = near.len();
+    let mut best: Option<(Found, f64)> = None;
+    let mut look = |raster: &mut Raster, index: usize, place: Candidate| {
+        let leave = if stood.is_some_and(|s| s != index) { LEAVE } else { 0.0 };
+        if best.is_none_or(|(_, least)| place.base + leave < least) {
+            let cost = raster.cost(&place, paper);
+            if best.is_none_or(|(_, least)| cost + leave < least) {
+                best = Some(((place, cost, index), cost + leave));
+            }
+        }
+        best.is_some_and(|(_, least)| least >= cost::TOUCH)
+    };
+    let mut poor = true;
+    for (index, place) in near.into_iter().enumerate() {
+        poor = look(raster, index, place);
+    }
+    if poor && !near_only || stood.is_some_and(|s| s >= count) {
+        for (k, place) in candidate::far(wanted).into_iter().enumerate() {
+            look(raster, count + k, place);
+        }
+    }
+    best.expect("every label has places near its thing").0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::Vec2;
+    use crate::paper::label::Label;
+
+    /// Points on a spiral, as densely as they come, with a line from each to the next.
+    fn crowd(n: usize, side_mm: f64) -> (Vec<LabelRequest>, Obstacles, Rect) {
+        let at = |k: usize| Point::ORIGIN + Vec2::from_angle(2.4 * k as f64) * (0.5 * side_mm * (k as f64 / n as f64).sqrt());
+        let mut obstacles = Obstacles::default();
+        for k in 0..n {
+            obstacles.bars.push(super::super::Bar { from: at(k), to: at(k + 1), half_width_mm: 0.2, owner: None });
+            obstacles.discs.push(super::super::Disc { centre: at(k), radius_mm: 0.6 });
+        }
+        let requests =
+            (0..n).map(|k| LabelRequest::at_point(Label::math(format!("P_{k}")), 3.6, at(k), 0.8).optional(k % 3 == 0)).collect();
+        (requests, obstacles, Rect::new(at(0), at(0)).grown(0.5 * side_mm + 20.0))
+    }
+
+    /// Whether they stand loosely or on one another, twice as many labels are twice the work.
+    #[test]
+    fn work_grows_with_the_number_of_labels() {
+        for spacing in [2.0, 12.0] {
+            let mut last: Option<f64> = None;
+            for n in [200, 400, 800, 1600] {
+                let (requests, obstacles, paper) = crowd(n, spacing * (n as f64).sqrt());
+                let (placed, touched) = place(&requests, &obstacles, paper, &[]);
+                assert_eq!(placed.len(), n);
+                let each = touched as f64 / n as f64;
+                // A line of this crowd is as long as the crowd is wide.
+                let lines = obstacles.bars.iter().map(|b| b.from.distance(b.to) / CELL_MM).sum::<f64>() / n as f64;
+                let each = each - 9.0 * lines;
+                assert!(
+                    last.is_none_or(|last| each < 1.3 * last.max(1000.0)),
+                    "{n} labels {spacing} mm apart: {each} cells each, {last:?} before"
+                );
+                last = Some(each);
+            }
+        }
+    }
+
+    #[test]
+    fn where_there_is_room_nothing_is_covered() {
+        let (requests, mut obstacles, paper) = crowd(400, 12.0 * 20.0);
+        obstacles.bars.clear();
+        let (placed, _) = place(&requests, &obstacles, paper, &[]);
+        let all: Vec<Placement> = placed.iter().flatten().copied().collect();
+        assert!(all.len() == requests.len() && all.iter().all(|p| p.cost < cost::TOUCH));
+        for (k, a) in all.iter().enumerate() {
+            for b in &all[..k] {
+                assert!(a.bounds.overlap_mm2(b.bounds) == 0.0, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_label_of_a_series_stays_and_one_beside_the_paper_is_no_fault() {
+        let (mut requests, obstacles, paper) = crowd(200, 12.0 * 14.0);
+        let first = place(&requests, &obstacles, paper, &[]).0;
+        let habits: Vec<_> = first.iter().map(|p| p.map(|p| Habit::At(p.index))).collect();
+        let again = place(&requests, &obstacles, paper, &habits).0;
+        let kept = first.iter().zip(&again).filter(|(a, b)| a == b).count();
+        assert!(kept > 190, "{kept} of 200 stay");
+        requests[0] = LabelRequest::at_point(Label::math("Z"), 3.6, Point::new(1e9, -1e9), 0.8);
+        assert!(place(&requests, &obstacles, paper, &[]).0[0].is_some());
+    }
+}

@@ -1,0 +1,52 @@
+//! Revolute joints, supports and the ground.
+
+use crate::geom::{Point, Vec2};
+use crate::paper::item::{Colour, Item, Piece, Shape};
+use crate::paper::style::Style;
+
+/// A revolute joint: a white circle over the links that it joins.
+pub fn pin(style: &Style, at: Point) -> Vec<Item> {
+    let shape = Shape::Circle { centre: at, radius_mm: style.pin_radius_mm, stroke: Some(style.outline), fill: Some(Colour::WHITE) };
+    vec![Item::new("pin", shape)]
+}
+
+/// A filled dot: a pole, a point of a link.
+pub fn dot(style: &Style, at: Point) -> Vec<Item> {
+    vec![Item::new("dot", Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(Colour::BLACK) })]
+}
+
+/// A line of ground with hatching on its right-hand side, seen from `from` to `to`.
+pub fn ground_line(style: &Style, from: Point, to: Point) -> Vec<Item> {
+    let Some(along) = (to - from).unit() else { return Vec::new() };
+    let length = from.distance(to);
+    let depth = along * -style.hatch_depth_mm + -along.perp() * style.hatch_depth_mm;
+    // Whole strokes at an even pitch, beginning under the end that they lean to.
+    let count = (length / style.hatch_pitch_mm).floor().max(1.0) as usize;
+    let pitch = length / count as f64;
+    let foot = |k: usize| from + along * (pitch * (k as f64 + 1.0));
+    let pieces = (0..count).flat_map(|k| [Piece::Move(foot(k)), Piece::Line(foot(k) + depth)]).skip(1).collect();
+    vec![
+        Item::new("ground hatch", Shape::Path { start: foot(0), pieces, closed: false, stroke: Some(style.thin), fill: None }),
+        Item::new("ground line", Shape::Line { from, to, stroke: style.outline }),
+    ]
+}
+
+/// A revolute joint on the ground: triangle, hatched ground line and pin. `towards` is the direction from the joint
+/// to the ground, usually down; a zero vector is taken as down.
+pub fn fixed_pivot(style: &Style, at: Point, towards: Vec2) -> Vec<Item> {
+    let down = towards.unit().unwrap_or(Vec2::new(0.0, -1.0));
+    let right = down.perp();
+    let foot = at + down * style.pivot_height_mm;
+    let half = right * style.pivot_half_base_mm;
+    let triangle = Shape::Polyline {
+        points: vec![at, foot + half, foot - half],
+        closed: true,
+        stroke: Some(style.outline),
+        fill: Some(Colour::WHITE),
+    };
+    let ground = right * style.ground_half_mm;
+    let mut items = vec![Item::new("ground pivot", triangle)];
+    items.extend(ground_line(style, foot - ground, foot + ground));
+    items.extend(pin(style, at));
+    items
+}

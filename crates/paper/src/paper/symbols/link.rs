@@ -1,0 +1,46 @@
+//! Links: bars, plates, and the mark of a rigid corner.
+
+use crate::geom::Point;
+use crate::paper::item::{Cap, Colour, Dash, Item, Shape, Stroke};
+use crate::paper::style::Style;
+
+/// A link with two joints, or a bent one through several points.
+pub fn link(style: &Style, points: &[Point]) -> Vec<Item> {
+    let shape = match *points {
+        [from, to] => Shape::Line { from, to, stroke: style.link },
+        _ => Shape::Polyline { points: points.to_vec(), closed: false, stroke: Some(style.link), fill: None },
+    };
+    vec![Item::new("link", shape)]
+}
+
+/// The same drawn dashed: what is there and only repeats what others fix.
+pub fn dashed(items: Vec<Item>) -> Vec<Item> {
+    let dashed = |stroke: Stroke| Stroke { cap: Cap::Butt, ..stroke.dashed(Dash::Dashed) };
+    let change = |shape| match shape {
+        Shape::Line { from, to, stroke } => Shape::Line { from, to, stroke: dashed(stroke) },
+        Shape::Polyline { points, closed, stroke, fill } => Shape::Polyline { points, closed, stroke: stroke.map(dashed), fill },
+        other @ (Shape::Path { .. }
+        | Shape::Circle { .. }
+        | Shape::Arc { .. }
+        | Shape::Arrow { .. }
+        | Shape::ArcArrow { .. }
+        | Shape::Label { .. }) => other,
+    };
+    items.into_iter().map(|item| Item { shape: change(item.shape), ..item }).collect()
+}
+
+/// A link with three or more joints: a plate, light grey inside.
+pub fn plate(style: &Style, points: &[Point]) -> Vec<Item> {
+    let shape = Shape::Polyline { points: points.to_vec(), closed: true, stroke: Some(style.link), fill: Some(style.plate) };
+    vec![Item::new("link plate", shape)]
+}
+
+/// The mark of a rigid corner: the angle between two bars of one link, filled. Nothing where the bars have no
+/// direction or no angle between them.
+pub fn weld(style: &Style, corner: Point, one: Point, other: Point) -> Vec<Item> {
+    let (Some(a), Some(b)) = ((one - corner).unit(), (other - corner).unit()) else { return Vec::new() };
+    // Well out of the two thick lines, or the mark would drown in them.
+    let leg = 3.2 * style.pin_radius_mm;
+    let points = vec![corner, corner + a * leg, corner + b * leg];
+    vec![Item::new("link weld", Shape::Polyline { points, closed: true, stroke: None, fill: Some(Colour::BLACK) })]
+}

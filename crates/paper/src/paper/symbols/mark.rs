@@ -1,0 +1,62 @@
+//! Marks beside the mechanism: sense of rotation, angles, dimensions, scales.
+
+use crate::geom::{Point, Vec2};
+use crate::paper::item::{Anchor, Colour, Item, Shape};
+use crate::paper::label::Label;
+use crate::paper::style::Style;
+
+/// The arrow of a rotation around `centre`, with its head at `to_rad`; counter-clockwise when `to_rad` > `from_rad`.
+pub fn rotation(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
+    vec![Item::new("rotation", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.vector, head: style.head })]
+}
+
+/// An angle at `centre` from a reference line, drawn, to a line that is there; the head is at the latter.
+pub fn angle(style: &Style, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> Vec<Item> {
+    // The reference line goes on a third beyond the arc, as the eye needs a crossing to read an angle.
+    let to = centre + Vec2::from_angle(from_rad) * (radius_mm * 4.0 / 3.0);
+    vec![
+        Item::new("angle reference", Shape::Line { from: centre, to, stroke: style.thin }),
+        Item::new("angle", Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke: style.thin, head: style.thin_head }),
+    ]
+}
+
+/// The dimension line of [`dimension`]: where its label belongs.
+pub fn dimension_line(from: Point, to: Point, offset_mm: f64) -> (Point, Point) {
+    let n = (to - from).unit().unwrap_or(Vec2::new(1.0, 0.0)).perp() * offset_mm;
+    (from + n, to + n)
+}
+
+/// A dimension from `from` to `to`, its line `offset_mm` to the left of that direction (to the right when negative).
+pub fn dimension(style: &Style, from: Point, to: Point, offset_mm: f64) -> Vec<Item> {
+    let (a, b) = dimension_line(from, to, offset_mm);
+    let (Some(out), Some(along)) = ((a - from).unit(), (b - a).unit()) else { return Vec::new() };
+    let line = |from: Point, to: Point| Shape::Line { from, to, stroke: style.thin };
+    // ISO 129-1: extension lines leave a gap at the thing and pass the dimension line by a little.
+    let (gap, past) = (out * (style.pin_radius_mm + 0.6), out * 1.2);
+    let middle = a + along * (a.distance(b) / 2.0);
+    let arrow = |to: Point| Shape::Arrow { from: middle, to, stroke: style.thin, head: style.thin_head };
+    vec![
+        Item::new("dimension extension", line(from + gap, a + past)),
+        Item::new("dimension extension", line(to + gap, b + past)),
+        Item::new("dimension", arrow(a)),
+        Item::new("dimension", arrow(b)),
+    ]
+}
+
+/// A graphic scale: a line of `length_mm` with a label at each end, which stays right when the sheet is enlarged.
+pub fn scale_bar(style: &Style, from: Point, length_mm: f64, zero: Label, end: Label) -> Vec<Item> {
+    let tick = Vec2::new(0.0, 1.1);
+    let to = from + Vec2::new(length_mm, 0.0);
+    let line = |from: Point, to: Point| Item::new("scale", Shape::Line { from, to, stroke: style.outline });
+    let text = |at: Point, label: Label| {
+        let shape = Shape::Label {
+            at: at + tick + Vec2::new(0.0, 0.9),
+            label,
+            size_mm: style.small_mm,
+            anchor: Anchor::Middle,
+            colour: Colour::BLACK,
+        };
+        Item::new("scale label", shape)
+    };
+    vec![line(from, to), line(from - tick, from + tick), line(to - tick, to + tick), text(from, zero), text(to, end)]
+}

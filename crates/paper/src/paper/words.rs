@@ -1,0 +1,263 @@
+//! All words on figures, in both languages: one table.
+
+use crate::mechanism::Level;
+use crate::scene::Lang;
+
+/// The words of one language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Words {
+    /// Language tag.
+    pub tag: &'static str,
+    /// Caption of the mechanism.
+    pub diagram: &'static str,
+    /// Caption of the velocity polygon.
+    pub velocity_polygon: &'static str,
+    /// Caption of the acceleration polygon.
+    pub acceleration_polygon: &'static str,
+    /// Caption of the mechanism with its instantaneous centres.
+    pub centres: &'static str,
+    /// Caption of the circle diagram.
+    pub circle_diagram: &'static str,
+    /// Caption of the construction of the inflection circle.
+    pub curvature: &'static str,
+    /// Caption of the paths of a pole.
+    pub centrodes: &'static str,
+    /// What their lines are, in the fixed and in the moving plane.
+    pub fixed_moving: &'static str,
+    /// Caption of the parts of an acceleration at the moving point.
+    pub composite_acceleration: &'static str,
+    /// Heading of the velocity equations.
+    pub velocities: &'static str,
+    /// Heading of the acceleration equations.
+    pub accelerations: &'static str,
+    /// Heading of the results.
+    pub results: &'static str,
+    /// Row of magnitudes.
+    pub magnitude: &'static str,
+    /// Row of directions.
+    pub direction: &'static str,
+    /// Sense of a positive turning.
+    pub counter_clockwise: &'static str,
+    /// Sense of a negative turning.
+    pub clockwise: &'static str,
+    /// Before a similarity.
+    pub image: &'static str,
+    /// After a vector taken over; `{}` is the link.
+    pub no_turning: &'static str,
+    /// What the special point `{S}` of a triad is; `{1}`, `{2}` are its lines, `{}` the link.
+    pub special_point: &'static str,
+    /// A line square to a guide; `{}` is the point.
+    pub square_to_guide: &'static str,
+    /// The constraint line of a leg that rolls; `{}` is the place of contact.
+    pub tangent_at: &'static str,
+    /// To how many digits drawing and analysis agree; `{}` is the number.
+    pub agreement: &'static str,
+    /// What a pencil makes of the results; `{}` is its error in mm, `{1}` the largest tolerance in %, `{symbol}` the result that has it.
+    pub pencil: &'static str,
+    /// Results that a pencil's error hides; `{1}` are they.
+    pub pencil_lost: &'static str,
+    /// An answer of which not all digits are certain; `{}` is the symbol, `{why}` the reason.
+    pub uncertain: &'static str,
+    /// What the tolerances are; `{}` is the pencil error in mm.
+    pub by_hand: &'static str,
+    /// A crossing under a bad angle; `{}` is the point, `{1}` the angle, `{2}` the pencil error in mm and `{3}` how far that moves it.
+    pub bad_angle: &'static str,
+    /// How far; `{}` in mm.
+    pub by_mm: &'static str,
+    /// How far, where no paper holds it.
+    pub off_paper: &'static str,
+    /// Helps: a larger scale; `{}` is the factor.
+    pub bad_larger: &'static str,
+    /// Helps: another special point; as `special_point`, `{3}` is the angle.
+    pub bad_special: &'static str,
+    /// Helps: another pose; `{driver}` is the driver's symbol, `{}` its angle, `{1}` that of the crossing.
+    pub bad_pose: &'static str,
+    /// The same where the driver's angle has no name; `{}` is by how much it is turned.
+    pub bad_turn: &'static str,
+    /// Instead of a measurement: a result that is not drawn.
+    pub computed: &'static str,
+    /// The same where only longer numbers tell the pose from a singular one.
+    pub longer: &'static str,
+    /// A change point; `{}` are its links.
+    pub change_point: &'static str,
+    /// A driver that turns back; `{}` are the links in line.
+    pub driver_at_limit: &'static str,
+    /// A dead centre with all drivers at rest; `{}` are its links.
+    pub at_rest: &'static str,
+    /// The answers on the motion that was not taken; `{}` are they.
+    pub other_motion: &'static str,
+    /// Instead of the scale of a polygon without vectors.
+    pub no_vectors: &'static str,
+    /// What only repeats what others fix; `{}` is it, `{why}` the reason.
+    pub repeats: &'static str,
+    /// The same of a pair that is not drawn dashed: a mesh, a second pin in one place.
+    pub repeats_alike: &'static str,
+    /// A condition of velocities; `{v}` is the vector, `{}` the line, `{mm}` by how much it is missed.
+    pub along_velocity: &'static str,
+    /// The same of accelerations; `{a}` is the normal one, `{w}` the velocity.
+    pub along_acceleration: &'static str,
+    /// Between statements on one line.
+    pub semicolon: &'static str,
+    /// Between the members of a list.
+    pub comma: &'static str,
+    /// Begins the description of a figure; `{}` is the title.
+    pub described: &'static str,
+}
+
+const EN: Words = Words {
+    tag: "en",
+    diagram: "Kinematic diagram",
+    velocity_polygon: "Velocity polygon",
+    acceleration_polygon: "Acceleration polygon",
+    centres: "Instantaneous centres",
+    circle_diagram: "Circle diagram",
+    curvature: "Pole, inflection circle, centres of curvature",
+    centrodes: "Centrodes",
+    fixed_moving: "solid: fixed; dashed: moving with the link",
+    composite_acceleration: "Acceleration of the moving point and its parts",
+    velocities: "Velocities",
+    accelerations: "Accelerations",
+    results: "Results",
+    magnitude: "Magnitude",
+    direction: "Direction",
+    counter_clockwise: "counter-clockwise",
+    clockwise: "clockwise",
+    image: "image",
+    no_turning: "link {} does not turn",
+    special_point: "${S}$: point of link {} where {1} and {2} meet",
+    square_to_guide: "the normal to the guide at ${}$",
+    tangent_at: "the tangent at ${}$",
+    agreement: "Drawing and loop equations agree to {} digits.",
+    pencil: "By hand, marks within {} mm: good to ±{1} % or better (${symbol}$ least).",
+    pencil_lost: "Drawn by hand, marks within {} mm: {1} cannot be read.",
+    uncertain: "{}: not all digits are certain, {why}",
+    by_hand: "±: drawn by hand, 95 % of the marks within {} mm.",
+    bad_angle: "${}$ is found under only ${1}$: a pencil error of {2} mm moves it {3}.",
+    by_mm: "by {} mm",
+    off_paper: "off the paper",
+    bad_larger: "Better: {} times as large, where every result is within 1 %.",
+    bad_special: "Better: the point of link {} where {1} and {2} meet; the lines cross under {3}° or more.",
+    bad_pose: "Better: the pose at ${driver} = {}\\degree$; the lines cross under {1}°.",
+    bad_turn: "Better: the pose with ${driver}$ turned by {}°; the lines cross under {1}°.",
+    computed: "from the loop equations",
+    longer: "from longer numbers",
+    change_point: "Change point of links {}: no lines cross on paper, see the loop equations.",
+    driver_at_limit: "The driver turns back, links {} in line: no lines cross on paper, see the loop equations.",
+    at_rest: "Dead centre of links {}: the driver stands, everything rests.",
+    other_motion: "The other motion: {}.",
+    repeats: "Dashed: {} only repeats what the others fix ({why}).",
+    repeats_alike: "Virtual constraint: {} only repeats what the others fix ({why}).",
+    along_velocity: "${v} \\perp {}$: {mm} mm off",
+    along_acceleration: "${a} = {w}^2/{}$: {mm} mm off",
+    no_vectors: "all vectors are zero, no scale",
+    semicolon: "; ",
+    comma: ", ",
+    described: "{}: kinematic diagram to scale with the polygons of its motion.",
+};
+
+const ZH: Words = Words {
+    tag: "zh",
+    diagram: "机构运动简图",
+    velocity_polygon: "速度多边形",
+    acceleration_polygon: "加速度多边形",
+    centres: "速度瞬心",
+    circle_diagram: "点元图（点元法）",
+    curvature: "瞬心、拐点圆与曲率中心",
+    centrodes: "瞬心线",
+    fixed_moving: "实线：定瞬心线；虚线：动瞬心线",
+    composite_acceleration: "动点的加速度及其各分量",
+    velocities: "速度分析",
+    accelerations: "加速度分析",
+    results: "结果",
+    magnitude: "大小",
+    direction: "方向",
+    counter_clockwise: "逆时针",
+    clockwise: "顺时针",
+    image: "影像",
+    no_turning: "构件 {} 作平动",
+    special_point: "特殊点 ${S}$：构件 {} 上 {1} 与 {2} 的交点",
+    square_to_guide: "过 ${}$ 的导路垂线",
+    tangent_at: "过 ${}$ 的公切线",
+    agreement: "图解与解析结果有 {} 位数字一致。",
+    pencil: "手工作图（点误差不超过 {} mm）：各结果误差不超过 ±{1} %（${symbol}$ 最大）。",
+    pencil_lost: "手工作图（点误差不超过 {} mm）：图上读不出 {1}。",
+    uncertain: "{}：并非全部数字可靠，{why}",
+    by_hand: "±：手工作图的误差（95% 的点误差不超过 {} mm）。",
+    bad_angle: "求 ${}$ 的两线交角仅 ${1}$：{2} mm 的作图误差使该点{3}。",
+    by_mm: "偏移 {} mm",
+    off_paper: "移出图纸",
+    bad_larger: "改进：图形放大到 {} 倍，各结果的误差不超过 1%。",
+    bad_special: "改进：改取构件 {}（扩大）上 {1} 与 {2} 的交点为特殊点，交角不小于 {3}°。",
+    bad_pose: "改进：取 ${driver} = {}\\degree$ 时，交角为 {1}°。",
+    bad_turn: "改进：${driver}$ 再转过 {}° 时，交角为 {1}°。",
+    computed: "由解析法求得",
+    longer: "由高精度计算求得",
+    change_point: "构件 {} 处于运动不确定位置：图上两线重合，结果由解析法求得。",
+    driver_at_limit: "原动件在极限位置折返，构件 {} 共线：图上两线重合，结果由解析法求得。",
+    at_rest: "构件 {} 处于死点，原动件不动：各构件静止。",
+    other_motion: "另一种运动：{}。",
+    repeats: "虚线：{} 为虚约束（{why}）。",
+    repeats_alike: "{} 为虚约束（{why}）。",
+    along_velocity: "${v} \\perp {}$：偏差 {mm} mm",
+    along_acceleration: "${a} = {w}^2/{}$：偏差 {mm} mm",
+    no_vectors: "各矢量均为零，不需比例尺",
+    semicolon: "；",
+    comma: "、",
+    described: "{}：按比例绘制的机构运动简图及其运动多边形。",
+};
+
+/// The words of a language.
+pub const fn words(lang: Lang) -> &'static Words {
+    match lang {
+        Lang::En => &EN,
+        Lang::Zh => &ZH,
+    }
+}
+
+impl Words {
+    /// The language.
+    pub fn lang(&self) -> Lang {
+        if self.tag == EN.tag { Lang::En } else { Lang::Zh }
+    }
+
+    /// The sense of a turning; nothing for zero.
+    pub fn sense(&self, value: f64) -> &'static str {
+        if value > 0.0 {
+            self.counter_clockwise
+        } else if value < 0.0 {
+            self.clockwise
+        } else {
+            ""
+        }
+    }
+
+    /// Caption of a level's polygon.
+    pub fn polygon(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceleration => self.acceleration_polygon,
+            _ => self.velocity_polygon,
+        }
+    }
+
+    /// Heading of a level's equations.
+    pub fn equations(&self, level: Level) -> &'static str {
+        match level {
+            Level::Acceleration => self.accelerations,
+            _ => self.velocities,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::{label::Label, text};
+
+    #[test]
+    fn every_word_has_its_letters() {
+        for lang in [Lang::En, Lang::Zh] {
+            let debug = format!("{:?}Δ∽°·×", words(lang));
+            assert_eq!(text::set(&Label::text(debug)).faults, [], "{lang:?}");
+        }
+    }
+}

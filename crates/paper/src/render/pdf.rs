@@ -1,0 +1,351 @@
+//! Figures as a PDF: one page each, lines as vectors, letters as text of embedded subsets of the figures' own fonts.
+//!
+//! Decided here: what a page of the display list is in PDF, and that the file is the same bytes every time (it carries no
+//! date and no random name). Letters keep their characters, so mathematics and Chinese can be searched and copied; a page
+//! says to screen readers what its parts are ([`Kind`]). Not decided here: where anything stands.
+
+use std::collections::BTreeMap;
+
+use krilla::color::{luma, rgb};
+use krilla::geom::{PathBuilder, Point as At, Transform};
+use krilla::metadata::Metadata;
+use krilla::num::NormalizedF32;
+use krilla::outline::{Outline, OutlineNode};
+use krilla::page::PageSettings;
+use krilla::paint::{Fill, LineCap, LineJoin, Paint, Stroke as Pen, StrokeDash};
+use krilla::surface::Surface;
+use krilla::tagging::{Artifact, ArtifactType, ContentTag, Node, Tag, TagGroup, TagTree};
+use krilla::text::{Font, GlyphId, KrillaGlyph};
+use krilla::{Data, Document};
+
+use super::pages::{Kind, Page, Part};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::geom::{Point, Vec2};
+use crate::paper::arrow;
+use crate::paper::extent::{anchor_shift_em, on_circle};
+use crate::paper::font::FaceKey;
+use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::label::Label;
+use crate::paper::text;
+
+/// Points of a millimetre: PDF measures in 1/72 inch.
+const POINTS_PER_MM: f32 = 72.0 / 25.4;
+/// PDF 1.7, annex C.2: no side of a page may be longer than 14 400 points.
+const SIDE_MAX_MM: f64 = 14_400.0 / 72.0 * 25.4;
+/// The limit at which SVG cuts a mitred corner: the same picture in both.
+const MITRE: f32 = 4.0;
+
+/// Writes figures, one a page, each page as large as its figure. Title and language are those of the first.
+///
+/// Warnings and errors as [`document`].
+///
+/// ```
+/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph::{geom::Point, render::pdf};
+/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
+/// let items = vec![Item::new("link", edge)];
+/// let (title, lang) = ("A link".into(), "en".into());
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title, desc: String::new(), lang, paper: Colour::WHITE, items };
+/// let file = pdf::pdf(&[figure])?.value;
+/// assert!(file.starts_with(b"%PDF-1.7"));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+pub fn pdf(figures: &[Figure]) -> Result<Warned<Vec<u8>>, Faults> {
+    let page = |f: &Figure| {
+        let mut parts = vec![Part { kind: Kind::Figure(f.desc.clone()), items: f.items.clone() }];
+        // White is the paper itself.
+        if f.paper != Colour::WHITE {
+            let corners = [(0.0, 0.0), (f.width_mm, 0.0), (f.width_mm, f.height_mm), (0.0, f.height_mm)];
+            let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
+            let ground = Shape::Polyline { points, closed: true, stroke: None, fill: Some(f.paper) };
+            parts.insert(0, Part { kind: Kind::Artifact, items: vec![Item::new("", ground)] });
+        }
+        Page { width_mm: f.width_mm, height_mm: f.height_mm, parts }
+    };
+    let pages: Vec<Page> = figures.iter().map(page).collect();
+    let (title, lang) = figures.first().map_or(("", "en"), |f| (f.title.as_str(), f.lang.as_str()));
+    let mut file = document(&pages, title, lang)?;
+    file.notes.extend(figures.iter().flat_map(Figure::remarks));
+    Ok(file)
+}
+
+/// Writes a document; `lang` is a language tag such as `en` or `zh`.
+///
+/// Warnings: `missing-glyph` for a character that no embedded font has.
+///
+/// # Errors
+/// `page-size` for a page without size or above 5080 mm, `not-finite` for an item with a coordinate that is not a number,
+/// `label-syntax` for a label that cannot be read, `pdf` when the file cannot be made (a limit of PDF).
+pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8>>, Faults> {
+    let mut faults = Faults::default();
+    let mut faces = BTreeMap::new();
+    for page in pages {
+        let (w, h) = (page.width_mm, page.height_mm);
+        if !(w > 0.0 && h > 0.0 && w <= SIDE_MAX_MM && h <= SIDE_MAX_MM) {
+            let help = both!("a page of a PDF is at most {SIDE_MAX_MM} mm long and wide", "PDF 页面的边长不超过 {SIDE_MAX_MM} mm");
+            faults.push(Diagnostic::error("page-size", both!("the page is {w} mm by {h} mm", "页面为 {w} mm × {h} mm")).help(help));
+        }
+        for item in page.parts.iter().flat_map(|p| &p.items) {
+            if !item.is_finite() {
+                let name = if item.id.is_empty() { &item.class } else { &item.id };
+                faults.push(Diagnostic::error(
+                    "not-finite",
+                    both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
+                ));
+            }
+            if let Shape::Label { label, .. } = &item.shape {
+                let set = text::set(label);
+                faults.list.extend(set.faults.iter().cloned());
+                faces.extend(set.runs.iter().map(|r| (r.face.key(), r.face.clone())));
+            }
+        }
+    }
+    let mut fonts = BTreeMap::new();
+    for (key, face) in faces {
+        match Font::new(Data::from(face.bytes()), 0) {
+            Some(font) => drop(fonts.insert(key, font)),
+            None => {
+                let d = Diagnostic::error("font", both!("the font {face:?} cannot be put into a PDF", "字体 {face:?} 不能嵌入 PDF"));
+                faults.push(d.help(both!("write an SVG or a PNG, or give another font", "请输出 SVG 或 PNG，或换字体")));
+            }
+        }
+    }
+    if faults.has_errors() {
+        return Err(faults);
+    }
+    let mut writer = Writer { fonts, tags: Vec::new(), outline: Outline::new() };
+    let mut file = Document::new();
+    for (n, page) in pages.iter().enumerate() {
+        writer.page(&mut file, n, page);
+    }
+    file.set_metadata(Metadata::new().title(title.to_owned()).language(lang.to_owned()).creator("hodograph".to_owned()));
+    file.set_outline(writer.outline);
+    file.set_tag_tree(TagTree::from(writer.tags).with_lang(Some(lang.to_owned())));
+    match file.finish() {
+        Ok(value) => Ok(Warned { value, notes: faults.list }),
+        Err(e) => Err(Diagnostic::error("pdf", both!("the PDF cannot be made: {e}", "不能生成 PDF：{e}")).into()),
+    }
+}
+
+struct Writer {
+    /// Those of all labels.
+    fonts: BTreeMap<FaceKey, Font>,
+    tags: Vec<Node>,
+    outline: Outline,
+}
+
+impl Writer {
+    fn page(&mut self, file: &mut Document, number: usize, page: &Page) {
+        let [w, h] = [page.width_mm, page.height_mm].map(|mm| mm as f32 * POINTS_PER_MM);
+        let settings = PageSettings::from_wh(w, h).expect("the size has been checked");
+        let mut sheet = file.start_page_with(settings);
+        let mut surface = sheet.surface();
+        surface.push_transform(&Transform::from_scale(POINTS_PER_MM, POINTS_PER_MM));
+        for part in &page.parts {
+            let paper = Paper { height_mm: page.height_mm };
+            let content = match part.kind {
+                Kind::Artifact => ContentTag::Artifact(Artifact::with_kind(ArtifactType::PaginationOther)),
+                _ => ContentTag::Other,
+            };
+            let identifier = surface.start_tagged(content);
+            for item in &part.items {
+                self.item(&mut surface, paper, item);
+            }
+            surface.end_tagged();
+            let alt = |words: &String| Some(words.clone()).filter(|w| !w.is_empty());
+            let mut group = match &part.kind {
+                Kind::Heading { level, title } => {
+                    let top = crate::paper::extent::bounds(&part.items).map_or(0.0, |b| paper.down(b.max).y);
+                    let place = krilla::destination::XyzDestination::new(number, At::from_xy(0.0, top * POINTS_PER_MM));
+                    self.outline.push_child(OutlineNode::new(title.clone(), place));
+                    let level = std::num::NonZeroU16::new(*level).unwrap_or(std::num::NonZeroU16::MIN);
+                    TagGroup::new(Tag::Hn(level, Some(title.clone())))
+                }
+                Kind::Paragraph => TagGroup::new(Tag::P),
+                Kind::Formula(words) => TagGroup::new(Tag::Formula(alt(words))),
+                Kind::Figure(words) => TagGroup::new(Tag::Figure(alt(words))),
+                Kind::Artifact => continue,
+            };
+            group.push(identifier);
+            self.tags.push(group.into());
+        }
+        surface.pop();
+        surface.finish();
+        sheet.finish();
+    }
+
+    fn item(&mut self, surface: &mut Surface, paper: Paper, item: &Item) {
+        let mut path = Trace { paper, builder: PathBuilder::new() };
+        match &item.shape {
+            Shape::Line { from, to, stroke } => {
+                path.chain(&[*from, *to], false);
+                path.ink(surface, Some(stroke), None);
+            }
+            Shape::Polyline { points, closed, stroke, fill } => {
+                path.chain(points, *closed);
+                path.ink(surface, stroke.as_ref(), *fill);
+            }
+            Shape::Path { start, pieces, closed, stroke, fill } => {
+                path.move_to(*start);
+                for piece in pieces {
+                    match *piece {
+                        Piece::Move(p) => path.move_to(p),
+                        Piece::Line(p) => path.line_to(p),
+                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => path.arc_to(centre, radius_mm, from_rad, to_rad),
+                    }
+                }
+                if *closed {
+                    path.builder.close();
+                }
+                path.ink(surface, stroke.as_ref(), *fill);
+            }
+            Shape::Circle { centre, radius_mm, stroke, fill } => {
+                path.arc(*centre, *radius_mm, 0.0, std::f64::consts::TAU);
+                path.builder.close();
+                path.ink(surface, stroke.as_ref(), *fill);
+            }
+            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
+                path.arc(*centre, *radius_mm, *from_rad, *to_rad);
+                path.ink(surface, Some(stroke), None);
+            }
+            Shape::Arrow { from, to, stroke, head } => {
+                let parts = arrow::straight(*from, *to, *head);
+                path.chain(&[*from, parts.shaft_end], false);
+                path.ink(surface, Some(stroke), None);
+                paper.head(surface, &parts.head, stroke.colour);
+            }
+            Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
+                let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
+                path.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
+                path.ink(surface, Some(stroke), None);
+                paper.head(surface, &parts.head, stroke.colour);
+            }
+            Shape::Label { at, label, size_mm, anchor, colour } => {
+                let left = at.x - anchor_shift_em(*anchor, text::set(label).width_em) * size_mm;
+                self.label(surface, paper, Point::new(left, at.y), label, *size_mm, *colour);
+            }
+        }
+    }
+
+    fn label(&mut self, surface: &mut Surface, paper: Paper, at: Point, label: &Label, size_mm: f64, colour: Colour) {
+        surface.set_stroke(None);
+        surface.set_fill(Some(fill(colour)));
+        for run in &text::set(label).runs {
+            let glyph = |g: &crate::paper::font::Glyph| {
+                let [dx, dy] = g.offset_em.map(|v| v as f32);
+                KrillaGlyph::new(GlyphId::new(g.id), g.advance_em as f32, dx, dy, 0.0, g.text.clone(), None)
+            };
+            let glyphs: Vec<KrillaGlyph> = run.glyphs.iter().map(glyph).collect();
+            let origin = paper.down(at + Vec2::new(run.x_em, run.y_em) * size_mm);
+            surface.draw_glyphs(origin, &glyphs, self.fonts[&run.face.key()].clone(), &run.text, (run.size_em * size_mm) as f32, false);
+        }
+    }
+}
+
+/// The paper of a page: the door between y up and y down.
+#[derive(Clone, Copy)]
+struct Paper {
+    height_mm: f64,
+}
+
+impl Paper {
+    /// A place in the file, to 0.001 mm as in SVG: the same text on platforms whose last bits differ.
+    fn down(self, p: Point) -> At {
+        let milli = |v: f64| ((v * 1000.0).round() / 1000.0 + 0.0) as f32;
+        At::from_xy(milli(p.x), milli(self.height_mm - p.y))
+    }
+
+    fn head(self, surface: &mut Surface, corners: &[Point], colour: Colour) {
+        let mut path = Trace { paper: self, builder: PathBuilder::new() };
+        path.chain(corners, true);
+        path.ink(surface, None, Some(colour));
+    }
+}
+
+/// A path in the making.
+struct Trace {
+    paper: Paper,
+    builder: PathBuilder,
+}
+
+impl Trace {
+    fn move_to(&mut self, p: Point) {
+        let q = self.paper.down(p);
+        self.builder.move_to(q.x, q.y);
+    }
+
+    fn line_to(&mut self, p: Point) {
+        let q = self.paper.down(p);
+        self.builder.line_to(q.x, q.y);
+    }
+
+    fn chain(&mut self, points: &[Point], closed: bool) {
+        for (i, p) in points.iter().enumerate() {
+            if i == 0 { self.move_to(*p) } else { self.line_to(*p) }
+        }
+        if closed && !points.is_empty() {
+            self.builder.close();
+        }
+    }
+
+    fn arc(&mut self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) {
+        self.move_to(on_circle(centre, radius_mm, from_rad));
+        self.arc_to(centre, radius_mm, from_rad, to_rad);
+    }
+
+    /// An arc in cubics of at most a quarter turn, which are off the circle by 0.03 % of its radius at most.
+    ///
+    /// # Source
+    /// The handle of a piece of angle θ is 4/3 · tan(θ/4) long: M. Goldapp, *Approximation of circular arcs by cubic
+    /// polynomials*, Computer Aided Geometric Design 8 (1991).
+    fn arc_to(&mut self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) {
+        let sweep = to_rad - from_rad;
+        let pieces = (sweep.abs() / std::f64::consts::FRAC_PI_2).ceil().max(1.0) as usize;
+        let step = sweep / pieces as f64;
+        let handle = 4.0 / 3.0 * libm::tan(step / 4.0) * radius_mm;
+        for k in 0..pieces {
+            let angles = [k, k + 1].map(|k| from_rad + step * k as f64);
+            let [start, end] = angles.map(|a| on_circle(centre, radius_mm, a));
+            let [out, back] = angles.map(|a| Vec2::from_angle(a).perp() * handle);
+            let [a, b, c] = [start + out, end - back, end].map(|p| self.paper.down(p));
+            self.builder.cubic_to(a.x, a.y, b.x, b.y, c.x, c.y);
+        }
+    }
+
+    /// Draws the path; one without extent, such as the shaft of a vector of no length, leaves no ink.
+    fn ink(self, surface: &mut Surface, stroke: Option<&Stroke>, area: Option<Colour>) {
+        let Some(path) = self.builder.finish() else { return };
+        if stroke.is_none() && area.is_none() {
+            return;
+        }
+        surface.set_fill(area.map(fill));
+        surface.set_stroke(stroke.map(pen));
+        surface.draw_path(&path);
+    }
+}
+
+fn fill(colour: Colour) -> Fill {
+    Fill { paint: paint(colour), opacity: NormalizedF32::ONE, ..Fill::default() }
+}
+
+fn pen(s: &Stroke) -> Pen {
+    let dash: Vec<f32> = s.dash.pattern_mm().iter().map(|mm| *mm as f32).collect();
+    let (line_cap, line_join) = match s.cap {
+        Cap::Round => (LineCap::Round, LineJoin::Round),
+        Cap::Butt => (LineCap::Butt, LineJoin::Miter),
+    };
+    Pen {
+        paint: paint(s.colour),
+        width: s.width_mm as f32,
+        miter_limit: MITRE,
+        line_cap,
+        line_join,
+        opacity: NormalizedF32::ONE,
+        dash: (!dash.is_empty()).then_some(StrokeDash { array: dash, offset: 0.0 }),
+    }
+}
+
+/// Grey as grey, so that a printer sets it with black ink alone.
+fn paint(c: Colour) -> Paint {
+    if c.r == c.g && c.g == c.b { luma::Color::new(c.r).into() } else { rgb::Color::new(c.r, c.g, c.b).into() }
+}

@@ -1,0 +1,443 @@
+//! A figure as SVG: millimetres, letters as outlines. The one place where y is turned over.
+//!
+//! No `<text>`, no `<marker>`, no `<style>`: what is left is drawn alike by every program. A letter's outline stands once, in
+//! `<defs>`, and wherever it is written it is used (by `xlink:href`, which older programs know as well). Its name tells its
+//! font, number and size, so that several figures can be put into one page: the same name is the same outline. Attributes
+//! come out sorted by name (the `svg` crate does that), elements in the order of the items: the same figure gives the same
+//! bytes.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use ::svg::Document;
+use ::svg::node::element::{Circle, Definitions, Description, Group, Line, Path, Rectangle, Title};
+use ::svg::node::{Blob, Node, Text};
+
+use crate::diag::{Faults, Warned, both};
+use crate::geom::Point;
+use crate::paper::arrow;
+use crate::paper::extent::{anchor_shift_em, on_circle};
+use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::text::{self, Typeset};
+
+use super::not_finite;
+use super::number::mm;
+use letters::{Letter, LetterKey, editable, letters, outline_data, scale};
+
+mod letters;
+
+/// Writes a figure.
+///
+/// Warnings: `missing-glyph` for a character that no embedded font has.
+///
+/// # Errors
+///
+/// `label-syntax` for a label that cannot be read, `not-finite` for an item with a coordinate that is not a number,
+/// all of them in the order of the items.
+///
+/// ```
+/// use hodograph::figure::item::{Colour, Figure, Item, Shape, Stroke};
+/// use hodograph::{geom::Point, render::svg};
+/// let edge = Shape::Line { from: Point::ORIGIN, to: Point::new(4.0, 3.0), stroke: Stroke::new(0.4) };
+/// let items = vec![Item::new("link", edge).with_id("crank")];
+/// let figure = Figure { width_mm: 10.0, height_mm: 10.0, title: "A link".into(), desc: String::new(), lang: "en".into(), paper: Colour::WHITE, items };
+/// // y up on the paper, down in the file: 3 mm above the lower edge is 7 mm below the upper one.
+/// assert!(svg::write(&figure)?.value.contains(r#"x2="4" y1="10" y2="7""#));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+pub fn write(figure: &Figure) -> Result<Warned<String>, Faults> {
+    document(figure, Writing::Used)
+}
+
+/// The same with labels as text, which drawing programs can change; what it looks like depends on the fonts of the machine
+/// that shows it.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_editable(figure: &Figure) -> Result<Warned<String>, Faults> {
+    document(figure, Writing::Text)
+}
+
+fn document(figure: &Figure, writing: Writing) -> Result<Warned<String>, Faults> {
+    let mut writer = Writer { height_mm: figure.height_mm, writing, letters: BTreeMap::new(), faults: Faults::default() };
+    if !(figure.width_mm.is_finite() && figure.height_mm.is_finite()) {
+        return Err(not_finite(both!("the paper is {} mm by {} mm", "图纸为 {} mm × {} mm", figure.width_mm, figure.height_mm)).into());
+    }
+    let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
+    let mut document = Document::new()
+        .set("width", format!("{w}mm"))
+        .set("height", format!("{h}mm"))
+        .set("viewBox", format!("0 0 {w} {h}"))
+        .set("role", "img")
+        .set("lang", figure.lang.as_str())
+        .add(Title::new(figure.title.as_str()))
+        .add(Description::new().add(Text::new(figure.desc.as_str())));
+    if figure.paper != Colour::WHITE {
+        let paper =
+            Rectangle::new().set("width", w.as_str()).set("height", h.as_str()).set("class", "paper").set("fill", hex(figure.paper));
+        document = document.add(paper);
+    }
+    let mut items: Vec<Box<dyn Node>> = Vec::with_capacity(figure.items.len());
+    for item in &figure.items {
+        items.extend(writer.finite(item));
+    }
+    if !writer.letters.is_empty() {
+        document = document.set("xmlns:xlink", "http://www.w3.org/1999/xlink").add(writer.definitions());
+    }
+    for item in items {
+        document.append(item);
+    }
+    if writer.faults.has_errors() {
+        return Err(writer.faults);
+    }
+    let mut value = document.to_string();
+    value.push('\n');
+    Ok(Warned { value, notes: writer.faults.list.into_iter().chain(figure.remarks()).collect() })
+}
+
+/// Items as elements, one string each, for pages that put documents together by themselves.
+pub struct Elements {
+    writer: Writer,
+}
+
+impl Elements {
+    /// For documents of this height.
+    pub fn new(height_mm: f64) -> Elements {
+        Elements { writer: Writer { height_mm, writing: Writing::Used, letters: BTreeMap::new(), faults: Faults::default() } }
+    }
+
+    /// The elements of these items, one for each.
+    ///
+    /// # Errors
+    /// As [`write()`].
+    pub fn of(&mut self, items: &[Item]) -> Result<Vec<String>, Faults> {
+        let list = items.iter().map(|item| self.writer.finite(item).map(|node| node.to_string()).unwrap_or_default()).collect();
+        if self.writer.faults.has_errors() { Err(std::mem::take(&mut self.writer.faults)) } else { Ok(list) }
+    }
+
+    /// The outlines that all these elements use.
+    pub fn letters<'a>(all: impl IntoIterator<Item = &'a Elements>) -> String {
+        let letters = all.into_iter().flat_map(|e| &e.writer.letters).map(|(key, kept)| (*key, kept.clone())).collect();
+        Writer { height_mm: 0.0, writing: Writing::Used, letters, faults: Faults::default() }.definitions().to_string()
+    }
+}
+
+/// How the letters of a label get into a document.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Writing {
+    /// Each by its name; their outlines stand in `<defs>`.
+    Used,
+    /// As text, in whatever fonts the reader has.
+    Text,
+}
+
+struct Writer {
+    height_mm: f64,
+    writing: Writing,
+    /// The letters used, each with the name that its uses call it by.
+    letters: BTreeMap<LetterKey, (Letter, String)>,
+    faults: Faults,
+}
+
+impl Writer {
+    /// The door between y up and y down.
+    fn y(&self, y: f64) -> String {
+        mm(self.height_mm - y)
+    }
+
+    fn xy(&self, p: Point) -> String {
+        format!("{} {}", mm(p.x), self.y(p.y))
+    }
+
+    /// The item's element; a point that is not finite would make the whole path disappear in every viewer, without a word.
+    fn finite(&mut self, item: &Item) -> Option<Box<dyn Node>> {
+        if item.is_finite() {
+            return Some(self.item(item));
+        }
+        let name = if item.id.is_empty() { &item.class } else { &item.id };
+        self.faults.push(not_finite(both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数")));
+        None
+    }
+
+    fn item(&mut self, item: &Item) -> Box<dyn Node> {
+        match &item.shape {
+            Shape::Line { from, to, stroke } => self.line(*from, *to, stroke, item).into(),
+            Shape::Polyline { points, closed, stroke, fill } => {
+                let mut d = String::new();
+                for (i, p) in points.iter().enumerate() {
+                    let _ = write!(d, "{}{}", if i == 0 { "M" } else { "L" }, self.xy(*p));
+                }
+                self.path(d, *closed, stroke.as_ref(), *fill, item).into()
+            }
+            Shape::Path { start, pieces, closed, stroke, fill } => {
+                let mut d = format!("M{}", self.xy(*start));
+                for piece in pieces {
+                    match *piece {
+                        Piece::Move(p) => {
+                            let _ = write!(d, "M{}", self.xy(p));
+                        }
+                        Piece::Line(p) => {
+                            let _ = write!(d, "L{}", self.xy(p));
+                        }
+                        Piece::Arc { centre, radius_mm, from_rad, to_rad } => d += &self.arc_to(centre, radius_mm, from_rad, to_rad),
+                    }
+                }
+                self.path(d, *closed, stroke.as_ref(), *fill, item).into()
+            }
+            Shape::Circle { centre, radius_mm, stroke, fill } => {
+                let mut circle = Circle::new().set("cx", mm(centre.x)).set("cy", self.y(centre.y)).set("r", mm(*radius_mm));
+                named(&mut circle, item);
+                painted(&mut circle, stroke.as_ref(), *fill);
+                if fill.is_none() {
+                    circle.assign("fill", "none");
+                }
+                circle.into()
+            }
+            Shape::Arc { centre, radius_mm, from_rad, to_rad, stroke } => {
+                self.path(self.arc(*centre, *radius_mm, *from_rad, *to_rad), false, Some(stroke), None, item).into()
+            }
+            Shape::Arrow { from, to, stroke, head } => {
+                let parts = arrow::straight(*from, *to, *head);
+                let mut group = Group::new();
+                named(&mut group, item);
+                let nameless = Item::new("", item.shape.clone());
+                group.add(self.line(*from, parts.shaft_end, stroke, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
+            }
+            Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
+                let parts = arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head);
+                let mut group = Group::new();
+                named(&mut group, item);
+                let nameless = Item::new("", item.shape.clone());
+                let shaft = self.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
+                group.add(self.path(shaft, false, Some(stroke), None, &nameless)).add(self.head(&parts.head, stroke.colour)).into()
+            }
+            Shape::Label { at, label, size_mm, anchor, colour } => {
+                let set = text::set(label);
+                let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
+                let place = format!("translate({} {})", mm(left), self.y(at.y));
+                let (transform, content) = match self.writing {
+                    Writing::Used => (format!("{place}scale({})", scale(*size_mm)), self.used(&set)),
+                    Writing::Text => (place, editable(&set, *size_mm)),
+                };
+                let mut node = Group::new();
+                node.assign("transform", transform);
+                node.append(Blob::new(content));
+                node.assign("aria-label", label.plain());
+                node.assign("data-text", label.source());
+                named(&mut node, item);
+                if *colour != Colour::BLACK {
+                    node.assign("fill", hex(*colour));
+                }
+                self.faults.list.extend(set.faults.iter().cloned());
+                node.into()
+            }
+        }
+    }
+
+    /// The letters of a label, each used from the definitions.
+    fn used(&mut self, set: &Typeset) -> String {
+        let mut out = String::new();
+        for (letter, [x, y]) in letters(set) {
+            let (_, name) = self.letters.entry(letter.key()).or_insert_with(|| {
+                let name = letter.name();
+                (letter, name)
+            });
+            let _ = write!(out, "<use xlink:href=\"#{name}\"");
+            for (axis, at) in [("x", x), ("y", -y)] {
+                if at != 0 {
+                    let _ = write!(out, " {axis}=\"{at}\"");
+                }
+            }
+            out.push_str("/>");
+        }
+        out
+    }
+
+    /// The outlines of all letters used.
+    fn definitions(&self) -> Definitions {
+        let mut out = String::new();
+        for (letter, name) in self.letters.values() {
+            let _ = write!(out, "<path id=\"{name}\" d=\"{}\"/>", outline_data(letter.contours()));
+        }
+        Definitions::new().add(Blob::new(out))
+    }
+
+    fn line(&self, from: Point, to: Point, stroke: &Stroke, item: &Item) -> Line {
+        let mut line = Line::new().set("x1", mm(from.x)).set("y1", self.y(from.y)).set("x2", mm(to.x)).set("y2", self.y(to.y));
+        named(&mut line, item);
+        painted(&mut line, Some(stroke), None);
+        line
+    }
+
+    fn path(&self, mut d: String, closed: bool, stroke: Option<&Stroke>, fill: Option<Colour>, item: &Item) -> Path {
+        if closed {
+            d.push('Z');
+        }
+        let mut path = Path::new().set("d", d);
+        named(&mut path, item);
+        painted(&mut path, stroke, fill);
+        if fill.is_none() {
+            path.assign("fill", "none");
+        }
+        path
+    }
+
+    fn head(&self, corners: &[Point], colour: Colour) -> Path {
+        let mut d = String::new();
+        for (i, p) in corners.iter().enumerate() {
+            let _ = write!(d, "{}{}", if i == 0 { "M" } else { "L" }, self.xy(*p));
+        }
+        d.push('Z');
+        let mut path = Path::new().set("d", d).set("class", "head");
+        painted(&mut path, None, Some(colour));
+        path
+    }
+
+    fn arc(&self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> String {
+        format!("M{}{}", self.xy(on_circle(centre, radius_mm, from_rad)), self.arc_to(centre, radius_mm, from_rad, to_rad))
+    }
+
+    /// An arc in pieces of at most a third of a turn: the large-arc flag is never needed, full circles close, and the rounding of the
+    /// ends cannot move the centre (that of half a turn by its root: 0.2 mm for a radius of 30 mm).
+    fn arc_to(&self, centre: Point, radius_mm: f64, from_rad: f64, to_rad: f64) -> String {
+        let sweep = to_rad - from_rad;
+        let pieces = (sweep.abs() / (std::f64::consts::TAU / 3.0)).ceil().max(1.0) as usize;
+        // Counter-clockwise with y up is sweep-flag 0 with y down.
+        let flag = u8::from(sweep < 0.0);
+        let r = mm(radius_mm);
+        let mut d = String::new();
+        for k in 1..=pieces {
+            let end = on_circle(centre, radius_mm, from_rad + sweep * k as f64 / pieces as f64);
+            let _ = write!(d, "A{r} {r} 0 0 {flag} {}", self.xy(end));
+        }
+        d
+    }
+}
+
+fn named(node: &mut impl Node, item: &Item) {
+    if !item.id.is_empty() {
+        node.assign("id", item.id.as_str());
+    }
+    if !item.class.is_empty() {
+        node.assign("class", item.class.as_str());
+    }
+}
+
+fn painted(node: &mut impl Node, stroke: Option<&Stroke>, fill: Option<Colour>) {
+    if let Some(s) = stroke {
+        node.assign("stroke", hex(s.colour));
+        node.assign("stroke-width", mm(s.width_mm));
+        if s.cap == Cap::Round {
+            node.assign("stroke-linecap", "round");
+            node.assign("stroke-linejoin", "round");
+        }
+        let pattern = s.dash.pattern_mm();
+        if !pattern.is_empty() {
+            node.assign("stroke-dasharray", pattern.iter().map(|&d| mm(d)).collect::<Vec<_>>().join(" "));
+        }
+    }
+    if let Some(c) = fill {
+        node.assign("fill", hex(c));
+    }
+}
+
+/// A colour as markup has it: `#1a2b3c`.
+pub fn hex(c: Colour) -> String {
+    format!("#{:02x}{:02x}{:02x}", c.r, c.g, c.b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::arrow::Head;
+    use crate::paper::item::Anchor;
+    use crate::paper::label::Label;
+
+    fn figure(items: Vec<Item>) -> Figure {
+        Figure {
+            width_mm: 100.0,
+            height_mm: 50.0,
+            title: "A < B".into(),
+            desc: "two \"things\"".into(),
+            lang: "en".into(),
+            paper: Colour::WHITE,
+            items,
+        }
+    }
+
+    fn line(id: &str, from: Point, to: Point) -> Item {
+        Item::new("link", Shape::Line { from, to, stroke: Stroke::new(0.7) }).with_id(id)
+    }
+
+    fn label(source: &str) -> Item {
+        let shape = Shape::Label {
+            at: Point::new(10.0, 10.0),
+            label: Label::math(source),
+            size_mm: 4.0,
+            anchor: Anchor::Start,
+            colour: Colour::BLACK,
+        };
+        Item::new("label", shape)
+    }
+
+    #[test]
+    fn y_is_turned_over_here() {
+        let svg = write(&figure(vec![line("l1", Point::new(0.1 + 0.2, 0.0), Point::new(20.0, 40.0))])).unwrap().value;
+        assert!(svg.contains(r#"id="l1""#) && svg.contains(r#"class="link""#), "{svg}");
+        assert!(svg.contains(r#"x1="0.3" x2="20" y1="50" y2="10""#), "{svg}");
+        assert!(svg.contains(r#"width="100mm""#) && svg.contains(r#"viewBox="0 0 100 50""#) && svg.contains(r#"role="img""#));
+        assert!(svg.contains("<title>A &lt; B</title>"), "{svg}");
+    }
+
+    #[test]
+    fn counter_clockwise_stays_counter_clockwise() {
+        let arc = |to_rad| {
+            let shape = Shape::Arc { centre: Point::new(50.0, 25.0), radius_mm: 10.0, from_rad: 0.0, to_rad, stroke: Stroke::new(0.2) };
+            write(&figure(vec![Item::new("", shape)])).unwrap().value
+        };
+        // From the right to the top of the paper: y 25 to y 15 in the file, anticlockwise on the screen.
+        assert!(arc(std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 0 50 15"));
+        assert!(arc(-std::f64::consts::FRAC_PI_2).contains("M60 25A10 10 0 0 1 50 35"));
+        assert_eq!(arc(std::f64::consts::TAU).matches("A10").count(), 3);
+    }
+
+    #[test]
+    fn letters_are_drawn_once_and_used() {
+        let svg = write(&figure(vec![label("v_{B3B2}^r")])).unwrap().value;
+        // v; B, 3, 2 and r in the smaller size. The second B is used again.
+        assert_eq!((svg.matches("<path").count(), svg.matches("<use").count()), (5, 6), "{svg}");
+        assert!(svg.contains(r#"transform="translate(10 40)scale(0.004)""#), "{svg}");
+        assert!(svg.contains(r#"data-text="v_{B3B2}^r""#) && svg.contains(r#"aria-label="v_B3B2^r""#), "{svg}");
+        for used in svg.split("xlink:href=\"#").skip(1).map(|s| s.split('"').next().unwrap()) {
+            assert!(svg.contains(&format!("id=\"{used}\"")), "{used} is nowhere defined");
+        }
+        let d = svg.split(" d=\"").nth(1).unwrap().split('"').next().unwrap();
+        assert!(!d.contains('.') && d.starts_with('m'), "{d}");
+        assert!(!write(&figure(vec![label("")])).unwrap().value.contains("defs"));
+    }
+
+    #[test]
+    fn same_figure_same_bytes() {
+        let arrow = Shape::Arrow { from: Point::ORIGIN, to: Point::new(30.0, 20.0), stroke: Stroke::new(0.4), head: Head::VECTOR };
+        let f = figure(vec![
+            Item::new("velocity edge", arrow).with_id("e1"),
+            label(r"\omega_1"),
+            line("", Point::ORIGIN, Point::new(1.0, 1.0)),
+        ]);
+        let first = write(&f).unwrap().value;
+        for _ in 0..5 {
+            assert_eq!(write(&f).unwrap().value, first);
+        }
+    }
+
+    #[test]
+    fn faults_are_collected() {
+        let bad = figure(vec![line("nan", Point::new(f64::NAN, 0.0), Point::ORIGIN), label(r"\nosuch")]);
+        let faults = write(&bad).unwrap_err();
+        let codes: Vec<_> = faults.list.iter().map(|d| d.code).collect();
+        assert_eq!(codes, ["not-finite", "label-syntax"]);
+        assert!(faults.list[0].message.en.contains("nan"));
+        let warned = write(&figure(vec![label("v \u{2620}")])).unwrap();
+        assert_eq!(warned.notes[0].code, "missing-glyph");
+    }
+}
