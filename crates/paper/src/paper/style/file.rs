@@ -252,7 +252,8 @@ mod tests {
         let mut asked = Vec::new();
         let mut open = |name: &str| {
             asked.push(name.to_owned());
-            std::fs::read(format!("fonts/{name}")).map_err(|e| Diagnostic::error("cannot-read", Both::same(e.to_string())))
+            std::fs::read(format!("{}/../../fonts/{name}", env!("CARGO_MANIFEST_DIR")))
+                .map_err(|e| Diagnostic::error("cannot-read", Both::same(e.to_string())))
         };
         let style = read_with(br#"{ "base": "dark", "fonts": ["tinos-italic.ttf", "tinos-normal.ttf"] }"#, &mut open).unwrap();
         assert!(!style.fonts.is_empty() && style != Style::named("dark").unwrap());
