@@ -1,5 +1,6 @@
 //! All stations of a sweep: a program run chunk after chunk into columns, on one thread or on all; and which rows are there.
 
+use super::follow::compiled::{self, States};
 use super::fuse::Fused;
 use super::general::{self, General};
 use super::kernel::Reg;
@@ -9,7 +10,6 @@ use super::pieces::Stop;
 use super::program::{INPUTS, Program};
 use super::run::{Buffer, CHUNK};
 use super::table::{Column, Table};
-use super::tracked::{self, States};
 use super::{Placed, Stations, branches, compile};
 use crate::diag::{Diagnostic, Faults};
 use rayon::prelude::*;
@@ -127,7 +127,7 @@ pub(super) fn run_program(program: &Program, placed: &Placed, driver: usize, sta
 
 /// The states of a program's followed links, if it has any.
 fn states(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> Option<States> {
-    (!program.tracks.is_empty()).then(|| tracked::follow(program, placed, driver, stations))
+    (!program.tracks.is_empty()).then(|| compiled::follow(program, placed, driver, stations))
 }
 
 /// The same, where its followed links, if it has any, are as `states` says.

@@ -7,10 +7,10 @@
 use super::chunks::{Rows, run_parts, run_program};
 use super::compile::outputs;
 use super::follow::Follower;
+use super::follow::extremes::Walk;
 use super::limit::{Event, Probe, Range, range};
 use super::program::Program;
 use super::station::{Stations, angle_per_value, position_now};
-use super::walked::Walk;
 use super::{Placed, Width};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};

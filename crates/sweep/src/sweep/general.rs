@@ -1,8 +1,8 @@
 //! Positions one by one, by the general solvers, where a program has no value; and what is said of rows and limits.
 
 use super::Placed;
+use super::follow::whole::Whole;
 use super::limit::Event;
-use super::moved::Moved;
 use super::station::Stations;
 use crate::analytic::{self, Solution};
 use crate::diag::{Both, Diagnostic, Faults, both};
@@ -34,7 +34,7 @@ impl<'a> General<'a> {
     pub fn solve(&self, stations: &Stations, row: usize) -> Result<Vec<Vec<f64>>, Faults> {
         let p = self.placed;
         let scene = with_driver_at(p.scene, self.driver, stations.place(row, p.scene, self.driver));
-        let moved = Moved::new(p, self.driver);
+        let moved = Whole::new(p, self.driver);
         // Closed forms do not tell on which turn wheels stand.
         let at = match moved.counts_turns() {
             true => moved.standing(stations.values[row])?,

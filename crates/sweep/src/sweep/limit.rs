@@ -6,11 +6,11 @@
 //! bounds by halving; class III groups by Newton's method on the legs' equations together with their determinant.
 
 use super::Placed;
+use super::follow::triad::State;
 use super::kernel::Reg;
 use super::lane::{Dual, Width};
 use super::program::{Op, Program};
 use super::station::{Stations, angle_per_value, position_now};
-use super::track::State;
 use crate::position::toggle::Toggle;
 use crate::scene::{DriverKind, LinkId, PointId};
 use std::cell::RefCell;

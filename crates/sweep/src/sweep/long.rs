@@ -2,12 +2,12 @@
 
 use super::changes::Changes;
 use super::chunks::{Rows, run_parts, run_with};
-use super::course::{Course, STRIDE};
+use super::follow::chains::{Chains, STRIDE};
+use super::follow::compiled::{self, Compiled};
+use super::follow::whole::{self, Whole};
 use super::general::{self, General};
-use super::moved::{self, Moved};
 use super::pieces::{Gaps, Pieces, Stop};
 use super::program::Program;
-use super::tracked::{self, Tracked};
 use super::{Placed, Stations, Steps, Width, beside, change_notes, change_points, compile, compiled, each, ends, span, stretches};
 use crate::diag::Diagnostic;
 use std::ops::Range;
@@ -35,11 +35,11 @@ enum Way<'a> {
         changes: [Changes; 2],
     },
     /// With links that are followed.
-    Tracked { course: Box<Course<Tracked<'a>>>, reach: Stations },
+    Compiled { course: Box<Chains<Compiled<'a>>>, reach: Stations },
     /// Each by the general solver: followers of cams move by laws.
     Each,
     /// The whole mechanism is followed; why there is no program.
-    Moved { course: Box<Course<Moved<'a>>>, why: Diagnostic },
+    Whole { course: Box<Chains<Whole<'a>>>, why: Diagnostic },
 }
 
 impl<'a> Long<'a> {
@@ -56,11 +56,11 @@ impl<'a> Long<'a> {
                     let changes = change_points(&program, placed, driver, now, bounds);
                     Way::Free { program: Box::new(program), reach, now, changes }
                 } else {
-                    Way::Tracked { course: Box::new(Tracked::course(program, placed, driver, count, &values)), reach }
+                    Way::Compiled { course: Box::new(Compiled::course(program, placed, driver, count, &values)), reach }
                 }
             }
             Err(_) if placed.scene.has_laws(driver) => Way::Each,
-            Err(why) => Way::Moved { course: Box::new(Moved::course(placed, driver, count, &values)), why },
+            Err(why) => Way::Whole { course: Box::new(Whole::course(placed, driver, count, &values)), why },
         };
         Long { placed, driver, steps, descending, way, general: General::new(placed, driver), gaps: Gaps::default() }
     }
@@ -76,13 +76,13 @@ impl<'a> Long<'a> {
                 let parts = stretches((**program).clone(), *now, changes, stations);
                 (&**program, run_parts(&parts, placed, driver, stations, Width::Widest))
             }
-            Way::Tracked { course, .. } => {
-                let states = tracked::states(course, part, &values, &row, stop)?;
+            Way::Compiled { course, .. } => {
+                let states = compiled::states(course, part, &values, &row, stop)?;
                 let program = course.follow().program();
                 (program, run_with(program, Some(&states), stations, Width::Widest))
             }
             Way::Each => return Some(each(general, stations)),
-            Way::Moved { course, .. } => return moved::rows(course, general, part, stations, &values, &row, stop),
+            Way::Whole { course, .. } => return whole::rows(course, general, part, stations, &values, &row, stop),
         };
         if !numbers.complete(general, stations, stop, &|row| beside(program, placed, driver, stations.values[row])) {
             return None;
@@ -111,7 +111,7 @@ impl Pieces for Long<'_> {
         match self.way {
             Way::Free { .. } => 1 << 16,
             // As many as are gone over again from one state.
-            Way::Tracked { .. } | Way::Moved { .. } | Way::Each => STRIDE,
+            Way::Compiled { .. } | Way::Whole { .. } | Way::Each => STRIDE,
         }
     }
 
@@ -133,8 +133,8 @@ impl Pieces for Long<'_> {
                 notes
             }
             Way::Each => Vec::new(),
-            Way::Tracked { course, reach } => limits(course.follow().program(), reach),
-            Way::Moved { course, why } => std::iter::once(why.clone()).chain(moved::ends(course)).collect(),
+            Way::Compiled { course, reach } => limits(course.follow().program(), reach),
+            Way::Whole { course, why } => std::iter::once(why.clone()).chain(whole::ends(course)).collect(),
         };
         notes.extend(self.gaps.notes(&|k| general::driver_words(scene, self.driver, self.steps.value(k))));
         notes

@@ -3,7 +3,7 @@
 //! [`run()`] is the way in: a placed scene, the driver and its stations to a [`Table`]; a [`Sweep`] is compiled once for many. [`compile()`] makes the [`program::Program`], one
 //! operation for each group and effect ([`closure`], [`carry`], [`rows`], [`reading`] are the kernels). [`fuse`] makes one operation of
 //! those that belong together, and [`run`](mod@run) runs them over chunks of positions, four side by side where the machine can
-//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups are followed ([`track`]), and mechanisms that have no program as a whole ([`moved`]), both on a [`course`]. Positions at
+//! ([`lane`]); joints that may change their branch on the way are known by [`suspect`]; what rolls turns by the ratios of its [`train`], counted in whole [`turns`]; class III groups, and as a whole the mechanisms that have no program, are followed from one position to the next ([`follow`]). Positions at
 //! which the formulas have no value (a dead centre, a change point) are handed to the general solver one by one; those that
 //! cannot be assembled are left out, with the reason in the notes.
 //! [`long`] sweeps, and those of parameters ([`vary`]), go piece by piece ([`pieces`]), [`batch`]es block by block. [`follow`] gives whole configurations instead of columns, for drawings; [`zoom`] finds extremes between stations.
@@ -17,7 +17,6 @@ mod changes;
 mod chunks;
 pub mod closure;
 pub mod compile;
-mod course;
 pub mod extreme;
 pub mod follow;
 pub mod fuse;
@@ -26,7 +25,6 @@ pub mod kernel;
 pub mod lane;
 pub mod limit;
 pub mod long;
-mod moved;
 pub mod pieces;
 pub mod points;
 pub mod program;
@@ -38,12 +36,9 @@ pub mod run;
 pub mod station;
 mod suspect;
 pub mod table;
-pub mod track;
-mod tracked;
 mod train;
 pub mod turns;
 pub mod vary;
-mod walked;
 pub mod zoom;
 
 use pieces::never;
@@ -146,7 +141,7 @@ impl<'a> Sweep<'a> {
             Err(_) if placed.scene.has_laws(*driver) => each(&general, stations),
             Err(note) => {
                 notes.push(note.clone());
-                let (rows, limits) = moved::follow(placed, *driver, stations);
+                let (rows, limits) = follow::whole::follow(placed, *driver, stations);
                 notes.extend(limits);
                 rows
             }

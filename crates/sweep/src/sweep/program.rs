@@ -5,13 +5,13 @@
 
 use super::carry::{Along, Arm, Image, Product, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::closure::{CircleLine, CircleLineCrossing, Circles, CirclesCrossing, Closure, Lever, LeverCrossing, Lines, Margin};
+use super::follow::triad::Track;
 use super::fuse::Fused;
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::{Dual, Lane};
 use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::run::{Runner, operations};
-use super::track::Track;
 use super::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
 use crate::mechanism::Level;
 use crate::scene::{LinkId, PointId};

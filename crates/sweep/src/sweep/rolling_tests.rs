@@ -1,7 +1,7 @@
 //! Mechanisms with rolling pairs swept: compiled, by Newton's method, by differences, and against whole numbers.
 
 use super::extreme::limits;
-use super::{Placed, Stations, Width, compile, moved, run};
+use super::{Placed, Stations, Width, compile, follow::whole, run};
 use crate::mechanism::Mechanism;
 use crate::scene::{Angle, read};
 use rand_pcg::Pcg64Mcg;
@@ -111,7 +111,7 @@ fn both(name: &str, placed: &Placed, stations: &Stations) -> [Vec<Vec<f64>>; 2] 
     assert!(compiled.is_ok(), "{name}: {:?}", compiled.err());
     let table = run(placed, 0, stations, Width::Widest).unwrap();
     assert_eq!(table.rows(), stations.len(), "{name}: {:?}", table.notes);
-    let (rows, notes) = moved::follow(placed, 0, stations);
+    let (rows, notes) = whole::follow(placed, 0, stations);
     assert!(rows.missing.is_empty(), "{name}: {notes:?}");
     [table.columns.into_iter().skip(1).map(|c| c.values).collect(), rows.columns]
 }

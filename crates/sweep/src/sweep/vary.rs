@@ -7,7 +7,7 @@ use super::chunks::{Rows, run_program};
 use super::general::General;
 use super::pieces::{Gaps, Pieces, Stop, never};
 use super::station::{Stations, position_now};
-use super::{Placed, Width, moved};
+use super::{Placed, Width, follow::whole};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::digits::shortest;
 use crate::mechanism::Mechanism;
@@ -364,7 +364,7 @@ fn one_row(placed: &Placed, stations: &Stations) -> Result<Rows, Faults> {
             rows.complete(&General::new(placed, 0), stations, &never, &|_| None);
             rows
         }
-        Err(_) => moved::follow(placed, 0, stations).0,
+        Err(_) => whole::follow(placed, 0, stations).0,
     };
     match rows.missing.remove(&0) {
         Some(why) => Err(why),

@@ -16,10 +16,10 @@ mod triad;
 
 use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::extreme::Output;
+use super::follow::triad::Track;
 use super::kernel::{Pair, Reg};
 use super::program::{COS, Joint, Op, Program, SIN, Step, VALUE};
 use super::station::driver_positions;
-use super::track::Track;
 use super::train::Train;
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};

@@ -6,8 +6,8 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Hold, Level};
 use crate::position::Path;
 use crate::scene::LinkId;
+use crate::sweep::follow::triad::{Held, Track};
 use crate::sweep::kernel::{Pair, Reg};
-use crate::sweep::track::{Held, Track};
 
 const P: Level = Level::Position;
 

@@ -12,8 +12,8 @@ use crate::position::{self, Configuration, Pose as Frame, newton};
 use crate::scene::{DriverKind, Given, LinkId, Scene};
 use crate::scene::{driver_position, with_driver_at};
 
-use super::extreme::turns_seen;
-use super::train::Train;
+use crate::sweep::extreme::turns_seen;
+use crate::sweep::train::Train;
 
 /// One pose.
 #[derive(Clone, Debug)]

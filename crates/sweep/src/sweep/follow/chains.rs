@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// What is followed.
-pub(super) trait Follow {
+pub(in crate::sweep) trait Follow {
     /// Where everything that is followed stands.
     type State: Clone;
 
@@ -28,7 +28,7 @@ pub(super) trait Follow {
 }
 
 /// Positions between two states that are kept.
-pub(super) const STRIDE: usize = 4096;
+pub(in crate::sweep) const STRIDE: usize = 4096;
 
 /// Positions in the order in which they are reached, one from the other.
 struct Chain<S> {
@@ -49,7 +49,7 @@ struct Chain<S> {
 }
 
 /// A mechanism on its way through values of its driver, which ascend with their positions.
-pub(super) struct Course<F: Follow> {
+pub(in crate::sweep) struct Chains<F: Follow> {
     follow: F,
     start: f64,
     first: Option<F::State>,
@@ -57,17 +57,17 @@ pub(super) struct Course<F: Follow> {
 }
 
 /// The value at each position.
-pub(super) type Values<'a> = &'a dyn Fn(usize) -> f64;
+pub(in crate::sweep) type Values<'a> = &'a dyn Fn(usize) -> f64;
 
 /// What becomes of a position.
 type Visit<'a, S> = &'a mut dyn FnMut(usize, Result<&S, &Faults>);
 
-impl<F: Follow> Course<F> {
+impl<F: Follow> Chains<F> {
     /// A course through `count` positions from where the driver stands, `start`.
-    pub fn new(follow: F, start: f64, count: usize, values: Values) -> Course<F> {
+    pub fn new(follow: F, start: f64, count: usize, values: Values) -> Chains<F> {
         let first = follow.start();
         let chains = first.as_ref().map_or_else(Vec::new, |first| outward(first, start, 0..count, 0.0, values));
-        Course { follow, start, first, chains }
+        Chains { follow, start, first, chains }
     }
 
     /// What is followed.

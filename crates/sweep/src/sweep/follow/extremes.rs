@@ -1,26 +1,26 @@
 //! The motion as a whole of mechanisms that have no compiled form: followed by Newton's method from pose to pose, each solved by
 //! the loop equations.
 //!
-//! What [`super::extreme`] asks of a program is asked here of the follower: the range of the driver, and position, rate and
+//! What [`crate::sweep::extreme`] asks of a program is asked here of the follower: the range of the driver, and position, rate and
 //! acceleration of every output at samples of it and between them.
 
-use super::Placed;
-use super::extreme::Output;
-use super::follow::{Follower, Sweep, scene_at};
-use super::limit::Range;
-use super::moved::{Moved, event};
+use super::poses::{Follower, Sweep, scene_at};
+use super::whole::{Whole, event};
 use crate::analytic;
 use crate::answer::Source;
 use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
 use crate::scene::{DriverKind, PointId, Scene};
+use crate::sweep::Placed;
+use crate::sweep::extreme::Output;
+use crate::sweep::limit::Range;
 use std::borrow::Cow;
 
 /// Samples through a turn, between which a rate changes its sign at most once: one for each degree.
 const SAMPLES: usize = 360;
 
 /// A mechanism that is followed through the whole travel of a driver.
-pub(super) struct Walk<'a> {
+pub(in crate::sweep) struct Walk<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
     follower: &'a Follower<'a>,
@@ -45,7 +45,7 @@ impl<'a> Walk<'a> {
         for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };
             if !self.sweep.far(pose) {
-                let (moved, value) = (Moved::new(self.placed, self.driver), self.now + travel);
+                let (moved, value) = (Whole::new(self.placed, self.driver), self.now + travel);
                 // Halving has come as near to the fold as the root of the rounding.
                 let located = moved.limit(value, &pose.configuration);
                 *end = Some(located.unwrap_or_else(|| event(self.placed.mechanism, value, &pose.configuration)));
@@ -57,7 +57,7 @@ impl<'a> Walk<'a> {
     /// First and last place of the driver that was reached.
     pub fn span(&self) -> [f64; 2] {
         let poses = &self.sweep.poses;
-        let travel = |pose: Option<&super::follow::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
+        let travel = |pose: Option<&super::poses::Pose>| self.now + pose.map_or(0.0, |p| p.travel);
         if self.sweep.full { [self.now, self.now + self.sweep.period()] } else { [travel(poses.first()), travel(poses.last())] }
     }
 

@@ -1,16 +1,16 @@
 //! The followed links of a program on their way through the positions of a driver.
 
-use super::Placed;
-use super::course::{Course, Follow, Values};
-use super::general::driver_words;
-use super::program::Program;
-use super::station::{Stations, angle_per_value, position_now};
-use super::track::State;
+use super::chains::{Chains, Follow, Values};
+use super::triad::State;
 use crate::diag::{Both, Diagnostic, Faults, both};
+use crate::sweep::Placed;
+use crate::sweep::general::driver_words;
+use crate::sweep::program::Program;
+use crate::sweep::station::{Stations, angle_per_value, position_now};
 use std::ops::Range;
 
 /// A program whose links are followed.
-pub(super) struct Tracked<'a> {
+pub(in crate::sweep) struct Compiled<'a> {
     program: Program,
     placed: &'a Placed<'a>,
     driver: usize,
@@ -18,13 +18,13 @@ pub(super) struct Tracked<'a> {
 }
 
 /// The followed links at each station, or why they are not there.
-pub(super) type States = Vec<Result<State, Faults>>;
+pub(in crate::sweep) type States = Vec<Result<State, Faults>>;
 
-impl<'a> Tracked<'a> {
+impl<'a> Compiled<'a> {
     /// The course of a program's links through `count` values.
-    pub fn course(program: Program, placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Course<Tracked<'a>> {
-        let tracked = Tracked { program, placed, driver, per_value: angle_per_value(placed.scene, &placed.at, driver) };
-        Course::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
+    pub fn course(program: Program, placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Compiled<'a>> {
+        let tracked = Compiled { program, placed, driver, per_value: angle_per_value(placed.scene, &placed.at, driver) };
+        Chains::new(tracked, position_now(placed.scene, &placed.at, driver), count, values)
     }
 
     /// The program.
@@ -37,7 +37,7 @@ impl<'a> Tracked<'a> {
     }
 }
 
-impl Follow for Tracked<'_> {
+impl Follow for Compiled<'_> {
     type State = State;
 
     fn start(&self) -> Option<State> {
@@ -65,8 +65,8 @@ impl Follow for Tracked<'_> {
 }
 
 /// The states of some positions of a course, by the row that `row` tells; `None` when asked to stop.
-pub(super) fn states(
-    course: &mut Course<Tracked>,
+pub(in crate::sweep) fn states(
+    course: &mut Chains<Compiled>,
     part: Range<usize>,
     values: Values,
     row: &dyn Fn(usize) -> usize,
@@ -78,9 +78,9 @@ pub(super) fn states(
 }
 
 /// The states at stations in any order.
-pub(super) fn follow(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> States {
+pub(in crate::sweep) fn follow(program: &Program, placed: &Placed, driver: usize, stations: &Stations) -> States {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];
-    let mut course = Tracked::course(program.clone(), placed, driver, order.len(), &values);
+    let mut course = Compiled::course(program.clone(), placed, driver, order.len(), &values);
     states(&mut course, 0..order.len(), &values, &|position| order[position], &|| false).unwrap_or_default()
 }

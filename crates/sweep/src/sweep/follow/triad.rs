@@ -6,13 +6,13 @@
 //! sign (two assemblies that meet at a fold have opposite signs); else the step is halved. Where steps become as small as
 //! [`SMALLEST`] the mechanism stands at its limit.
 
-use super::kernel::{Pair, Reg};
-use super::lane::Dual;
-use super::program::Program;
 use crate::geom::{Point, Vec2};
 use crate::position::toggle::PARALLEL;
 use crate::position::triad::{TriadLeg, cramer};
 use crate::scene::LinkId;
+use crate::sweep::kernel::{Pair, Reg};
+use crate::sweep::lane::Dual;
+use crate::sweep::program::Program;
 
 /// A leg that holds a followed link: what is known of it, in registers. Local places count from the link's own point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,7 +159,7 @@ impl Program {
     }
 
     /// Writes the followed links of a state into a buffer's row.
-    pub fn show(&self, state: &State, fused: &super::fuse::Fused, buffer: &mut super::run::Buffer, row: usize) {
+    pub fn show(&self, state: &State, fused: &crate::sweep::fuse::Fused, buffer: &mut crate::sweep::run::Buffer, row: usize) {
         for (t, f) in self.tracks.iter().zip(&state.links) {
             let numbers = [(t.own.x, f.own.x), (t.own.y, f.own.y), (t.arm.x, f.axis.x * t.unit), (t.arm.y, f.axis.y * t.unit)];
             for (reg, number) in numbers {

@@ -1,14 +1,7 @@
 //! Mechanisms that have no program: the whole of them is followed by Newton's method, each position from the one before it, and answered
 //! there by the loop equations.
 
-use super::Placed;
-use super::chunks::Rows;
-use super::compile::ask;
-use super::course::{Course, Follow, Values};
-use super::general::{self, General};
-use super::limit::{Event, Kind};
-use super::station::{Stations, position_now};
-use super::train::Train;
+use super::chains::{Chains, Follow, Values};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Mechanism};
 use crate::position::Configuration;
@@ -17,6 +10,13 @@ use crate::position::newton::{self, DriverValues};
 use crate::position::toggle::Toggle;
 use crate::scene::DriverKind;
 use crate::scene::with_driver_at;
+use crate::sweep::Placed;
+use crate::sweep::chunks::Rows;
+use crate::sweep::compile::ask;
+use crate::sweep::general::{self, General};
+use crate::sweep::limit::{Event, Kind};
+use crate::sweep::station::{Stations, position_now};
+use crate::sweep::train::Train;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -33,7 +33,7 @@ const PART_OF_A_TURN: f64 = std::f64::consts::FRAC_PI_4;
 const MOST_STEPS: usize = 200;
 
 /// A mechanism that is moved by one of its drivers.
-pub(super) struct Moved<'a> {
+pub(in crate::sweep) struct Whole<'a> {
     placed: &'a Placed<'a>,
     driver: usize,
     /// Where the driver stands at the instant.
@@ -46,25 +46,25 @@ pub(super) struct Moved<'a> {
 
 /// Where everything is at a value of the driver.
 #[derive(Clone)]
-pub(super) struct Standing {
+pub(in crate::sweep) struct Standing {
     value: f64,
     at: Configuration,
 }
 
-impl<'a> Moved<'a> {
+impl<'a> Whole<'a> {
     /// A mechanism where it stands.
-    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Moved<'a> {
+    pub fn new(placed: &'a Placed<'a>, driver: usize) -> Whole<'a> {
         let now = position_now(placed.scene, &placed.at, driver);
         let train = Train::of(placed.scene, placed.mechanism, &placed.at);
         let wheels = (train.fastest(), train.turns());
-        Moved { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
+        Whole { placed, driver, now, wheels, drivers: newton::driver_values(placed.scene, &placed.at) }
     }
 
     /// Its course through `count` values.
-    pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Course<Moved<'a>> {
-        let moved = Moved::new(placed, driver);
+    pub fn course(placed: &'a Placed<'a>, driver: usize, count: usize, values: Values) -> Chains<Whole<'a>> {
+        let moved = Whole::new(placed, driver);
         let now = moved.now;
-        Course::new(moved, now, count, values)
+        Chains::new(moved, now, count, values)
     }
 
     /// What the drivers hold when this one has a value.
@@ -109,7 +109,7 @@ impl<'a> Moved<'a> {
 }
 
 /// What stops a mechanism in the pose of a limit.
-pub(super) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
+pub(in crate::sweep) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     // The group without a closed form holds the driver, unless a dyad or a link on three legs is at its limit.
     let higher = || m.groups.iter().find(|g| g.core == Core::Higher).and_then(|g| Toggle::of(g, || false));
     let toggle = Toggle::at(m, at).or_else(higher);
@@ -117,7 +117,7 @@ pub(super) fn event(m: &Mechanism, value: f64, at: &Configuration) -> Event {
     Event { value, kind: Kind::Limit, links, pin: None, joint: None, toggle }
 }
 
-impl Follow for Moved<'_> {
+impl Follow for Whole<'_> {
     type State = Standing;
 
     fn start(&self) -> Option<Standing> {
@@ -173,8 +173,8 @@ impl Follow for Moved<'_> {
 }
 
 /// Some rows of a course. Position in the course and row of the stations are told by `row`; `None` when asked to stop.
-pub(super) fn rows(
-    course: &mut Course<Moved>,
+pub(in crate::sweep) fn rows(
+    course: &mut Chains<Whole>,
     general: &General,
     part: Range<usize>,
     stations: &Stations,
@@ -199,17 +199,17 @@ pub(super) fn rows(
 }
 
 /// A note for each limit that a course has met.
-pub(super) fn ends(course: &Course<Moved>) -> Vec<Diagnostic> {
+pub(in crate::sweep) fn ends(course: &Chains<Whole>) -> Vec<Diagnostic> {
     let moved = course.follow();
     let limits = course.ended().filter_map(|last| moved.end(last));
     limits.map(|e| general::limit_note(moved.placed.scene, moved.driver, &e)).collect()
 }
 
 /// All rows of stations in any order, and a note for each limit on the way to them.
-pub(super) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
+pub(in crate::sweep) fn follow(placed: &Placed, driver: usize, stations: &Stations) -> (Rows, Vec<Diagnostic>) {
     let order = stations.ascending();
     let values = |position: usize| stations.values[order[position]];
-    let mut course = Moved::course(placed, driver, order.len(), &values);
+    let mut course = Whole::course(placed, driver, order.len(), &values);
     let general = General::new(placed, driver);
     let all = 0..order.len();
     let rows = rows(&mut course, &general, all, stations, &values, &|position| order[position], &|| false);

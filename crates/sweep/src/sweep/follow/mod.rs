@@ -1,0 +1,15 @@
+//! Following a mechanism: each position from the one before it, so that no pose jumps to another assembly.
+//!
+//! - [`poses`]: all poses of the travel of one driver, to the full turn or to the limits.
+//! - `triad`: a class III group inside a program, by predictor and corrector; `compiled`: all of them through a table's positions.
+//! - `whole`: a mechanism that has no program, by Newton's method; `extremes`: the range, extremes and periods of its motion.
+//! - `chains`: the same states whatever part of a table is asked for.
+
+pub(super) mod chains;
+pub(super) mod compiled;
+pub(super) mod extremes;
+pub mod poses;
+pub mod triad;
+pub(super) mod whole;
+
+pub use poses::{Follower, Pose, Sweep, between, scene_at};
