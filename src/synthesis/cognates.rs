@@ -7,11 +7,13 @@
 //! # Source
 //! S. Roberts, *On three-bar motion in plane space*, Proc. London Math. Soc. 7 (1875); P. L. Chebyshev, 1878.
 
+mod explained;
+
 use super::board::{Board, Line, Weight};
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
@@ -272,6 +274,14 @@ impl Wish for Task {
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         let way = |k: usize| move |board: &mut Board| self.drawn(board, k);
         board.meant(draft, &[&way(0), &way(1), &way(2)])
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

@@ -4,11 +4,13 @@
 //! where the limits lie evenly about the horizontal; else by the secant method from there), from the ratios CE/CD and EF/DE the rest;
 //! crank and coupler are half the difference and half the sum of AC₁ and AC₂.
 
+mod explained;
+
 use super::board::{Board, Line, Weight};
 use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use super::form::Form;
 use super::fourbar::{Heading, headed, omega};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -189,5 +191,13 @@ impl Wish for Press {
         board.step(both!("Divide DE by the given ratio: C1 and C2; mark A", "按给定比例分 DE 得 C1、C2；标出 A"));
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("C_1", c1).mark("C_2", c2).mark("A", a).read("CD", d, c1);
         board.halve(a, [c1, c2])
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }

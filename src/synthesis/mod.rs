@@ -33,10 +33,12 @@ pub mod schema;
 pub mod straight_line;
 pub mod templates;
 pub mod time_ratio;
+pub mod told;
 
 pub use board::Board;
 pub use candidate::{Candidate, Draft, Number, Wanted};
 pub use fourbar::{FourBar, Heading};
+pub use told::{Proof, Statement};
 
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::json::fields::{Fields, suggest};
@@ -62,6 +64,12 @@ pub trait Wish: Debug + Send + Sync {
     /// Draws the construction of a design on the board, from what is given: the formula's numbers are only what it is compared with. A
     /// board without steps where the kind has no construction with ruler and compasses (least squares, searches).
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()>;
+
+    /// The task as a problem: what is given and wanted.
+    fn statement(&self) -> Statement;
+
+    /// The closed formula with the numbers of a design.
+    fn proof(&self, draft: &Draft) -> Vec<Proof>;
 }
 
 /// What a kind of task finds.
@@ -107,6 +115,18 @@ pub struct Task {
     /// The least transmission angle that is wanted (rad).
     pub transmission: f64,
     wish: Arc<dyn Wish>,
+}
+
+impl Task {
+    /// The task as a problem: what is given and wanted.
+    pub fn statement(&self) -> Statement {
+        self.wish.statement()
+    }
+
+    /// The closed formula with the numbers of a design, the proof of its drawing.
+    pub fn proof(&self, candidate: &Candidate) -> Vec<Proof> {
+        self.wish.proof(&candidate.draft)
+    }
 }
 
 /// All that a task comes to.

@@ -5,11 +5,13 @@
 //! are Scott-Russell's crank on the middle of a rod whose end slides, and Peaucellier's inversor, OC · OP = L² − s². Length and deviation
 //! are those of the finished scene, swept, with the extremes located.
 
+mod explained;
+
 use super::board::Board;
 use super::candidate::{Draft, Number, Wanted, deg, mm, place, scene_text};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, headed, meet, omega};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -131,6 +133,19 @@ struct Made {
 }
 
 impl Task {
+    /// The name of the linkage.
+    fn name(&self) -> Both {
+        let en = NAMES.iter().find(|n| n.1 == self.linkage).map_or("", |n| n.0);
+        let zh = match self.linkage {
+            Linkage::Watt => "瓦特",
+            Linkage::Chebyshev => "切比雪夫",
+            Linkage::Hoeken => "霍肯",
+            Linkage::ScottRussell => "斯科特-罗素",
+            Linkage::Peaucellier => "波塞利耶",
+        };
+        Both { en: en.into(), zh: zh.into() }
+    }
+
     /// The length along the line at scale 1.
     fn unit_length(&self) -> f64 {
         let s = self.swing;
@@ -254,20 +269,7 @@ fn peaucellier(k: f64, angle: f64, heading: &Heading) -> Option<Json> {
 
 impl Wish for Task {
     fn title(&self) -> Both {
-        let name = NAMES.iter().find(|n| n.1 == self.linkage).map_or("", |n| n.0);
-        let zh = match self.linkage {
-            Linkage::Watt => "瓦特",
-            Linkage::Chebyshev => "切比雪夫",
-            Linkage::Hoeken => "霍肯",
-            Linkage::ScottRussell => "斯科特-罗素",
-            Linkage::Peaucellier => "波塞利耶",
-        };
-        both!(
-            "Straight-line linkage ({}), {} long",
-            "{}直线机构，直线段长 {}",
-            Both { en: name.into(), zh: zh.into() },
-            metres(self.length)
-        )
+        both!("Straight-line linkage ({}), {} long", "{}直线机构，直线段长 {}", self.name(), metres(self.length))
     }
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
@@ -291,6 +293,14 @@ impl Wish for Task {
     /// The proportions of these linkages are given; nothing is constructed.
     fn construct(&self, _: &Draft, _: &mut Board) -> Option<()> {
         None
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

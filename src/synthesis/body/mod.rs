@@ -6,13 +6,14 @@
 
 pub mod burmester;
 mod drawing;
+mod explained;
 pub mod pose;
 
 use super::board::Board;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -180,6 +181,14 @@ impl Wish for Body {
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         self.drawn(draft, board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

@@ -5,6 +5,7 @@
 //! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
 
 mod drawing;
+mod explained;
 pub mod freudenstein;
 
 use super::board::Board;
@@ -12,7 +13,7 @@ use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -48,7 +49,7 @@ enum Target {
     /// Pairs of angles.
     Pairs,
     /// y(x) over a range, with the swings of input and output.
-    Curve { curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
+    Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
 }
 
 impl Target {
@@ -122,6 +123,7 @@ fn of_curve(form: &Form) -> Option<Read> {
     let f = form.inner("function", &["y", "from", "to"])?;
     f.need("y", "\"ln(x)\"")?;
     let curve = f.curve("y", "x");
+    let text = f.word("y").map_or_else(String::new, |w| w.text);
     let end = |key: &str| f.number_of(f.need(key, "1")?, key);
     let (from, to) = (end("from"), end("to"));
     let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
@@ -163,7 +165,7 @@ fn of_curve(form: &Form) -> Option<Read> {
     for x in &places {
         value(*x)?;
     }
-    let target = Target::Curve { curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
+    let target = Target::Curve { text, curve, range: [from, to], swings: [input.1, output.1], values, places: places.clone() };
     let steps = places.iter().filter_map(|x| target.step(*x)).collect();
     Some((target, steps, [input.0, output.0]))
 }
@@ -219,6 +221,14 @@ impl Wish for Function {
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         self.drawn(draft, board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

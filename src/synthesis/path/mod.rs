@@ -4,6 +4,7 @@
 //! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]).
 
 mod drawing;
+mod explained;
 pub mod search;
 
 use super::board::Board;
@@ -11,7 +12,7 @@ use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, meet, named_lengths};
-use super::{Found, KindOfTask, Wish};
+use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
@@ -138,6 +139,20 @@ impl Wish for Path {
         let way = |left: bool| move |board: &mut Board| drawing::three(board, points, [*a, *d], [*crank, *be], left);
         board.meant(draft, &[&way(true), &way(false)])
     }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
+    }
+}
+
+/// D carried back with the coupler from a position into the first; the coupler's direction is that of BE.
+fn back_to_first(d: Point, b: [Point; 3], e: &[Point; 3], k: usize) -> Point {
+    let local = (d - b[k]).divide_by(e[k] - b[k]);
+    b[0] + local.rotate_by(e[0] - b[0])
 }
 
 /// Three places by inversion.
@@ -151,13 +166,8 @@ fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left:
             Diagnostic::error("no-real-solution", message).help(help)
         })?;
     }
-    // The coupler's direction is that of BE.
     let direction = |k: usize| e[k] - b[k];
-    let back = |k: usize| {
-        let local = (d - b[k]).divide_by(direction(k));
-        b[0] + local.rotate_by(direction(0))
-    };
-    let [d1, d2, d3] = [d, back(1), back(2)];
+    let [d1, d2, d3] = [d, back_to_first(d, b, e, 1), back_to_first(d, b, e, 2)];
     let Some((c, _)) = centre(d1, d2, d3) else {
         let message =
             both!("D, carried back into position 1, lies in line: C would be infinitely far", "D 反转到位置 1 后三点共线：C 在无穷远处");

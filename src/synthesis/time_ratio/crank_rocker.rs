@@ -7,6 +7,7 @@
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
 mod drawing;
+mod explained;
 
 use super::Ratio;
 use crate::diag::{Both, Diagnostic, Faults, both};
@@ -18,7 +19,7 @@ use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
 use crate::synthesis::judge::USUAL_GAMMA;
-use crate::synthesis::{Found, Wish};
+use crate::synthesis::{Found, Proof, Statement, Wish};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 #[derive(Clone, Debug)]
@@ -117,6 +118,14 @@ impl Wish for CrankRocker {
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         self.drawn(draft, board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

@@ -4,6 +4,8 @@
 //! AC₁·AC₂ sin θ) and a² + b² = H²/2 + He cot θ (law of cosines). Instead of e the crank or the rod may be given:
 //! 2a² = H²/2 − He tan(θ/2), 2b² = H²/2 + He cot(θ/2). Without a quick return e = 0 and a = H/2.
 
+mod explained;
+
 use super::Ratio;
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
@@ -12,7 +14,7 @@ use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
-use crate::synthesis::{Found, Wish};
+use crate::synthesis::{Found, Proof, Statement, Wish};
 use serde_json::{Value as Json, json};
 
 #[derive(Clone, Debug)]
@@ -68,6 +70,14 @@ impl Wish for SliderCrank {
         let offset = draft.numbers.iter().find(|n| n.name == "e")?.value;
         let way = |k: usize| move |board: &mut Board| self.drawn(board, offset, k);
         board.meant(draft, &[&way(0), &way(1)])
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 

@@ -6,6 +6,7 @@
 //! AC = AB cos(180°/(K + 1)). Pivots: A of the crank, C of the lever, straight below it.
 
 mod drawing;
+mod explained;
 
 use super::Ratio;
 use super::slider_crank::sketch;
@@ -16,7 +17,7 @@ use crate::synthesis::board::Board;
 use crate::synthesis::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{Heading, headed, omega};
-use crate::synthesis::{Found, Wish};
+use crate::synthesis::{Found, Proof, Statement, Wish};
 use serde_json::{Map, Value as Json, json};
 use std::f64::consts::PI;
 
@@ -121,6 +122,14 @@ impl Wish for Slotted {
 
     fn construct(&self, _: &Draft, board: &mut Board) -> Option<()> {
         self.drawn(board)
+    }
+
+    fn statement(&self) -> Statement {
+        self.stated()
+    }
+
+    fn proof(&self, draft: &Draft) -> Vec<Proof> {
+        self.proved(draft)
     }
 }
 
