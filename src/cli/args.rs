@@ -150,6 +150,9 @@ pub struct Draw {
     /// One picture for each step of the construction, with the step's sentence
     #[arg(long, conflicts_with = "figure")]
     pub steps: bool,
+    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub pick: Option<u64>,
     #[command(flatten)]
     pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain
@@ -179,6 +182,9 @@ pub struct Lesson {
     /// Which of the scene's drivers is moved, counted from 1
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..))]
     pub driver: u64,
+    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub pick: Option<u64>,
     #[command(flatten)]
     pub look: Look,
 }
@@ -230,6 +236,9 @@ pub struct Worksheet {
     /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
     #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
     pub find_the_mistake: Option<String>,
+    /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub pick: Option<u64>,
     #[command(flatten)]
     pub look: Look,
     /// Significant digits of the results, 1 to 30; fewer are printed, with the reason, where fewer are certain

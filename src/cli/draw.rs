@@ -25,6 +25,7 @@ pub fn run(a: args::Draw) -> Run {
     if super::synth::is_task(&a.common.scene) {
         return super::synth::draw(&a, &style);
     }
+    super::synth::no_pick(a.pick)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     if a.poses > 0 || !a.path.is_empty() {

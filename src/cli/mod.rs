@@ -340,6 +340,10 @@ fn lesson(a: args::Lesson) -> Run {
         return Err(Failure::argument("-o", path, d));
     }
     let style = style_of(&a.look)?;
+    if synth::is_task(&a.common.scene) {
+        return synth::lesson(&a, style);
+    }
+    synth::no_pick(a.pick)?;
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     if !a.reveal {
         input.over_a_turn();

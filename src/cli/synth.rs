@@ -2,8 +2,10 @@
 
 use super::together::Together;
 use super::values::Format;
+use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::figure::synthesis as figure;
 use crate::json;
@@ -11,6 +13,7 @@ use crate::render::pdf;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
+use crate::worksheet::{Options, Sides};
 use clap::Args as ClapArgs;
 use std::path::Path;
 use std::process::ExitCode;
@@ -162,17 +165,71 @@ pub fn no_scene() -> Diagnostic {
         ),
     );
     d.help(both!(
-        "`hodograph synth FILE -o scene.json` makes the scene; `hodograph draw FILE` draws the construction",
-        "请用 `hodograph synth FILE -o scene.json` 生成机构文件；作图用 `hodograph draw FILE`"
+        "`hodograph synth FILE -o scene.json` makes the scene; `draw`, `worksheet` and `lesson` take the file itself",
+        "请用 `hodograph synth FILE -o scene.json` 生成机构文件；`draw`、`worksheet`、`lesson` 可直接用综合文件"
     ))
 }
 
-/// The figures of the first candidate: construction, wanted positions, deviation; with `--steps` the construction alone grows, a
-/// picture for each step.
+/// Refuses a choice among candidates where there are none.
+pub fn no_pick(pick: Option<u64>) -> Result<(), Failure> {
+    let Some(pick) = pick else { return Ok(()) };
+    let d = Diagnostic::error(
+        "no-candidate",
+        both!("a scene has no candidates: they are of synthesis files", "机构文件没有方案可选：只有综合文件才有"),
+    );
+    Err(Failure::argument("--pick", &pick.to_string(), d.help(both!("leave --pick out", "请去掉 --pick"))))
+}
+
+/// What a command cannot do with a synthesis file.
+fn not_of_tasks(option: &str) -> Failure {
+    let d = Diagnostic::error("not-a-scene", both!("{option} is of scenes, and this is a synthesis file", "{option} 只用于机构文件，而这是综合文件"));
+    let help = both!(
+        "leave it out, or make a scene first: `hodograph synth FILE -o scene.json`",
+        "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"
+    );
+    Failure::argument(option, "", d.help(help))
+}
+
+/// The worksheet of a candidate: problem, construction, proof, the linkage, all candidates.
+pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+    if a.find_the_mistake.is_some() {
+        return Err(not_of_tasks("--find-the-mistake"));
+    }
+    let solved = Solved::read(&a.common.scene, &a.common.set)?;
+    let picked = solved.picked(a.pick)?;
+    let lang = lang::asked().or(solved.task.language).unwrap_or_default();
+    let options = Options { sheet: sheet::Options { style, ..sheet::Options::of_language(lang) }, sides };
+    let document = crate::worksheet::design(&solved.task, &solved.design, picked, &options).map_err(|f| solved.failed(f))?;
+    let written = write(&document, stem(&a.output)).map_err(|f| solved.failed(f))?;
+    let list = written.appear(&a.output)?;
+    solved.say_notes();
+    files::say_faults(&Faults { list }, &solved.name, &solved.source);
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The lesson of a candidate: the construction step by step beside the linkage that goes to its wanted positions.
+pub fn lesson(a: &args::Lesson, style: Style) -> Run {
+    if a.reveal {
+        return Err(not_of_tasks("--reveal"));
+    }
+    let solved = Solved::read(&a.common.scene, &a.common.set)?;
+    let picked = solved.picked(a.pick)?;
+    let lang = lang::asked().or(solved.task.language).unwrap_or_default();
+    let options = crate::lesson::design::Options { lang, style };
+    let page = crate::lesson::design::lesson(&solved.task, &solved.design.candidates[picked], &options).map_err(|f| solved.failed(f))?;
+    let path = a.output.clone().unwrap_or_else(|| format!("{}.html", files::stem(&solved.name, "lesson")));
+    files::write(Path::new(&path), page.as_bytes())?;
+    files::print_names(&format!("{path}\n"))?;
+    solved.say_notes();
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The figures of a candidate: construction, wanted positions, deviation; with `--steps` the construction alone grows, a picture for each
+/// step.
 pub fn draw(a: &args::Draw, style: &Style) -> Run {
     let solved = Solved::read(&a.common.scene, &a.common.set)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
-    let candidate = &solved.design.candidates[0];
+    let candidate = &solved.design.candidates[solved.picked(a.pick)?];
     let all = figure::figures(&solved.task, candidate, style, lang).map_err(|f| solved.failed(f))?;
     let mut figures: Vec<(String, crate::figure::item::Figure)> = all.into_iter().map(|(n, f)| (n.to_owned(), f)).collect();
     if a.steps {

@@ -16,14 +16,18 @@ use std::path::Path;
 pub fn run(a: args::Worksheet) -> Run {
     let write = writer(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
-    let mut input = Input::read(&a.common)?.drawn_in(&style);
-    let worked = input.work(Scope::Figure)?;
-    let (lang, notation) = choices(&input.scene, &a.common);
     let sides = match (a.problem_only, a.solution) {
         (true, _) => Sides::Problem,
         (_, true) => Sides::Solution,
         _ => Sides::Both,
     };
+    if super::synth::is_task(&a.common.scene) {
+        return super::synth::worksheet(&a, style, sides, write);
+    }
+    super::synth::no_pick(a.pick)?;
+    let mut input = Input::read(&a.common)?.drawn_in(&style);
+    let worked = input.work(Scope::Figure)?;
+    let (lang, notation) = choices(&input.scene, &a.common);
     let options = Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides };
     let document = match &a.find_the_mistake {
         None => worksheet(&input.scene, &worked, &options),
@@ -34,22 +38,15 @@ pub fn run(a: args::Worksheet) -> Run {
             find_the_mistake(&input.scene, &worked, attempt, &options)
         }
     };
-    let out = Path::new(&a.output);
-    let stem = out.file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet");
-    let Written { bytes, beside, notes } = write(&document, stem).map_err(|f| input.failed(f))?;
-    input.notes.extend(notes);
-    let mut all = Together::default();
-    let mut names = String::new();
-    for picture in beside {
-        let path = out.with_file_name(&picture.name);
-        all.add(&path, picture.text.as_bytes())?;
-        names += &format!("{}\n", path.display());
-    }
-    all.add(out, &bytes)?;
-    all.appear()?;
-    files::print_names(&format!("{names}{}\n", a.output))?;
+    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
+    input.notes.extend(written.appear(&a.output)?);
     input.say_notes();
     Ok(verdict(&worked))
+}
+
+/// The stem of the names of a document's drawings.
+pub(super) fn stem(output: &str) -> &str {
+    Path::new(output).file_stem().and_then(|s| s.to_str()).unwrap_or("worksheet")
 }
 
 /// No wrong solution is to be had.
@@ -64,7 +61,7 @@ fn none(name: &str) -> Diagnostic {
 
 /// A document as files, and what could not be written as it should.
 #[derive(Default)]
-struct Written {
+pub(super) struct Written {
     bytes: Vec<u8>,
     beside: Vec<Beside>,
     notes: Vec<Diagnostic>,
@@ -74,10 +71,26 @@ impl Written {
     fn of((text, beside): (String, Vec<Beside>)) -> Written {
         Written { bytes: text.into_bytes(), beside, ..Written::default() }
     }
+
+    /// Puts the files there, all or none, and says their names; what could not be written as it should.
+    pub(super) fn appear(self, output: &str) -> Result<Vec<Diagnostic>, Failure> {
+        let out = Path::new(output);
+        let mut all = Together::default();
+        let mut names = String::new();
+        for picture in self.beside {
+            let path = out.with_file_name(&picture.name);
+            all.add(&path, picture.text.as_bytes())?;
+            names += &format!("{}\n", path.display());
+        }
+        all.add(out, &self.bytes)?;
+        all.appear()?;
+        files::print_names(&format!("{names}{output}\n"))?;
+        Ok(self.notes)
+    }
 }
 
 /// What writes a document, given the stem of the names of its drawings.
-type Writer = fn(&Document, &str) -> Result<Written, Faults>;
+pub(super) type Writer = fn(&Document, &str) -> Result<Written, Faults>;
 
 /// What writes files that end so.
 fn writer(output: &str) -> Result<Writer, Faults> {

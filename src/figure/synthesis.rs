@@ -1,10 +1,13 @@
 //! Figures of a synthesis: the construction with numbered steps, the linkage in its wanted positions, wanted against real.
 
-use super::extent::{Rect, bounds, translate};
-use super::item::{Anchor, Colour, Dash, Figure, Item, PLACED, Shape, Stroke, tag};
+mod positions;
+
+pub use positions::{MOVES, Scaled, deviation, linkage, scaled};
+
+use super::extent::{Rect, translate};
+use super::item::{Anchor, Colour, Figure, Item, PLACED, Shape, Stroke, tag};
 use super::label::Label;
 use super::place::{LabelRequest, Obstacles, place};
-use super::plot::{Axis, Plot};
 use super::style::Style;
 use super::text;
 use super::words::words;
@@ -12,8 +15,8 @@ use crate::construct::scale::choose;
 use crate::diag::Faults;
 use crate::digits::{inked, shortest, significant};
 use crate::geom::{Point, Vec2};
-use crate::paper::phrase::tr;
-use crate::report::synthesis::{positions, traced};
+use crate::paper::phrase::{Phrase, tr};
+use crate::report::symbols::symbols;
 use crate::scene::Lang;
 use crate::synthesis::board::{Board, Stroke as Drawn, Weight};
 use crate::synthesis::{Candidate, Task, construct};
@@ -30,19 +33,29 @@ const TEXT_MM: f64 = 165.0;
 /// Widths of the three kinds of stroke: given strong, construction thin, result like a vector.
 const THIN: Stroke = Stroke::new(0.13);
 
+/// How a figure is set.
+#[derive(Clone, Copy, Debug)]
+pub struct Set<'a> {
+    /// Weights, sizes, fonts, colours.
+    pub style: &'a Style,
+    /// The language of its words.
+    pub lang: Lang,
+    /// Whether it stands for itself: with its title, and the sentences of the steps below. Else what is around it says them.
+    pub whole: bool,
+}
+
 /// All figures of a candidate, each with the word that names its file.
 ///
 /// # Errors
 /// Drawing and formula disagree.
 pub fn figures(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -> Result<Vec<(&'static str, Figure)>, Faults> {
+    let set = Set { style, lang, whole: true };
     let mut out = Vec::new();
     if let Some(board) = to_scale(task, candidate)? {
-        out.push(("construction", construction(task, candidate, &board, style, lang)));
+        out.push(("construction", construction(task, candidate, &board, set)));
     }
-    out.push(("positions", in_positions(task, candidate, style, lang)));
-    if !candidate.draft.deviation.is_empty() {
-        out.push(("deviation", deviation(task, candidate, style, lang)));
-    }
+    out.push(("positions", linkage(task, candidate, set)));
+    out.extend(deviation(task, candidate, set).map(|f| ("deviation", f)));
     Ok(out)
 }
 
@@ -116,7 +129,9 @@ fn chain(stroke: &Drawn) -> Vec<Point> {
     }
 }
 
-fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style, lang: Lang) -> Figure {
+/// The construction with its steps numbered.
+pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set) -> Figure {
+    let Set { style, lang, whole } = set;
     let window = window(board).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(BEYOND_MM);
     let mut items = Vec::new();
     let mut wanted: Vec<(LabelRequest, usize)> = Vec::new();
@@ -163,6 +178,18 @@ fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style
         tag(&mut labels, &format!("step-{k}"));
         items.extend(labels);
     }
+    let lines = if whole { sentences(candidate, board, set) } else { Vec::new() };
+    let part = tr(lang, "construction", "作图");
+    page(task, part, items, room, (Some(scale_of(board.mu_l)), lines), set)
+}
+
+/// A scale as a caption.
+pub fn scale_of(mu_l: f64) -> Label {
+    Label::math(format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(mu_l))))
+}
+
+/// What is done in each step, and what is read off the paper.
+fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set) -> Vec<Label> {
     let mut lines: Vec<Label> = Vec::new();
     for (k, step) in board.steps.iter().enumerate() {
         lines.extend(wrapped(&format!("({}) {}", k + 1, lang.of(&step.text)), style));
@@ -182,16 +209,15 @@ fn construction(task: &Task, candidate: &Candidate, board: &Board, style: &Style
     });
     let read = tr(lang, "Measured, in brackets the closed formula: ", "图上量得（括号内为公式值）：");
     lines.extend(wrapped(&format!("{read}{}", readings.collect::<Vec<_>>().join("; ")), style));
-    let scale = format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(board.mu_l)));
-    let part = tr(lang, "construction", "作图");
-    page(task, part, items, room, (Some(Label::math(scale)), lines), style, lang)
+    lines
 }
 
 /// Lines of a sentence, where Unicode's rules allow a break.
 fn wrapped(sentence: &str, style: &Style) -> Vec<Label> {
     let segmenter = LineSegmenter::new_for_non_complex_scripts(LineBreakOptions::default());
     let ends: Vec<usize> = segmenter.segment_str(sentence).collect();
-    let wide = |s: &str| text::set(&Label::text(s).in_fonts(&style.fonts)).width_em * style.small_mm;
+    let label = |s: &str| Phrase::new(&symbols(s)).label().in_fonts(&style.fonts);
+    let wide = |s: &str| text::set(&label(s)).width_em * style.small_mm;
     let (mut out, mut here) = (Vec::new(), String::new());
     for piece in ends.windows(2).map(|w| &sentence[w[0]..w[1]]) {
         if !here.is_empty() && wide(format!("{here}{piece}").trim_end()) > TEXT_MM {
@@ -200,39 +226,55 @@ fn wrapped(sentence: &str, style: &Style) -> Vec<Label> {
         here.push_str(piece);
     }
     out.push(here);
-    out.iter().map(|l| Label::text(l.trim_end()).in_fonts(&style.fonts)).collect()
+    out.iter().map(|l| label(l.trim_end())).collect()
 }
 
 /// A figure with title, drawing, caption and text.
 fn page(
     task: &Task,
     part: &str,
+    items: Vec<Item>,
+    room: Rect,
+    text: (Option<Label>, Vec<Label>),
+    set: Set,
+) -> Figure {
+    laid_out(task, part, items, room, text, set).0
+}
+
+/// The same, and how far everything was moved.
+fn laid_out(
+    task: &Task,
+    part: &str,
     mut items: Vec<Item>,
     room: Rect,
     (caption, lines): (Option<Label>, Vec<Label>),
-    style: &Style,
-    lang: Lang,
-) -> Figure {
+    Set { style, lang, whole }: Set,
+) -> (Figure, Vec2) {
     let title = match lang {
         Lang::En => format!("{}: {part}", lang.of(&task.heading.title)),
         Lang::Zh => format!("{}：{part}", lang.of(&task.heading.title)),
     };
     let (small, large) = (style.small_mm, style.caption_mm * 1.15);
     let heading = Label::text(title.as_str()).in_fonts(&style.fonts);
-    let wide = text::set(&heading).width_em * large;
+    let wide = if whole { text::set(&heading).width_em * large } else { 0.0 };
     let text_mm = if lines.is_empty() { 0.0 } else { TEXT_MM };
-    let width_mm = room.width_mm().max(wide).max(text_mm) + 2.0 * MARGIN_MM;
+    // Inside a document the margins are the document's.
+    let (margin, head) = if whole { (MARGIN_MM, 14.0) } else { (1.0, 1.0) };
+    let width_mm = room.width_mm().max(wide).max(text_mm) + 2.0 * margin;
     let line = small * 1.5;
-    let below = lines.len() as f64 * line + if caption.is_some() { 9.0 } else { 0.0 } + 4.0;
-    let height_mm = MARGIN_MM + below + room.height_mm() + 14.0;
+    let below = lines.len() as f64 * line + if caption.is_some() { 9.0 } else { 0.0 } + if whole { 4.0 } else { 0.0 };
+    let height_mm = margin + below + room.height_mm() + head;
     let centre = room.centre();
-    translate(&mut items, Vec2::new(width_mm / 2.0 - centre.x, MARGIN_MM + below - room.min.y));
+    let shift = Vec2::new(width_mm / 2.0 - centre.x, margin + below - room.min.y);
+    translate(&mut items, shift);
     let words_at = |class: &str, at: Point, label: Label, size_mm: f64, anchor: Anchor| {
         let label = label.in_fonts(&style.fonts);
         Item::new(class, Shape::Label { at, label, size_mm, anchor, colour: Colour::BLACK })
     };
-    items.push(words_at("title", Point::new(width_mm / 2.0, height_mm - 10.0), heading, large, Anchor::Middle));
-    let mut y = MARGIN_MM + below - 4.0;
+    if whole {
+        items.push(words_at("title", Point::new(width_mm / 2.0, height_mm - 10.0), heading, large, Anchor::Middle));
+    }
+    let mut y = margin + below - 4.0;
     if let Some(caption) = caption {
         items.push(words_at("mu_l", Point::new(width_mm / 2.0, y), caption, small, Anchor::Middle));
         y -= 9.0;
@@ -247,85 +289,5 @@ fn page(
     }
     let mut figure = Figure { width_mm, height_mm, desc: title.clone(), title, lang: words(lang).tag.into(), paper: Colour::WHITE, items };
     style.palette.paint(&mut figure);
-    figure
-}
-
-/// The linkage in all wanted positions, the first in full ink, and the path of E against its places.
-fn in_positions(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -> Figure {
-    let all = positions(candidate);
-    let path = traced(candidate, "E");
-    let points = all.iter().flat_map(|p| p.links.iter().flat_map(|l| l.1.iter().map(|x| x.1)));
-    let extent = around(points.chain(path.iter().flatten().copied()).chain(candidate.draft.targets.iter().copied()));
-    let extent = extent.unwrap_or(Rect::new(Point::ORIGIN, Point::new(1.0, 1.0)));
-    let mu = choose([extent.width_mm(), extent.height_mm()], ROOM_MM);
-    let at = |p: Point| (p.to_vec2() * (1.0 / mu)).to_point();
-    let mut items = Vec::new();
-    let mut wanted = Vec::new();
-    for piece in path.iter().filter(|p| p.len() > 2) {
-        let points = piece.iter().map(|p| at(*p)).collect();
-        let shape = Shape::Polyline { points, closed: false, stroke: Some(style.thin.dashed(Dash::DashDot)), fill: None };
-        items.push(Item::new("path", shape));
-    }
-    for (k, p) in all.iter().enumerate().rev() {
-        let stroke = if k == 0 { style.link } else { style.thin };
-        for (link, points) in &p.links {
-            let places: Vec<Point> = points.iter().map(|x| at(x.1)).collect();
-            let closed = places.len() > 2;
-            let shape = Shape::Polyline { points: places, closed, stroke: Some(stroke), fill: None };
-            items.push(Item { link: Some(*link), ..Item::new(format!("position-{k}"), shape) });
-        }
-        for (name, x) in p.links.iter().flat_map(|l| &l.1) {
-            if k == 0 && !p.fixed.iter().any(|f| f.0 == *name) {
-                items.extend(super::symbols::pin(style, at(*x)));
-            }
-        }
-        let mut named: Vec<&(String, Point)> =
-            p.links.iter().flat_map(|l| &l.1).filter(|(n, _)| !p.fixed.iter().any(|f| f.0 == *n)).collect();
-        named.dedup_by(|a, b| a.0 == b.0);
-        for (name, x) in named {
-            let seen = format!("{name}_{}", k + 1);
-            let request =
-                LabelRequest::at_point(Label::math(seen).in_fonts(&style.fonts), style.small_mm * 0.9, at(*x), 1.4).optional(k > 0);
-            if !wanted.contains(&request) {
-                wanted.push(request);
-            }
-        }
-    }
-    for (name, x) in all.first().into_iter().flat_map(|p| &p.fixed) {
-        items.extend(super::symbols::fixed_pivot(style, at(*x), Vec2::new(0.0, -1.0)));
-        wanted.push(LabelRequest::at_point(Label::math(name.as_str()).in_fonts(&style.fonts), style.label_mm, at(*x), 2.2));
-    }
-    for target in &candidate.draft.targets {
-        items.push(Item::new("target", Shape::Circle { centre: at(*target), radius_mm: 0.8, stroke: Some(style.outline), fill: None }));
-    }
-    let room = bounds(&items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(8.0);
-    let placed = place(&wanted, &Obstacles::of(&items), room);
-    for (request, at) in wanted.iter().zip(&placed) {
-        items.extend(at.items(request, PLACED, style.thin));
-    }
-    let scale = format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(mu)));
-    let part = tr(lang, "the wanted positions", "各预定位置");
-    page(task, part, items, room, (Some(Label::math(scale)), Vec::new()), style, lang)
-}
-
-/// The deviation of the output over the function's range, its extremes marked.
-fn deviation(task: &Task, candidate: &Candidate, style: &Style, lang: Lang) -> Figure {
-    let data: Vec<[f64; 2]> = candidate.draft.deviation.iter().map(|[x, e]| [*x, e.to_degrees()]).collect();
-    let (xs, ys): (Vec<f64>, Vec<f64>) = data.iter().map(|p| (p[0], p[1])).unzip();
-    let frame = Rect::new(Point::ORIGIN, Point::new(ROOM_MM[0], 80.0));
-    let axes = [Axis::of(&xs, false, 10), Axis::of(&ys, false, 8)];
-    let mut plot = Plot::new("deviation".to_owned(), style, frame, axes);
-    plot.axes(Some(Label::math("x").in_fonts(&style.fonts)), Label::math("\\Delta\\psi\\,/\\degree"));
-    let points = data.iter().map(|p| plot.at(p[0], p[1])).collect();
-    plot.draw("curve", Shape::Polyline { points, closed: false, stroke: Some(style.vector), fill: None }, None);
-    for k in 0.. {
-        let (Some(x), Some(e)) = (candidate.number(&format!("x_{k}")), candidate.number(&format!("error_{k}"))) else { break };
-        let at = plot.at(x, e.to_degrees());
-        plot.draw("extreme", Shape::Circle { centre: at, radius_mm: 0.7, stroke: None, fill: Some(Colour::BLACK) }, None);
-        let text = format!("{}\\degree", inked(&significant(e.to_degrees(), 3)));
-        plot.label(LabelRequest::at_point(Label::math(text), style.small_mm, at, 1.0), None);
-    }
-    let room = frame.grown(16.0);
-    let items = plot.finish(room);
-    page(task, tr(lang, "structural error", "结构误差"), items, room, (None, Vec::new()), style, lang)
+    (figure, shift)
 }

@@ -8,6 +8,7 @@
 
 mod bank;
 mod curve;
+pub mod design;
 mod equations;
 mod frames;
 mod ladder;

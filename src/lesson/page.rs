@@ -102,7 +102,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
 }
 
 /// A template with values in the places of their names, `{{name}}`. What a value says is not looked at: a title may hold braces.
-fn filled(template: &str, values: &[(&str, &str)]) -> String {
+pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     let mut out = String::new();
     for (k, part) in template.split("{{").enumerate() {
         let value = part.split_once("}}").and_then(|(name, rest)| Some((values.iter().find(|v| v.0 == name)?.1, rest)));
@@ -122,7 +122,7 @@ fn filled(template: &str, values: &[(&str, &str)]) -> String {
 }
 
 /// Style or script without indents, empty lines and lines that are nothing but a comment.
-fn terse(text: &str) -> String {
+pub(super) fn terse(text: &str) -> String {
     let lines = text.lines().map(str::trim_start).filter(|l| !l.is_empty() && !l.starts_with("//"));
     let lines = lines.filter(|l| !(l.starts_with("/*") && l.ends_with("*/")));
     lines.collect::<Vec<_>>().join("\n")

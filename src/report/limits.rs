@@ -218,7 +218,8 @@ impl<'a> Words<'a> {
     }
 }
 
-pub(super) fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
+/// Grashof's type in words.
+pub fn grashof_words(kind: Grashof, lang: Lang) -> &'static str {
     match kind {
         Grashof::CrankRocker => tr(lang, "crank-rocker", "曲柄摇杆机构"),
         Grashof::RockerCrank => tr(lang, "rocker-crank (the rocker drives)", "摇杆曲柄机构（摇杆主动）"),

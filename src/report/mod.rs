@@ -23,6 +23,7 @@ pub mod plan_json;
 pub mod price;
 pub mod readings;
 pub mod statement;
+pub mod symbols;
 pub mod synthesis;
 #[cfg(feature = "tables")]
 pub mod table;

@@ -3,11 +3,11 @@
 use super::limits::grashof_words;
 use crate::diag::{Both, Diagnostic, Severity};
 use crate::digits::{metres, shortest, significant};
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::paper::phrase::tr;
-use crate::position;
-use crate::scene::{self, Kind, Lang, PointId};
+use crate::position::{self, Configuration, Path};
+use crate::scene::{self, Guide, Kind, Lang, PointId, Scene};
 use crate::sweep::station::position_now;
 use crate::sweep::{self, Placed, Stations, Width};
 use crate::synthesis::candidate::{Number, scene_text};
@@ -36,7 +36,7 @@ pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
 }
 
 /// What the finished scene does, in a line.
-fn motion(c: &Candidate, lang: Lang) -> String {
+pub fn motion(c: &Candidate, lang: Lang) -> String {
     let j = &c.judged;
     let mut parts = Vec::new();
     parts.extend(j.grashof.map(|g| grashof_words(g, lang).to_owned()));
@@ -84,7 +84,7 @@ fn metres_fine(value_m: f64) -> String {
 }
 
 /// Which candidate is taken, and why.
-fn taken(design: &Design, lang: Lang) -> String {
+pub fn taken(design: &Design, lang: Lang) -> String {
     let Some(first) = design.candidates.first() else { return String::new() };
     let j = &first.judged;
     let why = match (j.defects.is_empty(), j.rotates, design.candidates.len()) {
@@ -130,7 +130,8 @@ fn candidate(c: &Candidate) -> Json {
         "which": both(&c.draft.which),
         "numbers": named(&c.draft.numbers),
         "wanted": positions,
-        "deviation": c.draft.deviation,
+        "deviation": c.draft.course.iter().map(|c| [c.x, c.deviation()]).collect::<Vec<_>>(),
+        "course": c.draft.course.iter().map(|c| json!({"x": c.x, "input": c.input, "wanted": c.wanted, "output": c.real})).collect::<Vec<_>>(),
         "off": j.off_m,
         "size": j.size_m,
         "full_turn": j.rotates,
@@ -163,6 +164,19 @@ pub struct Posed {
     pub links: Vec<(usize, Vec<(String, Point)>)>,
     /// Pivots on the ground.
     pub fixed: Vec<(String, Point)>,
+    /// Blocks of sliders, in the order of the scene's guides.
+    pub sliders: Vec<Block>,
+}
+
+/// A slider's block.
+#[derive(Clone, Copy, Debug)]
+pub struct Block {
+    /// Its pin (m).
+    pub at: Point,
+    /// The direction of its guide, a unit vector.
+    pub direction: Vec2,
+    /// Whether the guide is on the ground.
+    pub fixed: bool,
 }
 
 /// The linkage in all its wanted positions, as the general position solver closes its scene there.
@@ -182,10 +196,29 @@ fn posed(scene: &Json, wanted: &Wanted) -> Option<Posed> {
     let mechanism = Mechanism::new(&scene).ok()?.value;
     let demand = Demand::of(&scene, &mechanism).with_all_positions();
     let at = position::configure(&scene, &mechanism, &demand).ok()?.value;
+    Some(pose_of(&scene, &at))
+}
+
+/// Where everything of a scene is, for drawing. A lever that is known by its slot goes on to the block on it.
+pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
     let named = |p: &PointId| Some((scene.points[p.0].name.clone(), at.points[p.0]?));
     let of = |l: usize| (l, scene.links[l].points.iter().filter_map(named).collect::<Vec<_>>());
-    let links = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(of).filter(|l| l.1.len() > 1).collect();
-    Some(Posed { links, fixed: of(scene.ground.0).1 })
+    let on = |l: usize| scene.guides.iter().filter(move |g| g.on.0 == l).filter_map(|g| named(&g.pin?));
+    let links = (0..scene.links.len()).filter(|l| *l != scene.ground.0).map(|l| {
+        let (l, mut points) = of(l);
+        if points.len() < 2 {
+            points.extend(on(l));
+        }
+        (l, points)
+    });
+    let block = |(g, path): (&Guide, &Option<Path>)| match path {
+        Some(Path::Line { direction, .. }) => {
+            Some(Block { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground })
+        }
+        Some(Path::Arc { .. }) | None => None,
+    };
+    let sliders = scene.guides.iter().zip(&at.guides).filter_map(block).collect();
+    Posed { links: links.filter(|l| l.1.len() > 1).collect(), fixed: of(scene.ground.0).1, sliders }
 }
 
 /// The path of a point while the driver turns, in pieces where it does not go all round; empty where the linkage has no such point.

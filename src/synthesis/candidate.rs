@@ -58,6 +58,26 @@ pub enum Demand {
     FullTurn,
 }
 
+/// The output's angle at a place of a function's range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// The variable of the function.
+    pub x: f64,
+    /// The crank's angle (rad).
+    pub input: f64,
+    /// The output's angle that is wanted (rad).
+    pub wanted: f64,
+    /// The output's angle as it is (rad).
+    pub real: f64,
+}
+
+impl Compared {
+    /// Real less wanted (rad).
+    pub fn deviation(&self) -> f64 {
+        self.real - self.wanted
+    }
+}
+
 /// A design as its formula gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Draft {
@@ -77,8 +97,8 @@ pub struct Draft {
     pub error: f64,
     /// Wanted against real: the places that a point is to come near to (m).
     pub targets: Vec<Point>,
-    /// Wanted against real: the variable of a function, and the output's deviation there (rad), over its range.
-    pub deviation: Vec<[f64; 2]>,
+    /// Wanted against real: the output's angle over the range of a function.
+    pub course: Vec<Compared>,
     /// What is to be said of it.
     pub remarks: Vec<Diagnostic>,
 }
@@ -95,7 +115,7 @@ impl Draft {
             ordered: false,
             error: 0.0,
             targets: Vec::new(),
-            deviation: Vec::new(),
+            course: Vec::new(),
             remarks: Vec::new(),
         }
     }

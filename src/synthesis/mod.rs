@@ -36,7 +36,7 @@ pub mod time_ratio;
 pub mod told;
 
 pub use board::Board;
-pub use candidate::{Candidate, Draft, Number, Wanted};
+pub use candidate::{Candidate, Compared, Draft, Number, Wanted};
 pub use fourbar::{FourBar, Heading};
 pub use told::{Proof, Statement};
 

@@ -9,6 +9,7 @@
 //! describe its figure to a screen reader.
 
 mod cams;
+mod design;
 mod display;
 mod given;
 pub mod html;
@@ -32,6 +33,7 @@ use crate::report::math::Math;
 use crate::scene::{Lang, Scene};
 use crate::worked::Worked;
 
+pub use design::design;
 pub use mistake::find_the_mistake;
 
 /// Which sides of a worksheet are written.

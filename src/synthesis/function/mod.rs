@@ -10,7 +10,7 @@ pub mod freudenstein;
 
 use super::board::Board;
 use super::body::pose::centre;
-use super::candidate::{Draft, Number, Wanted};
+use super::candidate::{Compared, Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
@@ -397,18 +397,23 @@ impl Function {
         Some(Draft {
             ordered: true,
             error: if exact { 0.0 } else { missed },
-            deviation: self.sampled(&g),
+            course: self.sampled(&g),
             remarks,
             ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)
         })
     }
 
-    /// The deviation over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
-    fn sampled(&self, g: &Generator) -> Vec<[f64; 2]> {
+    /// Wanted against real over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
+    fn sampled(&self, g: &Generator) -> Vec<Compared> {
         let Target::Curve { range, swings, .. } = &self.target else { return Vec::new() };
         let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
         let place = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / count as f64;
-        (0..=count).filter_map(|i| Some([place(i), g.deviation(self.target.step(place(i))?)?])).collect()
+        let compared = |i: usize| {
+            let step = self.target.step(place(i))?;
+            let wanted = g.start[1] + step[1];
+            Some(Compared { x: place(i), input: g.start[0] + step[0], wanted, real: wanted + g.deviation(step)? })
+        };
+        (0..=count).filter_map(compared).collect()
     }
 
     /// The greatest deviation, returned too, and where the extremes lie; of pairs the deviations there.

@@ -1,0 +1,371 @@
+//! The worksheet of a synthesis: what a linkage is to do as the problem; the construction, the numbers measured on paper, the closed
+//! formula as their proof, the finished linkage in its wanted positions and all candidates as the solution.
+//!
+//! What is given and wanted and the formulas come from the kind of task ([`crate::synthesis::told`]), the numbers from its candidates.
+
+use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
+use crate::diag::{Both, Faults};
+use crate::digits::{inked, shortest, significant};
+use crate::figure::item::Figure;
+use crate::figure::label::Label;
+use crate::figure::synthesis::{self as figure, Set};
+use crate::report::limits::grashof_words;
+use crate::report::math::Math;
+use crate::report::phrase::{Phrase, tr};
+use crate::report::symbols::symbols;
+use crate::report::synthesis::{motion, taken, value};
+use crate::scene::{Kind, Lang};
+use crate::synthesis::board::{Board, Reading};
+use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
+
+/// Rows of the table of a function; its ends are among them.
+const ROWS: usize = 25;
+/// Lengths of a candidate in the table of all.
+const LENGTHS: usize = 5;
+
+/// Makes the worksheet of a synthesis task, with the construction of one of its candidates, counted from 0.
+///
+/// ```
+/// use hodograph::{scene::Lang, synthesis, worksheet::{self, Options}};
+/// let task = synthesis::read(synthesis::templates::get("body").unwrap())?.value;
+/// let design = synthesis::solve(&task)?;
+/// let document = worksheet::design(&task, &design, 0, &Options::of_language(Lang::En))?;
+/// assert!(worksheet::markdown::markdown(&document, "body")?.0.contains("## Construction"));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+///
+/// # Errors
+/// Drawing and formula disagree.
+///
+/// # Panics
+/// There is no such candidate.
+pub fn design(task: &Task, design: &Design, pick: usize, options: &Options) -> Result<Document, Faults> {
+    let candidate = &design.candidates[pick];
+    let lang = options.sheet.lang;
+    let board = figure::to_scale(task, candidate)?;
+    let set = Set { style: &options.sheet.style, lang, whole: false };
+    let maker = Maker { task, design, pick, candidate, board, set };
+    let mut blocks = Vec::new();
+    if options.sides != Sides::Solution {
+        maker.problem(&mut blocks);
+    }
+    if options.sides != Sides::Problem {
+        maker.solution(&mut blocks);
+    }
+    let title = one_line(lang.of(&task.heading.title));
+    Ok(Document { title, lang, fonts: options.sheet.style.fonts.clone(), blocks })
+}
+
+struct Maker<'a> {
+    task: &'a Task,
+    design: &'a Design,
+    pick: usize,
+    candidate: &'a Candidate,
+    board: Option<Board>,
+    set: Set<'a>,
+}
+
+impl Maker<'_> {
+    fn lang(&self) -> Lang {
+        self.set.lang
+    }
+
+    fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {
+        Block::Heading(level, tr(self.lang(), en, zh).into())
+    }
+
+    fn said(&self, text: &Both) -> Phrase {
+        Phrase::new(self.lang().of(text))
+    }
+
+    fn problem(&self, blocks: &mut Vec<Block>) {
+        let stated = self.task.statement();
+        blocks.push(self.heading(1, "Problem", "题目"));
+        blocks.push(Block::Paragraph(self.said(&stated.task)));
+        if let Some(board) = self.board.as_ref().filter(|_| stated.open_steps > 0) {
+            let mut open = board.clone();
+            open.steps.truncate(stated.open_steps);
+            blocks.push(picture("given", figure::construction(self.task, self.candidate, &open, self.set)));
+        }
+        let list = |all: &[Both]| Block::List { numbered: false, members: all.iter().map(|b| self.said(b)).collect() };
+        blocks.extend([self.heading(2, "Given", "已知"), list(&stated.given), self.heading(2, "Wanted", "求"), list(&stated.wanted)]);
+    }
+
+    fn solution(&self, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(1, "Solution", "解"));
+        if self.design.candidates.len() > 1 {
+            let which = self.lang().of(&self.candidate.draft.which);
+            let (k, n) = (self.pick + 1, self.design.candidates.len());
+            let text = match self.lang() {
+                Lang::En => format!("Carried out here: candidate {k} of {n}, {}.", symbols(which)),
+                Lang::Zh => format!("以下给出第 {k} 个方案（共 {n} 个）：{}。", symbols(which)),
+            };
+            blocks.push(Block::Paragraph(Phrase::new(&text)));
+        }
+        if let Some(board) = &self.board {
+            self.construction(board, blocks);
+        }
+        self.proof(blocks);
+        self.linkage(blocks);
+        self.course(blocks);
+        self.candidates(blocks);
+    }
+
+    /// The drawing, its steps, and what is measured on it.
+    fn construction(&self, board: &Board, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(2, "Construction", "作图"));
+        blocks.push(picture("construction", figure::construction(self.task, self.candidate, board, self.set)));
+        let sentence = |s: &crate::synthesis::board::Step| Phrase::new(&symbols(self.lang().of(&s.text)));
+        blocks.push(Block::List { numbered: true, members: board.steps.iter().map(sentence).collect() });
+        let read: Vec<(&Reading, f64)> = board.readings.iter().filter_map(|r| Some((r, self.candidate.number(&r.name)?))).collect();
+        if read.is_empty() {
+            return;
+        }
+        blocks.push(self.heading(2, "Measured on paper", "图上量取"));
+        let head = match self.lang() {
+            Lang::En => ["quantity".into(), "measured".into(), format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))), "closed formula".to_owned()],
+            Lang::Zh => ["量".into(), "量取".into(), format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))), "公式".to_owned()],
+        };
+        let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];
+        for (r, formula) in read {
+            let (measured, drawn, exact) = match r.angle {
+                true => (degrees(board.value(r), 4), degrees(board.value(r), 5), degrees(formula.abs(), 6)),
+                false => (mm(r.measured * 1e-3, 4), mm(board.value(r), 5), mm(formula.abs(), 6)),
+            };
+            rows.push([quantity(&r.name), measured, drawn, exact].iter().map(|c| Phrase::new(c)).collect());
+        }
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+    }
+
+    fn proof(&self, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(2, "Closed formula", "公式计算"));
+        for Proof { what, formulas } in self.task.proof(self.candidate) {
+            blocks.push(Block::Paragraph(self.said(&what)));
+            blocks.extend(formulas.iter().map(|f| Block::Formula(parts(f))));
+        }
+    }
+
+    /// The finished linkage, and what its scene, swept, does.
+    fn linkage(&self, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(2, "The linkage in its positions", "机构的各位置"));
+        blocks.push(picture("positions", figure::linkage(self.task, self.candidate, self.set)));
+        let swept = match self.lang() {
+            Lang::En => format!("Its motion, followed from the first position: {}.", motion(self.candidate, Lang::En)),
+            Lang::Zh => format!("由第一位置起考察其运动：{}。", motion(self.candidate, Lang::Zh)),
+        };
+        blocks.push(Block::Paragraph(Phrase::new(&swept)));
+        let said: Vec<Phrase> = self.candidate.notes().map(|d| Phrase::new(&symbols(self.lang().of(&d.message)))).collect();
+        if !said.is_empty() {
+            blocks.push(Block::List { numbered: false, members: said });
+        }
+    }
+
+    /// Wanted against real over the range of a function.
+    fn course(&self, blocks: &mut Vec<Block>) {
+        let Some(figure) = figure::deviation(self.task, self.candidate, self.set) else { return };
+        let course = &self.candidate.draft.course;
+        blocks.push(self.heading(2, "Structural error", "结构误差"));
+        blocks.push(picture("deviation", figure));
+        let wanted = tr(self.lang(), "wanted", "预期");
+        let real = tr(self.lang(), "real", "实际");
+        let head = ["$x$".to_owned(), "$\\varphi$".into(), format!("$\\psi$ {wanted}"), format!("$\\psi$ {real}"), "$\\Delta\\psi$".into()];
+        let mut rows = vec![head.iter().map(|h| Phrase::new(h)).collect::<Vec<_>>()];
+        let turned = |a: f64| degrees(a, 6);
+        let row = |c: &Compared| {
+            let cells = [format!("${}$", inked(&significant(c.x, 5))), turned(c.input), turned(c.wanted), turned(c.real), degrees(c.deviation(), 3)];
+            cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
+        };
+        let steps = course.len().clamp(2, ROWS) - 1;
+        rows.extend((0..=steps).filter_map(|k| course.get(k * (course.len() - 1) / steps)).map(row));
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+    }
+
+    fn candidates(&self, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(2, "All candidates", "全部方案"));
+        let lengths: Vec<&str> = self
+            .candidate
+            .draft
+            .numbers
+            .iter()
+            .filter(|n| n.kind == Some(Kind::Length) && n.name.bytes().all(|b| b.is_ascii_uppercase()))
+            .map(|n| n.name.as_str())
+            .take(LENGTHS)
+            .collect();
+        let mut head = vec![Phrase::default(), Phrase::new(tr(self.lang(), "candidate", "方案"))];
+        head.extend(lengths.iter().map(|n| Phrase::new(&quantity(n))));
+        head.push(Phrase::new("$\\gamma_{\\text{min}}$"));
+        head.push(Phrase::new(tr(self.lang(), "type, defects", "类型、缺陷")));
+        let mut rows = vec![head];
+        for (k, c) in self.design.candidates.iter().enumerate() {
+            let mut row = vec![Phrase::new(&(k + 1).to_string()), Phrase::new(&symbols(self.lang().of(&c.draft.which)))];
+            row.extend(lengths.iter().map(|n| Phrase::new(&c.number(n).map_or("—".into(), |l| mm(l, 5)))));
+            row.push(Phrase::new(&c.judged.transmission.map_or("—".into(), |(angle, _)| degrees(angle, 4))));
+            row.push(Phrase::new(&self.verdict(c)));
+            rows.push(row);
+        }
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        blocks.push(Block::Paragraph(Phrase::new(&taken(self.design, self.lang()))));
+        let told: Vec<Phrase> = self
+            .design
+            .numbers
+            .iter()
+            .map(|n| Phrase::of_words(&format!("{}: {} = {}", self.lang().of(&n.what), n.name, value(n))))
+            .collect();
+        if !told.is_empty() {
+            blocks.push(self.heading(2, "Numbers of the task", "其他数据"));
+            blocks.push(Block::List { numbered: false, members: told });
+        }
+    }
+
+    /// Grashof's type, and the defects.
+    fn verdict(&self, c: &Candidate) -> String {
+        let grashof = c.judged.grashof.map(|g| grashof_words(g, self.lang()).to_owned());
+        let defects = c.judged.defects.iter().map(|d| self.lang().of(&d.message).to_owned());
+        let all: Vec<String> = grashof.into_iter().chain(defects).collect();
+        if all.is_empty() { tr(self.lang(), "no defect", "无缺陷").to_owned() } else { all.join(tr(self.lang(), "; ", "；")) }
+    }
+}
+
+fn picture(name: &'static str, figure: Figure) -> Block {
+    Block::Figure { name, figure: Box::new(figure) }
+}
+
+fn mm(value_m: f64, digits: usize) -> String {
+    format!("${} mm$", inked(&significant(value_m * 1e3, digits)))
+}
+
+fn degrees(value_rad: f64, digits: usize) -> String {
+    format!("${}\\degree$", inked(&significant(value_rad.to_degrees(), digits)))
+}
+
+/// The symbol of a number: a length by its ends, the others by their letters.
+fn quantity(name: &str) -> String {
+    let greek = ["theta", "psi", "beta", "alpha", "phi", "gamma"].iter().find_map(|g| Some((g, name.strip_prefix(*g)?)));
+    match greek {
+        Some((g, "")) => format!("$\\{g}$"),
+        Some((g, index)) => format!("$\\{g}_{{{}}}$", index.trim_start_matches('_')),
+        None if name.len() > 1 && name.bytes().all(|b| b.is_ascii_uppercase()) => format!("$l_{{{name}}}$"),
+        None => format!("${name}$"),
+    }
+}
+
+/// A formula with fractions and roots on its top level, in the pieces that are set.
+fn parts(source: &str) -> Vec<Math> {
+    let row = |text: &str| Math::Row(Label::math(text.trim()));
+    let mut out = Vec::new();
+    let mut rest = source;
+    loop {
+        let next = ["\\frac", "\\sqrt"].into_iter().filter_map(|w| Some((rest.find(w)?, w))).min();
+        let Some((at, word)) = next else { break };
+        if !rest[..at].trim().is_empty() {
+            out.push(row(&rest[..at]));
+        }
+        let after = &rest[at + word.len()..];
+        let (one, after) = braced(after);
+        if word == "\\sqrt" {
+            out.push(Math::Root(Label::math(one)));
+            rest = after;
+        } else {
+            let (other, after) = braced(after);
+            out.push(Math::Fraction(Label::math(one), Label::math(other)));
+            rest = after;
+        }
+    }
+    if !rest.trim().is_empty() {
+        out.push(row(rest));
+    }
+    out
+}
+
+/// What stands in the braces at the beginning, and what follows.
+fn braced(text: &str) -> (&str, &str) {
+    let mut level = 0;
+    for (k, c) in text.char_indices() {
+        match c {
+            '{' => level += 1,
+            '}' => level -= 1,
+            _ => {}
+        }
+        if level == 0 {
+            return (&text[1.min(k)..k], &text[k + c.len_utf8()..]);
+        }
+    }
+    (text, "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::synthesis::{self, KINDS, templates};
+    use crate::worksheet::Options;
+
+    fn phrases(block: &Block) -> Vec<Phrase> {
+        match block {
+            Block::Heading(_, text) => vec![Phrase::of_words(text)],
+            Block::Paragraph(p) => vec![p.clone()],
+            Block::List { members, .. } => members.clone(),
+            Block::Table(t) => t.rows.iter().flatten().cloned().collect(),
+            Block::Formula(_) | Block::Figure { .. } => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn every_kind_has_a_worksheet_without_faults_in_both_languages() {
+        for kind in KINDS {
+            let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
+            let solved = synthesis::solve(&task).unwrap();
+            for lang in [Lang::En, Lang::Zh] {
+                let document = design(&task, &solved, 0, &Options::of_language(lang)).unwrap();
+                let formulas = document.blocks.iter().filter(|b| matches!(b, Block::Formula(_))).count();
+                assert!(formulas > 1, "{}", kind.name);
+                for label in labels(&document) {
+                    assert_eq!(label.faults(), [], "{}: {}", kind.name, label.source());
+                }
+                for phrase in document.blocks.iter().flat_map(phrases) {
+                    let text = phrase.plain();
+                    assert!(!text.contains("NaN") && !text.contains('$'), "{}: {text}", kind.name);
+                    let chinese = text.chars().any(|c| ('\u{4e00}'..='\u{9fff}').contains(&c));
+                    assert!(lang == Lang::Zh || !chinese, "{}: {text}", kind.name);
+                }
+            }
+        }
+    }
+
+    fn labels(document: &Document) -> Vec<Label> {
+        let of_math = |m: &Math| match m {
+            Math::Row(l) | Math::Root(l) => vec![l.clone()],
+            Math::Fraction(a, b) => vec![a.clone(), b.clone()],
+        };
+        let of = |b: &Block| match b {
+            Block::Formula(parts) => parts.iter().flat_map(of_math).collect(),
+            other => phrases(other).iter().map(Phrase::label).collect::<Vec<_>>(),
+        };
+        document.blocks.iter().flat_map(of).collect()
+    }
+
+    #[test]
+    fn the_problem_holds_no_answer() {
+        for kind in KINDS {
+            let task = synthesis::read(templates::get(kind.name).unwrap()).unwrap().value;
+            let solved = synthesis::solve(&task).unwrap();
+            let options = Options { sides: Sides::Problem, ..Options::of_language(Lang::En) };
+            let document = design(&task, &solved, 0, &options).unwrap();
+            let text: String = document.blocks.iter().flat_map(phrases).map(|p| p.plain() + "\n").collect();
+            for answer in ["BC", "CD", "AB"].iter().filter_map(|n| solved.candidates[0].number(n)) {
+                let told = significant(answer * 1e3, 6);
+                let given = self::given(&task).contains(&told);
+                assert!(given || !text.contains(&format!(" {told} ")), "{}: {told} in {text}", kind.name);
+            }
+        }
+    }
+
+    fn given(task: &Task) -> String {
+        task.statement().given.iter().map(|b| b.en.clone()).collect()
+    }
+
+    #[test]
+    fn fractions_are_taken_apart() {
+        assert_eq!(parts("a = \\frac{b + {c}}{2} ,\\quad d").len(), 3);
+        assert_eq!(braced("{a{b}}{c}"), ("a{b}", "{c}"));
+    }
+}
