@@ -21,7 +21,7 @@ use std::process::ExitCode;
 /// The arguments of the command.
 #[derive(ClapArgs, Debug)]
 #[command(
-    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/"
+    after_help = "Start: hodograph new time-ratio > wish.json && hodograph synth wish.json; the construction: hodograph draw wish.json -o out/; problem and solution: hodograph worksheet wish.json -o sheet.pdf"
 )]
 pub struct Synth {
     /// The synthesis file; `-` reads standard input

@@ -184,7 +184,7 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
 }
 
 /// A scale as a caption.
-pub fn scale_of(mu_l: f64) -> Label {
+fn scale_of(mu_l: f64) -> Label {
     Label::math(format!("\\mu_l = {}\\,\\text{{m/mm}}", inked(&shortest(mu_l))))
 }
 

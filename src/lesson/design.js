@@ -58,7 +58,7 @@
       const [x, y] = point(data.pins[i]);
       e.setAttribute("cx", x);
       e.setAttribute("cy", y);
-      e.classList.toggle("reached", stop >= 0);
+      e.classList.toggle("reached", stop >= 0 && !data.fixed.includes(data.pins[i]));
     });
     blocks.forEach((e, i) => {
       const [x, y] = point(data.blocks[i]);
@@ -110,7 +110,7 @@
     document.documentElement.lang = data.tags[lang];
     document.title = $("title").textContent = pick(data.title);
     $("language").textContent = words().language;
-    for (const e of document.querySelectorAll("[data-text]")) e.textContent = words()[e.dataset.text];
+    for (const e of document.querySelectorAll("[data-word]")) e.textContent = words()[e.dataset.word];
     for (const e of document.querySelectorAll("[data-title]")) e.title = words()[e.dataset.title];
     for (const e of document.querySelectorAll("[data-label]")) e.setAttribute("aria-label", words()[e.dataset.label]);
     $("driver").setAttribute("aria-label", words().positions);

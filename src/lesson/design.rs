@@ -8,7 +8,7 @@ use super::page::{filled, terse};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::extent::Rect;
-use crate::figure::item::Figure;
+use crate::figure::item::{Figure, Item};
 use crate::figure::label::Label;
 use crate::figure::style::Style;
 use crate::figure::synthesis::{self as figure, MOVES, Scaled, Set};
@@ -118,7 +118,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
         "steps": steps,
         "facts": tables,
         "links": motion.links, "pins": motion.pins, "blocks": motion.blocks, "frames": motion.frames,
-        "stops": motion.stops, "full": motion.full,
+        "stops": motion.stops, "full": motion.full, "fixed": motion.fixed,
     });
     // Inside a script element `</` could end it, and after `<!--` nothing might.
     let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
@@ -131,7 +131,6 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
             ("letters", &Elements::letters(&drawn)),
             ("construction", &construction),
             ("linkage", &markup),
-            ("scale", &mathml(&figure::scale_of(linkage.mu_l))),
             ("noscript", &escaped(word("noscript", options.lang))),
             ("data", &data),
             ("script", &terse(SCRIPT)),
@@ -148,11 +147,17 @@ fn html(phrase: &Phrase) -> String {
     phrase.pieces().iter().map(piece).collect()
 }
 
+/// Items without their names: two drawings in a page may not share them.
+fn nameless<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<Item> {
+    items.map(|i| Item { id: String::new(), ..i.clone() }).collect()
+}
+
 /// The construction, each element in a group that names its step.
 fn stepped(figure: &Figure, drawn: &mut Vec<Elements>, lang: Lang) -> Result<String, Faults> {
     let mut elements = Elements::new(figure.height_mm);
     let mut body = String::new();
-    for (item, element) in figure.items.iter().zip(elements.of(&figure.items)?) {
+    let items = nameless(figure.items.iter());
+    for (item, element) in items.iter().zip(elements.of(&items)?) {
         body += &match item.steps().min() {
             Some(k) => format!("<g data-step=\"{k}\">{element}</g>\n"),
             None => format!("{element}\n"),
@@ -162,7 +167,7 @@ fn stepped(figure: &Figure, drawn: &mut Vec<Elements>, lang: Lang) -> Result<Str
     let (w, h) = (mm(figure.width_mm), mm(figure.height_mm));
     Ok(format!(
         "<figure id=\"construction\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\">\n<g class=\"ink\">\n{body}</g>\n</svg>\n\
-         <figcaption data-text=\"construction\">{}</figcaption>\n</figure>\n",
+         <figcaption data-word=\"construction\">{}</figcaption>\n</figure>\n",
         escaped(word("construction", lang))
     ))
 }
@@ -170,7 +175,7 @@ fn stepped(figure: &Figure, drawn: &mut Vec<Elements>, lang: Lang) -> Result<Str
 /// The linkage's picture without what moves, over all places that its points take.
 fn moving(linkage: &Scaled, window: Rect, drawn: &mut Vec<Elements>) -> Result<String, Faults> {
     let figure = &linkage.figure;
-    let items: Vec<_> = figure.items.iter().filter(|i| !i.class.split(' ').any(|c| c == MOVES)).cloned().collect();
+    let items = nameless(figure.items.iter().filter(|i| !i.class.split(' ').any(|c| c == MOVES)));
     let mut elements = Elements::new(figure.height_mm);
     let body = elements.of(&items)?.join("\n");
     drawn.push(elements);
@@ -208,7 +213,7 @@ fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
 struct Motion {
     /// Of each link the indices of its points.
     links: Vec<Vec<usize>>,
-    /// Points that move.
+    /// Pins, those on the ground too: they lie over the links.
     pins: Vec<usize>,
     /// Points with a block.
     blocks: Vec<usize>,
@@ -216,6 +221,8 @@ struct Motion {
     /// The frames of the wanted positions.
     stops: Vec<usize>,
     full: bool,
+    /// Points on the ground.
+    fixed: Vec<usize>,
     window: Rect,
 }
 
@@ -250,8 +257,9 @@ impl Motion {
         let links: Vec<Vec<usize>> = first.links.iter().map(|(_, points)| points.iter().map(|(n, _)| index(n)).collect()).collect();
         let guided = scene.guides.iter().filter_map(|g| Some(scene.point_name(g.pin?).to_owned()));
         let blocks: Vec<usize> = guided.map(|n| index(&n)).collect();
-        let fixed = |n: &String| scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n);
-        let pins = (0..names.len()).filter(|k| !fixed(&names[*k])).collect();
+        let pins = (0..names.len()).collect();
+        let grounded = |n: &String| scene.links[scene.ground.0].points.iter().any(|p| scene.point_name(*p) == n);
+        let fixed = (0..names.len()).filter(|k| grounded(&names[*k])).collect();
         let mut window: Option<Rect> = None;
         let mut frame = |pose: &Pose| {
             let at = places(scene, &pose.configuration, &names);
@@ -270,7 +278,7 @@ impl Motion {
         };
         let frames = poses.iter().map(&mut frame).collect();
         let window = window.ok_or_else(none)?.grown(4.0);
-        Ok(Motion { links, pins, blocks, frames, stops, full, window })
+        Ok(Motion { links, pins, blocks, frames, stops, full, fixed, window })
     }
 }
 

@@ -52,7 +52,8 @@ fn name(text: &[char]) -> Option<(usize, String)> {
         if !digits.is_empty() {
             formula += &format!("_{{{digits}}}");
         }
-        while text.get(k) == Some(&'\'') {
+        // An apostrophe before a letter is a genitive: D's arc.
+        while text.get(k) == Some(&'\'') && !text.get(k + 1).is_some_and(char::is_ascii_lowercase) {
             formula.push('\'');
             k += 1;
         }
@@ -71,5 +72,6 @@ mod tests {
         assert_eq!(symbols("Burmester's points, P12P23"), "Burmester's points, $P_{12}P_{23}$");
         assert_eq!(symbols("以 A 为圆心、AC1 为半径"), "以 $A$ 为圆心、$AC_{1}$ 为半径");
         assert_eq!(symbols("A line through A"), "A line through $A$");
+        assert_eq!(symbols("D's arc about C"), "$D$'s arc about $C$");
     }
 }

@@ -40,19 +40,25 @@ impl Proof {
 /// Digits of numbers in a proof.
 const DIGITS: usize = 6;
 
+/// A number in the label language: what is a short number is written so, else all digits of a rounded one are kept.
+pub fn number(value: f64) -> String {
+    let rounded = significant(value + 0.0, DIGITS);
+    let exact = rounded.parse::<f64>().is_ok_and(|r| (r - value).abs() <= 1e-13 * value.abs());
+    let text = match exact && rounded.contains('.') && !rounded.contains('e') {
+        true => rounded.trim_end_matches('0').trim_end_matches('.'),
+        false => rounded.as_str(),
+    };
+    inked(text)
+}
+
 /// A length in the label language.
 pub fn length(value_m: f64) -> String {
-    format!("{} mm", inked(&significant(value_m * 1e3 + 0.0, DIGITS)))
+    format!("{} mm", number(value_m * 1e3))
 }
 
 /// An angle in the label language.
 pub fn angle(value_rad: f64) -> String {
-    format!("{}\\degree", inked(&significant(value_rad.to_degrees() + 0.0, DIGITS)))
-}
-
-/// A pure number in the label language.
-pub fn number(value: f64) -> String {
-    inked(&significant(value + 0.0, DIGITS))
+    format!("{}\\degree", number(value_rad.to_degrees()))
 }
 
 /// A number that stands behind a sign: in brackets where it has one of its own.
@@ -62,7 +68,7 @@ pub fn signed(value: f64) -> String {
 
 /// A place in the label language (mm).
 pub fn place(at: Point) -> String {
-    let mm = |v: f64| inked(&significant(if v.abs() < 1e-15 { 0.0 } else { v * 1e3 }, DIGITS));
+    let mm = |v: f64| number(if v.abs() < 1e-15 { 0.0 } else { v * 1e3 });
     format!("({},\\, {})\\,\\text{{mm}}", mm(at.x), mm(at.y))
 }
 

@@ -1,6 +1,7 @@
 //! The program as its user meets it: exit codes, files, help, and the commands of the documents.
 
 mod cams;
+mod designs;
 mod documents;
 
 #[cfg(target_os = "linux")]

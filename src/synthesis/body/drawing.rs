@@ -1,6 +1,6 @@
 //! Body guidance drawn: bisectors for two and three positions, inversion for given pivots, the centre-point curve for four and five.
 
-use super::Body;
+use super::{Body, Method};
 use super::pose::Position;
 use crate::diag::both;
 use crate::geom::{Point, Vec2};
@@ -11,12 +11,12 @@ use std::f64::consts::PI;
 impl Body {
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
         self.positions_drawn(board);
-        match self.positions.len() {
-            2 | 3 => {
+        match self.method() {
+            Method::Bisectors => {
                 let ends = [self.side(draft, board, 0)?, self.side(draft, board, 1)?];
                 finished(board, ends)
             }
-            _ => self.curve(draft, board),
+            Method::Curve | Method::Burmester => self.curve(draft, board),
         }
     }
 
@@ -127,10 +127,9 @@ impl Body {
                 board.line(w[0].1, w[1].1, Weight::Thin);
             });
         }
-        let roots = if self.positions.len() == 4 {
-            self.on_the_line(board, &curve, quadrilateral)?
-        } else {
-            self.on_both(board, &curve, quadrilateral)?
+        let roots = match self.method() {
+            Method::Bisectors | Method::Curve => self.on_the_line(board, &curve, quadrilateral)?,
+            Method::Burmester => self.on_both(board, &curve, quadrilateral)?,
         };
         // The design's two pivots are meant.
         let wanted = |name: &str| {

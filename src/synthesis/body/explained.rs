@@ -1,6 +1,6 @@
 //! Body guidance as a problem, and the formulas of its proof: circles through three places, poles, Burmester's conditions.
 
-use super::Body;
+use super::{Body, Method};
 use crate::diag::{Both, both};
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;
@@ -54,9 +54,9 @@ impl Body {
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         let at = |name: &str| Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y")));
         let lengths = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
-        let mut out = match self.positions.len() {
-            2 | 3 => vec![self.side_proved(0, at("A"), at("B1")), self.side_proved(1, at("D"), at("C1"))],
-            _ => self.curve_proved(draft),
+        let mut out = match self.method() {
+            Method::Bisectors => vec![self.side_proved(0, at("A"), at("B1")), self.side_proved(1, at("D"), at("C1"))],
+            Method::Curve | Method::Burmester => self.curve_proved(draft),
         };
         out.push(Proof::new(both!("So", "于是"), [lengths.join(" ,\\quad ")]));
         out
@@ -100,12 +100,12 @@ impl Body {
             .filter_map(|j| Some(format!("P_{{1{}}} = {}", j + 1, place(self.positions[0].pole(&self.positions[j])?))))
             .collect();
         let at = |name: &str| place(Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y"))));
-        let conditions = match n {
-            4 => both!(
+        let conditions = match self.method() {
+            Method::Bisectors | Method::Curve => both!(
                 "For a pivot $M$ these are three linear equations in the pin; they agree where a determinant of the third degree in $M$ vanishes: the centre-point curve. Where it crosses the given line:",
                 "对固定铰链 $M$，这是铰链坐标的三个线性方程；相容条件是 $M$ 的三次式为零，即圆心曲线。它与给定直线的交点："
             ),
-            _ => both!(
+            Method::Burmester => both!(
                 "For a pivot $M$ these are four linear equations in the pin; two cubics in $M$ vanish together in at most four points, Burmester's. Of these:",
                 "对固定铰链 $M$，这是铰链坐标的四个线性方程；$M$ 的两个三次式同时为零，至多有四个点，即布尔梅斯特点。取其中："
             ),

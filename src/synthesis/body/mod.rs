@@ -19,6 +19,7 @@ use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use burmester::Pair;
 use pose::{Position, centre};
+use std::cmp::Ordering;
 
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
@@ -39,6 +40,25 @@ struct Body {
     /// Pivots A and D.
     ground: [Option<Point>; 2],
     line: Option<(Point, Vec2)>,
+}
+
+/// How the pins are found, which the number of positions decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Method {
+    /// Two or three positions: bisectors.
+    Bisectors,
+    /// Four: the centre-point curve and a line.
+    Curve,
+    /// Five: where two curves cross.
+    Burmester,
+}
+
+fn method(count: usize) -> Method {
+    match count.cmp(&4) {
+        Ordering::Less => Method::Bisectors,
+        Ordering::Equal => Method::Curve,
+        Ordering::Greater => Method::Burmester,
+    }
 }
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -110,9 +130,9 @@ fn positions(form: &Form) -> Option<Vec<Position>> {
 /// Whether what is given fits the number of positions.
 fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Option<Point>; 2], line: bool) -> bool {
     let dyads = [0, 1].map(|i| (moving[i].is_some(), ground[i].is_some()));
-    let (message, help) = match count {
-        2 | 3 if dyads.iter().all(|(m, g)| m != g) => return true,
-        2 | 3 => (
+    let (message, help) = match method(count) {
+        Method::Bisectors if dyads.iter().all(|(m, g)| m != g) => return true,
+        Method::Bisectors => (
             both!(
                 "of each side of the linkage its pin or its pivot is given: B or A, C or D",
                 "机构每一侧应给出动铰链或固定铰链之一：B 或 A，C 或 D"
@@ -122,8 +142,8 @@ fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Optio
                 "请写 \"moving\": {{\"B\": [...], \"C\": [...]}} 或 \"ground\": {{\"A\": [...], \"D\": [...]}}"
             ),
         ),
-        4 if line && dyads == [(false, false); 2] => return true,
-        4 => (
+        Method::Curve if line && dyads == [(false, false); 2] => return true,
+        Method::Curve => (
             both!(
                 "with four positions the pivots lie on a curve: a line that cuts it is wanted, and neither pins nor pivots",
                 "四个位置时固定铰链在圆心曲线上：应给出与之相交的直线，而不是铰链"
@@ -133,8 +153,8 @@ fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Optio
                 "请写 \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}"
             ),
         ),
-        _ if !line && dyads == [(false, false); 2] => return true,
-        _ => (
+        Method::Burmester if !line && dyads == [(false, false); 2] => return true,
+        Method::Burmester => (
             both!("five positions fix pins and pivots by themselves", "五个位置时铰链已完全确定"),
             both!(
                 "leave \"moving\", \"ground\" and \"line\" out, or give fewer positions",
@@ -153,18 +173,18 @@ impl Wish for Body {
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = Vec::new();
-        let pairs = match self.positions.len() {
-            2 | 3 => vec![self.dyad(0, &mut notes)?, self.dyad(1, &mut notes)?],
-            4 => {
+        let pairs = match self.method() {
+            Method::Bisectors => vec![self.dyad(0, &mut notes)?, self.dyad(1, &mut notes)?],
+            Method::Curve => {
                 let (through, direction) = self.line.unwrap_or((Point::ORIGIN, Vec2::new(1.0, 0.0)));
                 burmester::on_line(&self.positions, through, direction)
             }
-            _ => burmester::of_five(&self.positions),
+            Method::Burmester => burmester::of_five(&self.positions),
         };
         if pairs.len() < 2 {
             return Err(self.too_few(pairs.len()).into());
         }
-        let fixed = self.positions.len() < 4;
+        let fixed = self.method() == Method::Bisectors;
         let mut drafts = Vec::new();
         for i in 0..pairs.len() {
             for j in (0..pairs.len()).filter(|j| *j != i && (i < *j || !fixed)) {
@@ -205,6 +225,10 @@ fn told(k: usize, p: &Pair) -> Vec<Number> {
 }
 
 impl Body {
+    fn method(&self) -> Method {
+        method(self.positions.len())
+    }
+
     /// The poles of all displacements.
     fn poles(&self) -> Vec<Number> {
         let mut out = Vec::new();
@@ -266,22 +290,22 @@ impl Body {
     }
 
     fn too_few(&self, count: usize) -> Diagnostic {
-        let message = match self.positions.len() {
-            4 => both!(
+        let message = match self.method() {
+            Method::Bisectors | Method::Curve => both!(
                 "the line meets the centre-point curve in {count} point: a linkage has two pivots",
                 "直线与圆心曲线只有 {count} 个交点：机构需要两个固定铰链"
             ),
-            _ => both!(
+            Method::Burmester => both!(
                 "these five positions have {count} real pairs of pin and pivot: their other roots are complex",
                 "这五个位置有 {count} 对实的铰链：其余根为复数"
             ),
         };
-        let help = match self.positions.len() {
-            4 => both!(
+        let help = match self.method() {
+            Method::Bisectors | Method::Curve => both!(
                 "move or turn \"line\": through the poles P12, P23, P34 the curve is near",
                 "请移动或转动 \"line\"：曲线经过转动极 P12、P23、P34"
             ),
-            _ => both!("leave one position out: four positions always have a curve of pins", "请去掉一个位置：四个位置总有一条铰链曲线"),
+            Method::Burmester => both!("leave one position out: four positions always have a curve of pins", "请去掉一个位置：四个位置总有一条铰链曲线"),
         };
         Diagnostic::error("no-real-solution", message).help(help)
     }
@@ -306,9 +330,9 @@ impl Body {
             numbers.push(Number::length(&format!("{name}_x"), both!("place of {name}", "{name} 的位置"), at.x));
             numbers.push(Number::length(&format!("{name}_y"), both!("place of {name}", "{name} 的位置"), at.y));
         }
-        let which = match self.positions.len() {
-            2 | 3 => both!("crank at A", "以 A 处构件为原动件"),
-            _ => both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1),
+        let which = match self.method() {
+            Method::Bisectors => both!("crank at A", "以 A 处构件为原动件"),
+            Method::Curve | Method::Burmester => both!("pivots {} and {}", "固定铰链 {} 与 {}", which[0] + 1, which[1] + 1),
         };
         Draft { ordered: true, remarks: remarks(&four), ..Draft::new(which, four.scene(heading), numbers, wanted) }
     }

@@ -4,13 +4,14 @@
 //! that is not given is an unknown. As many pairs as unknowns are met exactly ([`freudenstein`]; with crank and frame given, by
 //! inversion), more by least squares, or the greatest deviation is made least (`"fit": "minimax"`).
 
+mod course;
 mod drawing;
 mod explained;
 pub mod freudenstein;
 
 use super::board::Board;
 use super::body::pose::centre;
-use super::candidate::{Compared, Draft, Number, Wanted};
+use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
@@ -18,7 +19,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use crate::scene::front::Curve;
-use freudenstein::{Generator, Steps, exact, extremes, least_squares, linear, minimax};
+use freudenstein::{Generator, Steps, exact, least_squares, linear, minimax};
 use std::f64::consts::PI;
 
 /// The kind.
@@ -401,54 +402,5 @@ impl Function {
             remarks,
             ..Draft::new(which.clone(), four.scene(heading), numbers, wanted)
         })
-    }
-
-    /// Wanted against real over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
-    fn sampled(&self, g: &Generator) -> Vec<Compared> {
-        let Target::Curve { range, swings, .. } = &self.target else { return Vec::new() };
-        let count = (swings[0].abs().to_degrees() * 2.0).round().clamp(40.0, 720.0) as usize;
-        let place = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / count as f64;
-        let compared = |i: usize| {
-            let step = self.target.step(place(i))?;
-            let wanted = g.start[1] + step[1];
-            Some(Compared { x: place(i), input: g.start[0] + step[0], wanted, real: wanted + g.deviation(step)? })
-        };
-        (0..=count).filter_map(compared).collect()
-    }
-
-    /// The greatest deviation, returned too, and where the extremes lie; of pairs the deviations there.
-    fn deviations(&self, g: &Generator, numbers: &mut Vec<Number>) -> f64 {
-        let deviation = both!("structural error", "结构误差");
-        match &self.target {
-            Target::Curve { range, .. } => {
-                let step_of = |x: f64| self.target.step(x);
-                let places = extremes(g, *range, &step_of);
-                let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
-                let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
-                if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
-                    numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
-                    numbers.push(Number::ratio("x_max", both!("where it is", "所在处"), *x));
-                }
-                for (k, (x, e)) in all.iter().enumerate() {
-                    numbers.push(Number::ratio(&format!("x_{k}"), both!("place of an extreme deviation", "偏差极值处"), *x));
-                    numbers.push(Number::angle(&format!("error_{k}"), deviation.clone(), *e));
-                }
-            }
-            Target::Pairs => {
-                let all: Vec<f64> = self.steps.iter().filter_map(|s| g.deviation(*s)).collect();
-                let rest = self.steps.iter().map(|s| g.rest(*s)).map(|r| r * r).sum::<f64>().sqrt();
-                numbers.push(Number::angle(
-                    "max_error",
-                    both!("greatest deviation at the pairs", "各对应位置的最大偏差"),
-                    all.iter().copied().fold(0.0, |m: f64, e| if e.abs() > m.abs() { e } else { m }),
-                ));
-                numbers.push(Number::ratio(
-                    "residual",
-                    both!("norm of the rests of Freudenstein's equation", "弗洛伊登斯坦方程残差的范数"),
-                    rest,
-                ));
-            }
-        }
-        numbers.iter().find(|n| n.name == "max_error").map_or(0.0, |n| n.value.abs())
     }
 }

@@ -20,16 +20,22 @@ pub const KIND: KindOfTask = KindOfTask {
     read,
 };
 
-/// The linkages.
-const LINKAGES: [&str; 5] = ["crank-rocker", "slider-crank", "slotted-lever", "whitworth", "shaper"];
+/// What reads the wish for a linkage.
+type Reader = fn(&Form) -> Option<Box<dyn Wish>>;
+
+/// The linkages, each with what reads it.
+const LINKAGES: [(&str, Reader); 5] = [
+    ("crank-rocker", crank_rocker::read),
+    ("slider-crank", slider_crank::read),
+    ("slotted-lever", slotted::lever),
+    ("whitworth", slotted::whitworth),
+    ("shaper", slotted::shaper),
+];
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
     form.need("linkage", "\"crank-rocker\"")?;
-    match form.choice("linkage", &LINKAGES)? {
-        "crank-rocker" => crank_rocker::read(form),
-        "slider-crank" => slider_crank::read(form),
-        slotted => slotted::read(form, slotted),
-    }
+    let name = form.choice("linkage", &LINKAGES.map(|l| l.0))?;
+    LINKAGES.iter().find(|l| l.0 == name).and_then(|(_, read)| read(form))
 }
 
 /// The time ratio and its angle θ, from either; a K below one is the other stroke's.

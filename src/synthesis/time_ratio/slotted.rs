@@ -44,21 +44,34 @@ enum Kind {
     Whitworth { stroke: f64, link: f64 },
 }
 
-/// Reads one of the three.
-pub(super) fn read(form: &Form, linkage: &str) -> Option<Box<dyn Wish>> {
+/// Reads the lever alone.
+pub(super) fn lever(form: &Form) -> Option<Box<dyn Wish>> {
+    let lever = if form.has("rocker") { form.size("rocker").map(Some) } else { Some(None) };
+    read(form, lever.map(|lever| Kind::Lever { lever }), Vec::new())
+}
+
+/// Reads the shaper.
+pub(super) fn shaper(form: &Form) -> Option<Box<dyn Wish>> {
+    let given = stroke(form).zip(form.need_size("link", "\"100 mm\""));
+    read(form, given.map(|(stroke, link)| Kind::Shaper { stroke, link }), Vec::new())
+}
+
+/// Reads Whitworth's linkage.
+pub(super) fn whitworth(form: &Form) -> Option<Box<dyn Wish>> {
+    let mut notes = Vec::new();
+    let stroke = stroke(form);
+    let link = if form.has("link") { form.size("link") } else { stroke.map(|h| chosen_link(h, &mut notes)) };
+    read(form, stroke.zip(link).map(|(stroke, link)| Kind::Whitworth { stroke, link }), notes)
+}
+
+fn stroke(form: &Form) -> Option<f64> {
+    form.need_size("stroke", "\"300 mm\"")
+}
+
+/// What all three have; `kind` is none where its own keys have a fault.
+fn read(form: &Form, kind: Option<Kind>, mut notes: Vec<Diagnostic>) -> Option<Box<dyn Wish>> {
     let ratio = Ratio::read(form);
     let one = one_of(form, ["crank", "frame"]);
-    let stroke = || form.need_size("stroke", "\"300 mm\"");
-    let mut notes = Vec::new();
-    let kind = match linkage {
-        "shaper" => stroke().zip(form.need_size("link", "\"100 mm\"")).map(|(stroke, link)| Kind::Shaper { stroke, link }),
-        "whitworth" => {
-            let stroke = stroke();
-            let link = if form.has("link") { form.size("link") } else { stroke.map(|h| chosen_link(h, &mut notes)) };
-            stroke.zip(link).map(|(stroke, link)| Kind::Whitworth { stroke, link })
-        }
-        _ => Some(Kind::Lever { lever: if form.has("rocker") { Some(form.size("rocker")?) } else { None } }),
-    };
     let (ratio, (key, size), kind) = (ratio?, one?, kind?);
     if ratio.theta == 0.0 {
         let d = Diagnostic::error("no-real-solution", both!("with K = 1 a slotted lever has no swing", "K = 1 时导杆没有摆角"));
