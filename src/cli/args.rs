@@ -366,6 +366,9 @@ pub struct Limits {
     /// Which driver moves, by its name (`phi_1`, `s_B`, `l_BC`, `driver2`); the others stand
     #[arg(long, value_name = "NAME")]
     pub over: Option<String>,
+    /// Of a four-bar: for which values of each length, the three others held, it has which of Grashof's types
+    #[arg(long)]
+    pub ranges: bool,
     /// As JSON, in SI
     #[arg(long)]
     pub json: bool,

@@ -243,6 +243,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("cam", "json", "结果为 JSON，国际单位制，角度为弧度"),
     ("cam", "dpi", "PNG 的分辨率（dpi）"),
     ("limits", "", "原动件的活动范围、极限位置和行程、行程速比系数、传动角、格拉斯霍夫类型"),
+    ("limits", "ranges", "四杆机构：其余三杆不变时，各杆长在什么范围内属于哪种类型"),
     ("limits", "json", "结果为 JSON，国际单位制"),
     ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
     ("centres", "*after", "带点元法圆图的图：hodograph draw SCENE --figure centres -o centres.svg"),

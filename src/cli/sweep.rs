@@ -64,7 +64,14 @@ pub fn limits(a: Limits) -> Run {
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.over.as_deref())?;
     let limits = extreme::limits(&input.scene, &mechanism, driver).map_err(|f| input.failed(f))?;
-    if a.json {
+    if a.ranges {
+        let all = report::ranges::of(&limits).map_err(|d| input.failed(d.into()))?;
+        if a.json {
+            files::print(&format!("{:#}\n", report::ranges::json(&all)))?;
+        } else {
+            files::print(&report::ranges::text(&input.scene, &all, lang))?;
+        }
+    } else if a.json {
         files::print(&format!("{:#}\n", report::json(&input.scene, driver, &limits)))?;
     } else {
         files::print(&report::text(&input.scene, driver, &limits, lang))?;

@@ -1,5 +1,7 @@
 //! The motion as a whole for people and programs: range of the driver, extremes of the outputs, transmission angles, Grashof.
 
+pub mod ranges;
+
 use crate::diag::{Both, both};
 use crate::digits::significant;
 use crate::paper::phrase::tr;

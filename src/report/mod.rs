@@ -10,6 +10,7 @@ pub mod composite;
 pub mod construction;
 pub mod curvature;
 pub mod curvature_json;
+mod curvature_legend;
 mod curvature_steps;
 pub mod diagnostics;
 pub mod drafting;

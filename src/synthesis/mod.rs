@@ -24,6 +24,7 @@ pub mod cognates;
 pub(crate) mod form;
 pub mod fourbar;
 pub mod function;
+pub mod grashof;
 pub mod judge;
 pub mod limits;
 mod order;

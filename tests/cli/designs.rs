@@ -58,3 +58,15 @@ fn any_candidate_is_drawn_and_one_that_is_not_there_is_told() {
     }
     assert!(!folder.path().join("x.html").exists() && !folder.path().join("x").exists());
 }
+
+/// Ranges of the lengths of a four-bar, and what is no four-bar.
+#[test]
+fn ranges_of_lengths_are_told() {
+    let run = hodograph().args(["limits", &super::templates_path("crank-rocker"), "--ranges"]).assert().success();
+    let said = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    assert!(said.contains("200.0 mm .. 400.0 mm  crank-rocker; change point at the end"), "{said}");
+    let run = hodograph().args(["limits", &super::templates_path("crank-rocker"), "--ranges", "--json"]).assert().success();
+    let told: serde_json::Value = serde_json::from_slice(&run.get_output().stdout).unwrap();
+    assert_eq!(told[3]["ranges"][0]["type"], "double crank (drag link)");
+    hodograph().args(["limits", &super::templates_path("slider-crank"), "--ranges"]).assert().code(2);
+}

@@ -72,6 +72,7 @@ fn text(w: &Wanted, words: &Words, of: &OfLink) -> Part {
         add(&Phrase::of_pieces(Phrase::new(&format!("{}. ", k + 1)).pieces().iter().chain(step.pieces()).cloned().collect()));
     }
     words.told(of).iter().for_each(&mut add);
+    words.legend(of).iter().for_each(&mut add);
     let row = |(k, label): (usize, Label)| {
         let cell =
             Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: "remark".into(), id: format!("curvature-line-{}", k + 1) };

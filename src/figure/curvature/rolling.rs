@@ -77,7 +77,8 @@ pub fn figure(w: &Wanted, found: &Curvature, of: &OfLink) -> Result<Figure, Faul
     board.spots();
     let (_, mu) = maker.caption(Level::Position);
     let caption = format!("{} – {} ({})", maker.words().centrodes, words.heading(of), maker.words().fixed_moving);
-    let part = maker.titled(board.d.finish(), Label::text(caption), &mu, "centrodes");
+    let under = format!("{},\\quad {mu}", words.centrode_legend(of));
+    let part = maker.titled(board.d.finish(), Label::text(caption), &under, "centrodes");
     let mut figure = maker.alone(part);
     figure.desc = format!("{} – {}", maker.words().centrodes, words.heading(of));
     Ok(figure)

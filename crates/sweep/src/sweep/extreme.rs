@@ -410,18 +410,22 @@ fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
         length(output.0, output.1, pin)?,
         length(scene.ground, pivot, output.1)?,
     ];
-    let shortest = (0..4).min_by(|&a, &b| lengths[a].total_cmp(&lengths[b]))?;
+    Some((grashof_of(lengths), lengths))
+}
+
+/// The type of a four-bar of these lengths: driver, coupler, output, frame.
+pub fn grashof_of(lengths: [f64; 4]) -> Grashof {
+    let shortest = (0..4).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
     let (least, most) = (lengths[shortest], lengths.iter().copied().fold(0.0, f64::max));
     let excess = 2.0 * (least + most) - lengths.iter().sum::<f64>();
     // What a person writes is equal to ten digits: a sum that differs by rounding is none.
-    let kind = if excess.abs() <= 1e-12 * most {
+    if excess.abs() <= 1e-12 * most {
         Grashof::ChangePoint
     } else if excess > 0.0 {
         Grashof::TripleRocker
     } else {
         [Grashof::CrankRocker, Grashof::DoubleRocker, Grashof::RockerCrank, Grashof::DoubleCrank][shortest]
-    };
-    Some((kind, lengths))
+    }
 }
 
 impl Limits {
