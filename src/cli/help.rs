@@ -272,6 +272,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("synth", "*after", "起步：hodograph new time-ratio > wish.json && hodograph synth wish.json；作图：hodograph draw wish.json -o out/；题目与解答：hodograph worksheet wish.json -o sheet.pdf"),
     ("synth", "file", "综合文件；`-` 表示标准输入"),
     ("synth", "set", "改变文件中参数的值：NAME=VALUE；不带单位的数沿用原单位"),
+    ("synth", "speed", "搜索用时及每秒计算的位置数（写到标准错误）"),
     ("synth", "pick", "第几个方案，按表中次序从 1 数起"),
     ("synth", "output", "把所选方案的机构文件写入这个文件（默认：第一个方案）"),
     ("synth", "json", "各方案为 JSON，国际单位制，附机构文件"),

@@ -5,6 +5,7 @@ use super::values::Format;
 use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
+use crate::digits::significant;
 use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::figure::synthesis as figure;
@@ -17,6 +18,7 @@ use crate::worksheet::{Options, Sides};
 use clap::Args as ClapArgs;
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Instant;
 
 /// The arguments of the command.
 #[derive(ClapArgs, Debug)]
@@ -42,6 +44,9 @@ pub struct Synth {
     /// The construction with ruler and paper too, step by step, with the lengths measured
     #[arg(long, conflicts_with = "json")]
     pub steps: bool,
+    /// Of a search: how long it took, and how many positions it evaluated a second (on standard error)
+    #[arg(long)]
+    pub speed: bool,
 }
 
 /// A synthesis file, read and solved.
@@ -117,9 +122,14 @@ impl Solved {
 
 /// Runs the command.
 pub fn run(a: Synth) -> Run {
+    let start = Instant::now();
     let solved = Solved::read(&a.file, &a.set)?;
+    let took = start.elapsed().as_secs_f64();
     let picked = solved.picked(a.pick)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();
+    if a.speed {
+        files::say(lang::of(&speed(&solved.design, took)));
+    }
     if let Some(path) = &a.output {
         files::write(Path::new(path), solved.design.candidates[picked].scene_text().as_bytes())?;
     }
@@ -140,6 +150,20 @@ pub fn run(a: Synth) -> Run {
     }
     solved.say_notes();
     Ok(ExitCode::SUCCESS)
+}
+
+/// How fast the search was; other kinds have nothing to count.
+fn speed(design: &Design, seconds: f64) -> Both {
+    let took = significant(seconds, 3);
+    match design.numbers.iter().find(|n| n.name == "evaluations") {
+        Some(n) => both!(
+            "{} positions in {took} s: {} a second\n",
+            "{} 个位置，用时 {took} s：每秒 {} 个\n",
+            n.value,
+            significant(n.value / seconds.max(1e-9), 3)
+        ),
+        None => both!("solved in {took} s\n", "用时 {took} s\n"),
+    }
 }
 
 /// What is said where a kind has no construction with ruler and compasses.

@@ -59,11 +59,11 @@ impl Words<'_> {
     /// The legend of the centrodes of a link, in the label language.
     pub fn centrode_legend(&self, of: &OfLink) -> String {
         let pole = self.pole(of);
-        let [is_pole, tangent, paths] = match self.lang {
-            Lang::En => [" pole", " common tangent", " its paths in the fixed and the moving plane"],
-            Lang::Zh => [" 瞬心", " 公切线", " 瞬心在定平面与动平面中的轨迹"],
+        let [is_pole, paths] = match self.lang {
+            Lang::En => [" pole", " its paths in the fixed and the moving plane"],
+            Lang::Zh => [" 瞬心", " 瞬心在定平面与动平面中的轨迹"],
         };
-        format!("{pole}\\text{{{is_pole}}},\\quad t\\text{{{tangent}}},\\quad p,\\,p'\\text{{{paths}}}")
+        format!("{pole}\\text{{{is_pole}}},\\quad p,\\,p'\\text{{{paths}}}")
     }
 
     fn legend_of_rays(&self, rays: &Rays, add: &mut dyn FnMut(String, &'static str, &'static str)) {

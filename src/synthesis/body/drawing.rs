@@ -1,8 +1,10 @@
 //! Body guidance drawn: bisectors for two and three positions, inversion for given pivots, the centre-point curve for four and five.
 
-use super::{Body, Method};
+use super::among::Among;
 use super::pose::Position;
+use super::{Body, Method};
 use crate::diag::both;
+use crate::digits::significant;
 use crate::geom::{Point, Vec2};
 use crate::synthesis::board::{Board, Line, Weight, cross_circles};
 use crate::synthesis::candidate::Draft;
@@ -128,7 +130,10 @@ impl Body {
             });
         }
         let roots = match self.method() {
-            Method::Bisectors | Method::Curve => self.on_the_line(board, &curve, quadrilateral)?,
+            Method::Bisectors | Method::Curve => match self.among {
+                Some(among) => self.among_them(draft, board, among, &curve, quadrilateral),
+                None => self.on_the_line(board, &curve, quadrilateral)?,
+            },
             Method::Burmester => self.on_both(board, &curve, quadrilateral)?,
         };
         // The design's two pivots are meant.
@@ -171,6 +176,37 @@ impl Body {
             board.line(line.place(low - over), line.place(high + over), Weight::Given);
         }
         Some(roots)
+    }
+
+    /// Within a box: where the curve has the height of the chosen pivots; at inscribed angles: where their circles cross.
+    fn among_them(&self, draft: &Draft, board: &mut Board, among: Among, curve: &[Vec<Found>], poles: [Point; 4]) -> Vec<Point> {
+        match among {
+            Among::Box(corners) => {
+                let [p, q] = corners.map(|c| board.at(c));
+                let corners = [p, Point::new(q.x, p.y), q, Point::new(p.x, q.y)];
+                board.step(both!("Of the curve within the given box the pivots are chosen: A and D at their heights", "在给定方框内的曲线上选取固定铰链 A、D"));
+                for k in 0..4 {
+                    board.line(corners[k], corners[(k + 1) % 4], Weight::Given);
+                }
+                let heights = draft.numbers.iter().filter(|n| n.name == "A_y" || n.name == "D_y").map(|n| board.mm(n.value));
+                heights.flat_map(|y| crossings(curve, poles, &|m: Point| m.y - y)).collect()
+            }
+            Among::Angles(angles) => {
+                let [a, d] = angles.map(|b| significant(b.to_degrees(), 4));
+                board.step(both!(
+                    "The circles of the inscribed angle {a}° cross in A, those of {d}° in D",
+                    "圆周角为 {a}° 的两圆交于 A，圆周角为 {d}° 的两圆交于 D"
+                ));
+                for angle in angles {
+                    for (p, q) in [(poles[0], poles[1]), (poles[2], poles[3])] {
+                        if let Some((c, r)) = over(p, q, angle) {
+                            board.circle(c, r, Weight::Thin);
+                        }
+                    }
+                }
+                angles.into_iter().filter_map(|b| at_angle(poles, b)).flatten().collect()
+            }
+        }
     }
 
     /// Where the curves of 1234 and of 1235 cross: the angles over P₁₂P₂₃ and P₁₅P₃₅ are equal too.

@@ -1,5 +1,6 @@
 //! Body guidance as a problem, and the formulas of its proof: circles through three places, poles, Burmester's conditions.
 
+use super::among::Among;
 use super::{Body, Method};
 use crate::diag::{Both, both};
 use crate::geom::Point;
@@ -42,6 +43,21 @@ impl Body {
                 place(through),
                 angle(direction.angle())
             ));
+        }
+        match self.among {
+            Some(Among::Box([p, q])) => given.push(both!(
+                "box for the pivots: from ${}$ to ${}$; the best transmission angle is wanted",
+                "固定铰链应在方框内：由 ${}$ 到 ${}$，并使传动角最好",
+                place(p),
+                place(q)
+            )),
+            Some(Among::Angles([a, d])) => given.push(both!(
+                "inscribed angles of the pivots over $P_{{12}}P_{{23}}$: $\\beta_A = {}$, $\\beta_D = {}$",
+                "固定铰链对 $P_{{12}}P_{{23}}$ 的圆周角：$\\beta_A = {}$，$\\beta_D = {}$",
+                angle(a),
+                angle(d)
+            )),
+            None => {}
         }
         let task = both!(
             "Design a four-bar $ABCD$ whose coupler $BC$ carries a body through the {} given positions.",
@@ -102,8 +118,8 @@ impl Body {
         let at = |name: &str| place(Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y"))));
         let conditions = match self.method() {
             Method::Bisectors | Method::Curve => both!(
-                "For a pivot $M$ these are three linear equations in the pin; they agree where a determinant of the third degree in $M$ vanishes: the centre-point curve. Where it crosses the given line:",
-                "对固定铰链 $M$，这是铰链坐标的三个线性方程；相容条件是 $M$ 的三次式为零，即圆心曲线。它与给定直线的交点："
+                "For a pivot $M$ these are three linear equations in the pin; they agree where a determinant of the third degree in $M$ vanishes: the centre-point curve. Of its points that are allowed:",
+                "对固定铰链 $M$，这是铰链坐标的三个线性方程；相容条件是 $M$ 的三次式为零，即圆心曲线。在其允许的点中取："
             ),
             Method::Burmester => both!(
                 "For a pivot $M$ these are four linear equations in the pin; two cubics in $M$ vanish together in at most four points, Burmester's. Of these:",

@@ -4,6 +4,7 @@
 //! the circle about its pin. Two positions leave one thing free on each bisector, four fix a curve of pins (taken where a line cuts it),
 //! five fix up to four pins. Each pair of pins with its centres is a four-bar; either may drive.
 
+mod among;
 pub mod burmester;
 mod drawing;
 mod explained;
@@ -17,6 +18,7 @@ use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
+use among::Among;
 use burmester::Pair;
 use pose::{Position, centre};
 use std::cmp::Ordering;
@@ -25,7 +27,7 @@ use std::cmp::Ordering;
 pub const KIND: KindOfTask = KindOfTask {
     name: "body",
     what: ["a coupler through two to five positions", "按连杆的二至五个预定位置设计"],
-    keys: &["positions", "moving", "ground", "line"],
+    keys: &["positions", "moving", "ground", "line", "box", "angles"],
     read,
 };
 
@@ -40,6 +42,8 @@ struct Body {
     /// Pivots A and D.
     ground: [Option<Point>; 2],
     line: Option<(Point, Vec2)>,
+    /// Of four positions, where there is no line.
+    among: Option<Among>,
 }
 
 /// How the pins are found, which the number of positions decides.
@@ -79,11 +83,22 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     };
     let moving = ["B", "C"].map(|n| find(&moving, n).map(Point::to_vec2));
     let ground = ["A", "D"].map(|n| find(&ground, n));
+    let among = among::read(form)?;
     let positions = positions?;
-    if !enough(form, positions.len(), &moving, &ground, line.is_some()) {
+    let count = positions.len();
+    if among.is_some() && (line.is_some() || method(count) != Method::Curve) {
+        let message = both!(
+            "\"box\" and \"angles\" choose pivots of four positions, in the place of \"line\"",
+            "\"box\" 与 \"angles\" 只用于四个位置，代替 \"line\""
+        );
+        let d = Diagnostic::error("wrong-given", message).at(form.span(if form.has("box") { "box" } else { "angles" }));
+        form.fault(d.help(both!("leave it out", "请去掉它")));
         return None;
     }
-    Some(Box::new(Body { positions, moving, ground, line }))
+    if !enough(form, count, &moving, &ground, line.is_some() || among.is_some()) {
+        return None;
+    }
+    Some(Box::new(Body { positions, moving, ground, line, among }))
 }
 
 fn positions(form: &Form) -> Option<Vec<Position>> {
@@ -145,12 +160,12 @@ fn enough(form: &Form, count: usize, moving: &[Option<Vec2>; 2], ground: &[Optio
         Method::Curve if line && dyads == [(false, false); 2] => return true,
         Method::Curve => (
             both!(
-                "with four positions the pivots lie on a curve: a line that cuts it is wanted, and neither pins nor pivots",
-                "四个位置时固定铰链在圆心曲线上：应给出与之相交的直线，而不是铰链"
+                "with four positions the pivots lie on a curve: a line that cuts it, a box or two inscribed angles are wanted, and neither pins nor pivots",
+                "四个位置时固定铰链在圆心曲线上：应给出与之相交的直线、方框或两个圆周角，而不是铰链"
             ),
             both!(
-                "write \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}",
-                "请写 \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}"
+                "write \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}, \"box\": {{\"from\": [...], \"to\": [...]}} or \"angles\": [\"40 deg\", \"110 deg\"]",
+                "请写 \"line\": {{\"through\": [\"0 mm\", \"40 mm\"], \"angle\": \"0 deg\"}}、\"box\": {{\"from\": [...], \"to\": [...]}} 或 \"angles\": [\"40 deg\", \"110 deg\"]"
             ),
         ),
         Method::Burmester if !line && dyads == [(false, false); 2] => return true,
@@ -173,6 +188,9 @@ impl Wish for Body {
 
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = Vec::new();
+        if let Some(among) = self.among {
+            return self.chosen(among, heading);
+        }
         let pairs = match self.method() {
             Method::Bisectors => vec![self.dyad(0, &mut notes)?, self.dyad(1, &mut notes)?],
             Method::Curve => {
@@ -225,6 +243,26 @@ fn told(k: usize, p: &Pair) -> Vec<Number> {
 }
 
 impl Body {
+    /// Four positions, the pivots in a box or at two inscribed angles.
+    fn chosen(&self, among: Among, heading: &Heading) -> Result<Found, Faults> {
+        let pairs = among::pairs(&self.positions, among);
+        if pairs.is_empty() {
+            let (message, help) = match among {
+                Among::Box(_) => (
+                    both!("within the box the centre-point curve has no two pivots of a linkage", "方框内的圆心曲线上没有两个可用的固定铰链"),
+                    both!("make the box larger: the curve passes through the poles P12, P23, P34, P14", "请放大方框：曲线经过转动极 P12、P23、P34、P14"),
+                ),
+                Among::Angles(_) => (
+                    both!("the circles of one of these angles do not cross", "其中一个圆周角的两圆不相交"),
+                    both!("take other angles, or give a \"box\"", "请改变角度，或给出 \"box\""),
+                ),
+            };
+            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+        }
+        let drafts = pairs.iter().enumerate().map(|(k, p)| self.draft(*p, [2 * k, 2 * k + 1], heading)).collect();
+        Ok(Found { drafts, numbers: self.poles(), notes: Vec::new() })
+    }
+
     fn method(&self) -> Method {
         method(self.positions.len())
     }

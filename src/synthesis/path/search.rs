@@ -4,13 +4,15 @@
 //! Differential evolution (Storn and Price, rand/1/bin) works on distances to a sampled curve; a Gauss–Newton step eliminates the crank
 //! angle of each place by projecting on the curve's normal, so that nine unknowns are left however many places there are
 //! (Levenberg's damping guards the first steps). Runs follow one another, each with a stream of its own, until the best has been found
-//! three times or the places are met; their number is bounded. Everything is sequential and by libm: the same bytes on any machine.
+//! three times or the places are met; their number is bounded. They go in waves of parallel runs that are looked at in order, and all functions
+//! are libm's: the same bytes on any machine and number of threads.
 
 use crate::geom::{Point, Vec2};
 use crate::synthesis::fourbar::meet;
 use nalgebra::{SMatrix, SVector};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Samples of a coupler curve.
@@ -22,6 +24,8 @@ const GENERATIONS: usize = 110;
 const RUNS: usize = 24;
 const LEAST: usize = 14;
 const HITS: usize = 3;
+/// Runs that are made at once.
+const WAVE: usize = 4;
 /// Linkages of a run that are refined.
 const REFINED: usize = 12;
 /// Optima that are told.
@@ -154,16 +158,16 @@ pub fn search(points: &[Point], seed: u64) -> Search {
     let mut out = Search::default();
     let (middle, size) = extent(points);
     let mut hits = 0;
-    for run in 0..RUNS {
+    let one = |run: usize| alone(points, middle, size, seed.wrapping_mul(1000).wrapping_add(run as u64));
+    let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
+    // A wave is run at once and looked at in order: what comes after the end is not counted, on however many threads.
+    let all = waves.flat_map(|wave| wave.into_par_iter().map(one).collect::<Vec<_>>());
+    for (run, (fits, evaluations)) in all.enumerate() {
         out.runs = run + 1;
-        let mut random = Random(Pcg64::seed_from_u64(seed.wrapping_mul(1000).wrapping_add(run as u64)));
-        let ranked = evolve(points, middle, size, &mut random, &mut out.evaluations);
+        out.evaluations += evaluations;
         let best = out.fits.first().map(|f| f.rms);
         let mut again_here = false;
-        for genes in ranked {
-            let linkage = Linkage::of(&genes);
-            let Some(cranks) = nearest(&linkage, points, &mut out.evaluations) else { continue };
-            let Some(fit) = refine(linkage, cranks, points, &mut out.evaluations) else { continue };
+        for fit in fits {
             let again = |f: &Fit| (f.rms - fit.rms).abs() <= 1e-9 * size.max(fit.rms);
             again_here |= best.is_some_and(|best| (best - fit.rms).abs() <= 1e-9 * size);
             if !out.fits.iter().any(again) {
@@ -179,6 +183,20 @@ pub fn search(points: &[Point], seed: u64) -> Search {
     }
     out.fits.truncate(TOLD);
     out
+}
+
+/// A run: its optima, and the positions evaluated.
+fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u64) {
+    let mut evaluations = 0;
+    let mut random = Random(Pcg64::seed_from_u64(seed));
+    let ranked = evolve(points, middle, size, &mut random, &mut evaluations);
+    let fits = ranked.iter().filter_map(|genes| {
+        let linkage = Linkage::of(genes);
+        let cranks = nearest(&linkage, points, &mut evaluations)?;
+        refine(linkage, cranks, points, &mut evaluations)
+    });
+    let fits = fits.collect();
+    (fits, evaluations)
 }
 
 /// Middle and size of the places.

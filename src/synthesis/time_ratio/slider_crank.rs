@@ -30,6 +30,8 @@ enum Third {
     Offset(f64),
     Crank(f64),
     Rod(f64),
+    /// Nothing: the offset that makes the greatest pressure angle least.
+    Best,
 }
 
 pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -40,6 +42,7 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
         ["offset"] => form.length("offset").map(Third::Offset),
         ["crank"] => form.size("crank").map(Third::Crank),
         ["rod"] => form.size("rod").map(Third::Rod),
+        [] if form.has("best") => form.choice("best", &["transmission"]).map(|_| Third::Best),
         _ => {
             let message = both!(
                 "one of `offset`, `crank`, `rod` is given beside K and the stroke",
@@ -48,12 +51,39 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
             form.fault(
                 Diagnostic::error("missing-key", message)
                     .at(form.span("stroke"))
-                    .help(both!("add \"offset\": \"20 mm\"", "请加上 \"offset\": \"20 mm\"")),
+                    .help(both!(
+                        "add \"offset\": \"20 mm\", or \"best\": \"transmission\" for the least pressure angle",
+                        "请加上 \"offset\": \"20 mm\"，或写 \"best\": \"transmission\" 以使压力角最小"
+                    )),
             );
             None
         }
     };
     Some(Box::new(SliderCrank { ratio: ratio?, stroke: stroke?, third: third? }))
+}
+
+/// The offset of the least greatest pressure angle, sin α = (a + e)/b: a stroke h, t = tan(θ/2). Scanned, then its slope's zero bisected.
+fn best_offset(h: f64, t: f64) -> f64 {
+    const STEPS: usize = 400;
+    let most = h / (2.0 * t);
+    let lengths = |e: f64| [(h * (h / 4.0 - e * t / 2.0)).max(0.0).sqrt(), (h * (h / 4.0 + e / (2.0 * t))).sqrt()];
+    let sine = |e: f64| {
+        let [a, b] = lengths(e);
+        (a + e) / b
+    };
+    // Of the sign of the slope: a' = −ht/4a, b' = h/4tb.
+    let slope = |e: f64| {
+        let [a, b] = lengths(e);
+        (1.0 - h * t / (4.0 * a)) * b - (a + e) * h / (4.0 * t * b)
+    };
+    let place = |k: usize| most * k as f64 / STEPS as f64;
+    let least = (1..STEPS).min_by(|p, q| sine(place(*p)).total_cmp(&sine(place(*q)))).unwrap_or(1);
+    let (mut low, mut high) = (place(least - 1), place(least + 1));
+    for _ in 0..80 {
+        let middle = (low + high) / 2.0;
+        if slope(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    (low + high) / 2.0
 }
 
 impl Wish for SliderCrank {
@@ -116,6 +146,7 @@ impl SliderCrank {
             Third::Offset(e) => e,
             Third::Crank(a) => (h * h / 2.0 - 2.0 * a * a) / (h * t),
             Third::Rod(b) => (2.0 * b * b - h * h / 2.0) * t / h,
+            Third::Best => best_offset(h, t),
         };
         let most = h / (2.0 * t);
         let off = e.abs();
@@ -128,7 +159,7 @@ impl SliderCrank {
                 Third::Offset(_) => {
                     both!("with the offset {} the square of the crank comes out negative", "偏距为 {} 时曲柄长的平方为负", metres(off))
                 }
-                Third::Crank(_) | Third::Rod(_) => {
+                Third::Crank(_) | Third::Rod(_) | Third::Best => {
                     both!("no offset gives this length: its value would be {}", "没有偏距能给出此长度：偏距将为 {}", metres(e))
                 }
             };

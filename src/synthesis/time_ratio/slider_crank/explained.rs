@@ -12,10 +12,15 @@ impl SliderCrank {
             Third::Offset(e) => both!("offset $e = {}$", "偏距 $e = {}$", length(e)),
             Third::Crank(a) => both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(a)),
             Third::Rod(b) => both!("rod $l_{{BC}} = {}$", "连杆 $l_{{BC}} = {}$", length(b)),
+            Third::Best => both!("the greatest pressure angle is to be as small as possible", "最大压力角应尽可能小"),
         };
         let wanted = match self.third {
             Third::Offset(_) => both!("the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"),
             Third::Crank(_) => both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$"),
+            Third::Best => both!(
+                "the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$",
+                "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$"
+            ),
             Third::Rod(_) => both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$"),
         };
         Statement {
