@@ -97,7 +97,8 @@ fn slider_cranks_and_slotted_levers_are_found_from_their_time_ratio() {
         let inner = a * r.between(0.3, 0.8);
         // While the lever turns from one dead line to the other the crank turns by twice the angle whose cosine is AC/AB.
         let quick = 2.0 * (inner / a).acos();
-        let task = json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
+        let task =
+            json!({"synthesis": "time-ratio", "linkage": "whitworth", "K": 2.0 * PI / quick - 1.0, "crank": mm(a), "stroke": "100 mm"});
         found(&task, &[("AB", a), ("AC", inner)]);
     }
 }
@@ -172,7 +173,8 @@ fn four_positions_choose_their_pivots_in_a_box() {
     let mut r = Mixed(7);
     for _ in 0..6 {
         let l = crank_rocker(&mut r);
-        let task = json!({"synthesis": "body", "positions": four(l), "box": {"from": [mm(-120.0), mm(-120.0)], "to": [mm(300.0), mm(150.0)]}});
+        let task =
+            json!({"synthesis": "body", "positions": four(l), "box": {"from": [mm(-120.0), mm(-120.0)], "to": [mm(300.0), mm(150.0)]}});
         let design = design(&task);
         for c in &design.candidates {
             for (x, y) in [("A_x", "A_y"), ("D_x", "D_y")] {
@@ -201,7 +203,10 @@ fn four_positions_find_a_linkage_by_the_inscribed_angles_of_its_pivots() {
         let task = json!({"synthesis": "body", "positions": four(l), "angles": angles});
         let design = design(&task);
         let lengths = [("AB", l[0]), ("BC", l[1]), ("CD", l[2]), ("AD", l[3])];
-        assert!(design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)), "{task}: {l:?}");
+        assert!(
+            design.candidates.iter().any(|c| lengths.iter().all(|(n, v)| (c.number(n).unwrap() * 1e3 - v).abs() < 1e-6 * v)),
+            "{task}: {l:?}"
+        );
     }
 }
 

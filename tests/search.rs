@@ -1,8 +1,8 @@
 //! The search for a path: known linkages found from their own curves, and the same bytes on any number of threads.
 
 use hodograph::geom::Point;
-use hodograph::synthesis::path::search::{Linkage, Search, search};
 use hodograph::geom::Vec2;
+use hodograph::synthesis::path::search::{Linkage, Search, search};
 use std::time::{Duration, Instant};
 
 /// Places of a known linkage's coupler point at equal turns of its crank.

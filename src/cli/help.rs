@@ -269,7 +269,11 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("attempts", "all", "列出所有典型错误，即使机构文件已写明某些错误"),
     ("attempts", "json", "结果为 JSON，国际单位制"),
     ("synth", "", "按综合文件设计机构：列出全部方案的尺寸、误差、缺陷和传动角，每个方案都是机构文件"),
-    ("synth", "*after", "起步：hodograph new time-ratio > wish.json && hodograph synth wish.json；作图：hodograph draw wish.json -o out/；题目与解答：hodograph worksheet wish.json -o sheet.pdf"),
+    (
+        "synth",
+        "*after",
+        "起步：hodograph new time-ratio > wish.json && hodograph synth wish.json；作图：hodograph draw wish.json -o out/；题目与解答：hodograph worksheet wish.json -o sheet.pdf",
+    ),
     ("synth", "file", "综合文件；`-` 表示标准输入"),
     ("synth", "set", "改变文件中参数的值：NAME=VALUE；不带单位的数沿用原单位"),
     ("synth", "speed", "搜索用时及每秒计算的位置数（写到标准错误）"),

@@ -206,7 +206,10 @@ pub fn no_pick(pick: Option<u64>) -> Result<(), Failure> {
 
 /// What a command cannot do with a synthesis file.
 fn not_of_tasks(option: &str) -> Failure {
-    let d = Diagnostic::error("not-a-scene", both!("{option} is of scenes, and this is a synthesis file", "{option} 只用于机构文件，而这是综合文件"));
+    let d = Diagnostic::error(
+        "not-a-scene",
+        both!("{option} is of scenes, and this is a synthesis file", "{option} 只用于机构文件，而这是综合文件"),
+    );
     let help = both!(
         "leave it out, or make a scene first: `hodograph synth FILE -o scene.json`",
         "请去掉它，或先生成机构文件：`hodograph synth FILE -o scene.json`"

@@ -230,14 +230,7 @@ fn wrapped(sentence: &str, style: &Style) -> Vec<Label> {
 }
 
 /// A figure with title, drawing, caption and text.
-fn page(
-    task: &Task,
-    part: &str,
-    items: Vec<Item>,
-    room: Rect,
-    text: (Option<Label>, Vec<Label>),
-    set: Set,
-) -> Figure {
+fn page(task: &Task, part: &str, items: Vec<Item>, room: Rect, text: (Option<Label>, Vec<Label>), set: Set) -> Figure {
     laid_out(task, part, items, room, text, set).0
 }
 

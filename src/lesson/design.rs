@@ -62,7 +62,10 @@ const WORDS: [(&str, [&str; 2]); 15] = [
     ),
     (
         "noscript",
-        ["The page needs JavaScript to move; without it, it shows the finished construction.", "本页需启用 JavaScript；未启用时仅显示完成的作图。"],
+        [
+            "The page needs JavaScript to move; without it, it shows the finished construction.",
+            "本页需启用 JavaScript；未启用时仅显示完成的作图。",
+        ],
     ),
 ];
 
@@ -197,7 +200,12 @@ fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
             let number = candidate.draft.numbers.iter().find(|n| n.name == r.name)?;
             let drawn = match r.angle {
                 true => format!("{}°", significant(b.value(r).to_degrees(), 5)),
-                false => format!("{} mm · {} = {} mm", significant(r.measured, 4), crate::digits::shortest(b.mu_l), significant(b.value(r) * 1e3, 5)),
+                false => format!(
+                    "{} mm · {} = {} mm",
+                    significant(r.measured, 4),
+                    crate::digits::shortest(b.mu_l),
+                    significant(b.value(r) * 1e3, 5)
+                ),
             };
             Some(row([escaped(&r.name), drawn, value(number)], "td"))
         })

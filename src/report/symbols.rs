@@ -13,7 +13,9 @@ pub fn symbols(sentence: &str) -> String {
     while k < all.len() {
         let apart = k == 0 || !all[k - 1].is_ascii_alphanumeric();
         match name(&all[k..]).filter(|_| apart) {
-            Some((length, formula)) if !all.get(k + length).is_some_and(char::is_ascii_alphanumeric) && !article(&all[k..k + length], &all[k + length..]) => {
+            Some((length, formula))
+                if !all.get(k + length).is_some_and(char::is_ascii_alphanumeric) && !article(&all[k..k + length], &all[k + length..]) =>
+            {
                 out += &format!("${formula}$");
                 k += length;
             }

@@ -212,9 +212,7 @@ pub fn pose_of(scene: &Scene, at: &Configuration) -> Posed {
         (l, points)
     });
     let block = |(g, path): (&Guide, &Option<Path>)| match path {
-        Some(Path::Line { direction, .. }) => {
-            Some(Block { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground })
-        }
+        Some(Path::Line { direction, .. }) => Some(Block { at: at.points[g.pin?.0]?, direction: *direction, fixed: g.on == scene.ground }),
         Some(Path::Arc { .. }) | None => None,
     };
     let sliders = scene.guides.iter().zip(&at.guides).filter_map(block).collect();

@@ -89,7 +89,11 @@ pub fn four_bar_wanted() -> Both {
 pub fn angle_of_limits(k: f64, theta: f64) -> Proof {
     Proof::new(
         both!("The crank angle between the limit positions follows from the time ratio:", "由行程速度变化系数求极位夹角："),
-        [format!("\\theta = 180\\degree \\times \\frac{{K − 1}}{{K + 1}} = 180\\degree \\times \\frac{{{0} − 1}}{{{0} + 1}} = {1}", number(k), angle(theta))],
+        [format!(
+            "\\theta = 180\\degree \\times \\frac{{K − 1}}{{K + 1}} = 180\\degree \\times \\frac{{{0} − 1}}{{{0} + 1}} = {1}",
+            number(k),
+            angle(theta)
+        )],
     )
 }
 
@@ -122,9 +126,6 @@ pub fn centre_of_three(what: Both, places: [Point; 3], sought: &str, found: Poin
     };
     Proof::new(
         what,
-        [
-            format!("{} ,\\quad {}", equation(places[0], places[1]), equation(places[0], places[2])),
-            format!("{sought} = {}", place(found)),
-        ],
+        [format!("{} ,\\quad {}", equation(places[0], places[1]), equation(places[0], places[2])), format!("{sought} = {}", place(found))],
     )
 }

@@ -123,8 +123,18 @@ impl Maker<'_> {
         }
         blocks.push(self.heading(2, "Measured on paper", "图上量取"));
         let head = match self.lang() {
-            Lang::En => ["quantity".into(), "measured".into(), format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))), "closed formula".to_owned()],
-            Lang::Zh => ["量".into(), "量取".into(), format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))), "公式".to_owned()],
+            Lang::En => [
+                "quantity".into(),
+                "measured".into(),
+                format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
+                "closed formula".to_owned(),
+            ],
+            Lang::Zh => [
+                "量".into(),
+                "量取".into(),
+                format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
+                "公式".to_owned(),
+            ],
         };
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];
         for (r, formula) in read {
@@ -172,7 +182,13 @@ impl Maker<'_> {
         let mut rows = vec![head.iter().map(|h| Phrase::new(h)).collect::<Vec<_>>()];
         let turned = |a: f64| degrees(a, 6);
         let row = |c: &Compared| {
-            let cells = [format!("${}$", inked(&significant(c.x, 5))), turned(c.input), turned(c.wanted), turned(c.real), degrees(c.deviation(), 3)];
+            let cells = [
+                format!("${}$", inked(&significant(c.x, 5))),
+                turned(c.input),
+                turned(c.wanted),
+                turned(c.real),
+                degrees(c.deviation(), 3),
+            ];
             cells.iter().map(|c| Phrase::new(c)).collect::<Vec<_>>()
         };
         let steps = course.len().clamp(2, ROWS) - 1;

@@ -53,7 +53,9 @@ fn any_candidate_is_drawn_and_one_that_is_not_there_is_told() {
         let run = hodograph().current_dir(folder.path()).args(&args).assert().code(2);
         assert!(String::from_utf8_lossy(&run.get_output().stderr).contains("leave --pick out"), "{args:?}");
     }
-    for refused in [&["worksheet", "body.json", "--find-the-mistake", "-o", "x.html"][..], &["lesson", "body.json", "--reveal", "-o", "x.html"]] {
+    for refused in
+        [&["worksheet", "body.json", "--find-the-mistake", "-o", "x.html"][..], &["lesson", "body.json", "--reveal", "-o", "x.html"]]
+    {
         hodograph().current_dir(folder.path()).args(refused).assert().code(2);
     }
     assert!(!folder.path().join("x.html").exists() && !folder.path().join("x").exists());

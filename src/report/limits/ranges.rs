@@ -18,7 +18,10 @@ pub fn of(limits: &Limits) -> Result<Vec<OfLength>, Diagnostic> {
     let Some((_, lengths)) = limits.grashof else {
         let d = Diagnostic::error(
             "not-a-four-bar",
-            both!("Grashof's types are of a four-bar of four pins with a crank as driver", "类型划分只用于由曲柄驱动的、四个转动副的四杆机构"),
+            both!(
+                "Grashof's types are of a four-bar of four pins with a crank as driver",
+                "类型划分只用于由曲柄驱动的、四个转动副的四杆机构"
+            ),
         );
         return Err(d.help(both!("leave --ranges out", "请去掉 --ranges")));
     };
@@ -53,11 +56,8 @@ pub fn text(scene: &Scene, all: &[OfLength], lang: Lang) -> String {
 
 /// In SI.
 pub fn json(all: &[OfLength]) -> Json {
-    let range = |r: &Range| {
-        json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point})
-    };
-    let one = |(which, now, ranges): &OfLength| {
-        json!({"length": named(*which, Lang::En), "now": now, "ranges": ranges.iter().map(range).collect::<Vec<_>>()})
-    };
+    let range =
+        |r: &Range| json!({"type": grashof_words(r.kind, Lang::En), "from": r.from, "to": r.to, "change_point_at_the_end": r.change_point});
+    let one = |(which, now, ranges): &OfLength| json!({"length": named(*which, Lang::En), "now": now, "ranges": ranges.iter().map(range).collect::<Vec<_>>()});
     Json::Array(all.iter().map(one).collect())
 }

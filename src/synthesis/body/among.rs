@@ -35,7 +35,10 @@ pub(super) fn read(form: &Form) -> Option<Option<Among>> {
     match (form.has("box"), form.has("angles")) {
         (false, false) => Some(None),
         (true, true) => {
-            let d = Diagnostic::error("wrong-given", both!("\"box\" and \"angles\" are two ways to choose", "\"box\" 与 \"angles\" 是两种选法"));
+            let d = Diagnostic::error(
+                "wrong-given",
+                both!("\"box\" and \"angles\" are two ways to choose", "\"box\" 与 \"angles\" 是两种选法"),
+            );
             form.fault(d.at(form.span("angles")).help(both!("keep one of the two", "请保留其中一个")));
             None
         }
@@ -57,7 +60,10 @@ pub(super) fn read(form: &Form) -> Option<Option<Among>> {
                 let angle = form.angle_of(n, "angles")?;
                 let inside = angle > 0.0 && angle < PI;
                 if !inside {
-                    let d = Diagnostic::error("out-of-range", both!("an inscribed angle lies between 0° and 180°", "圆周角应在 0° 与 180° 之间"));
+                    let d = Diagnostic::error(
+                        "out-of-range",
+                        both!("an inscribed angle lies between 0° and 180°", "圆周角应在 0° 与 180° 之间"),
+                    );
                     form.fault(d.at(form.span("angles")));
                 }
                 inside.then_some(angle)

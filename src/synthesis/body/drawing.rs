@@ -184,7 +184,10 @@ impl Body {
             Among::Box(corners) => {
                 let [p, q] = corners.map(|c| board.at(c));
                 let corners = [p, Point::new(q.x, p.y), q, Point::new(p.x, q.y)];
-                board.step(both!("Of the curve within the given box the pivots are chosen: A and D at their heights", "在给定方框内的曲线上选取固定铰链 A、D"));
+                board.step(both!(
+                    "Of the curve within the given box the pivots are chosen: A and D at their heights",
+                    "在给定方框内的曲线上选取固定铰链 A、D"
+                ));
                 for k in 0..4 {
                     board.line(corners[k], corners[(k + 1) % 4], Weight::Given);
                 }

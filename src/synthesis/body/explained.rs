@@ -26,7 +26,10 @@ impl Body {
             .collect();
         let mut wanted = Vec::new();
         for (side, [pin, pivot]) in [["B", "A"], ["C", "D"]].into_iter().enumerate() {
-            given.extend(self.moving[side].map(|l| both!("pin ${pin}$ on the body, from $E$: ${}$", "连杆上铰链 ${pin}$（相对 $E$）：${}$", place(l.to_point()))));
+            given
+                .extend(self.moving[side].map(|l| {
+                    both!("pin ${pin}$ on the body, from $E$: ${}$", "连杆上铰链 ${pin}$（相对 $E$）：${}$", place(l.to_point()))
+                }));
             given.extend(self.ground[side].map(|p| both!("pivot ${pivot}$ at ${}$", "固定铰链 ${pivot}$：${}$", place(p))));
             if self.moving[side].is_some() {
                 wanted.push(both!("the fixed pivot ${pivot}$", "固定铰链 ${pivot}$"));
@@ -112,9 +115,8 @@ impl Body {
 
     fn curve_proved(&self, draft: &Draft) -> Vec<Proof> {
         let n = self.positions.len();
-        let poles: Vec<String> = (1..n)
-            .filter_map(|j| Some(format!("P_{{1{}}} = {}", j + 1, place(self.positions[0].pole(&self.positions[j])?))))
-            .collect();
+        let poles: Vec<String> =
+            (1..n).filter_map(|j| Some(format!("P_{{1{}}} = {}", j + 1, place(self.positions[0].pole(&self.positions[j])?)))).collect();
         let at = |name: &str| place(Point::new(of(draft, &format!("{name}_x")), of(draft, &format!("{name}_y"))));
         let conditions = match self.method() {
             Method::Bisectors | Method::Curve => both!(
@@ -128,11 +130,17 @@ impl Body {
         };
         vec![
             Proof::new(
-                both!("Poles of the displacements from position 1, $\\delta_j = \\theta_j − \\theta_1$:", "由位置 1 到各位置的转动极，$\\delta_j = \\theta_j − \\theta_1$："),
+                both!(
+                    "Poles of the displacements from position 1, $\\delta_j = \\theta_j − \\theta_1$:",
+                    "由位置 1 到各位置的转动极，$\\delta_j = \\theta_j − \\theta_1$："
+                ),
                 std::iter::once("P_{1j} = \\frac{E_1 + E_j}{2} + \\frac{(E_j − E_1)^\\perp}{2\\tan(\\delta_j/2)}".to_owned()).chain(poles),
             ),
             Proof::new(
-                both!("A pin that is at $W$ in position 1 and at $W_j$ in position $j$ stays on a circle about $M$ when", "铰链在位置 1 为 $W$、在位置 $j$ 为 $W_j$，它在以 $M$ 为圆心的圆上的条件是"),
+                both!(
+                    "A pin that is at $W$ in position 1 and at $W_j$ in position $j$ stays on a circle about $M$ when",
+                    "铰链在位置 1 为 $W$、在位置 $j$ 为 $W_j$，它在以 $M$ 为圆心的圆上的条件是"
+                ),
                 [format!("|W_j − M|^2 = |W − M|^2 ,\\quad j = 2, ..., {n}")],
             ),
             Proof::new(

@@ -249,8 +249,14 @@ impl Body {
         if pairs.is_empty() {
             let (message, help) = match among {
                 Among::Box(_) => (
-                    both!("within the box the centre-point curve has no two pivots of a linkage", "方框内的圆心曲线上没有两个可用的固定铰链"),
-                    both!("make the box larger: the curve passes through the poles P12, P23, P34, P14", "请放大方框：曲线经过转动极 P12、P23、P34、P14"),
+                    both!(
+                        "within the box the centre-point curve has no two pivots of a linkage",
+                        "方框内的圆心曲线上没有两个可用的固定铰链"
+                    ),
+                    both!(
+                        "make the box larger: the curve passes through the poles P12, P23, P34, P14",
+                        "请放大方框：曲线经过转动极 P12、P23、P34、P14"
+                    ),
                 ),
                 Among::Angles(_) => (
                     both!("the circles of one of these angles do not cross", "其中一个圆周角的两圆不相交"),
@@ -343,7 +349,9 @@ impl Body {
                 "move or turn \"line\": through the poles P12, P23, P34 the curve is near",
                 "请移动或转动 \"line\"：曲线经过转动极 P12、P23、P34"
             ),
-            Method::Burmester => both!("leave one position out: four positions always have a curve of pins", "请去掉一个位置：四个位置总有一条铰链曲线"),
+            Method::Burmester => {
+                both!("leave one position out: four positions always have a curve of pins", "请去掉一个位置：四个位置总有一条铰链曲线")
+            }
         };
         Diagnostic::error("no-real-solution", message).help(help)
     }

@@ -32,13 +32,7 @@ impl Task {
                     length(b.distance(e)),
                     length(c.distance(e))
                 ),
-                both!(
-                    "drawn with $A = {}$, $D = {}$, $B = {}$",
-                    "作图位置 $A = {}$，$D = {}$，$B = {}$",
-                    place(a),
-                    place(d),
-                    place(b)
-                ),
+                both!("drawn with $A = {}$, $D = {}$, $B = {}$", "作图位置 $A = {}$，$D = {}$，$B = {}$", place(a), place(d), place(b)),
             ],
             wanted: vec![both!("the third pivot $F$ and the lengths of both cognates", "第三个固定铰链 $F$ 及两个同源机构的杆长")],
             open_steps: 1,
@@ -64,7 +58,10 @@ impl Task {
                 ],
             ),
             Proof::new(
-                both!("With $\\lambda' = CE/CB$ the right cognate $FP_2D_1D$ likewise:", "同理，由 $\\lambda' = CE/CB$ 得右同源机构 $FP_2D_1D$："),
+                both!(
+                    "With $\\lambda' = CE/CB$ the right cognate $FP_2D_1D$ likewise:",
+                    "同理，由 $\\lambda' = CE/CB$ 得右同源机构 $FP_2D_1D$："
+                ),
                 [format!("D_1 = D + CE = {} ,\\quad P_2 = D_1 + \\lambda'\\,DC = {}", place(c.right[0]), place(c.right[1]))],
             ),
             Proof::new(

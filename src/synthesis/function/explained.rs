@@ -36,7 +36,13 @@ impl Function {
             Target::Pairs => {
                 for (k, s) in self.steps.iter().take(TOLD).enumerate() {
                     let at = [0, 1].map(|i| angle(s[i] + self.start[i].unwrap_or(0.0)));
-                    given.push(both!("$\\varphi_{{{0}}} = {1}$, $\\psi_{{{0}}} = {2}$", "$\\varphi_{{{0}}} = {1}$，$\\psi_{{{0}}} = {2}$", k + 1, at[0], at[1]));
+                    given.push(both!(
+                        "$\\varphi_{{{0}}} = {1}$, $\\psi_{{{0}}} = {2}$",
+                        "$\\varphi_{{{0}}} = {1}$，$\\psi_{{{0}}} = {2}$",
+                        k + 1,
+                        at[0],
+                        at[1]
+                    ));
                 }
                 if self.steps.len() > TOLD {
                     given.push(both!("and {} pairs more, as in the file", "及文件中的其余 {} 对", self.steps.len() - TOLD));
@@ -50,7 +56,9 @@ impl Function {
         given.extend(self.frame.map(|l| both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(l))));
         given.extend(self.crank.map(|l| both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(l))));
         let mut wanted = vec![match self.crank {
-            Some(_) => both!("the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)", "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）"),
+            Some(_) => {
+                both!("the lengths $l_{{BC}}$ (coupler) and $l_{{CD}}$ (follower)", "杆长 $l_{{BC}}$（连杆）、$l_{{CD}}$（从动连架杆）")
+            }
             None => crate::synthesis::told::four_bar_wanted(),
         }];
         for (i, start, names) in [(0, "\\alpha_0", ["crank", "曲柄"]), (1, "\\varphi_0", ["follower", "从动杆"])] {
@@ -76,7 +84,8 @@ impl Function {
                 a = number(range[0]),
                 b = number(range[1])
             );
-            let told: Vec<String> = places.iter().take(TOLD).enumerate().map(|(k, x)| format!("x_{{{}}} = {}", k + 1, number(*x))).collect();
+            let told: Vec<String> =
+                places.iter().take(TOLD).enumerate().map(|(k, x)| format!("x_{{{}}} = {}", k + 1, number(*x))).collect();
             let rows = told.chunks(4).map(|c| c.join(" ,\\quad "));
             out.push(Proof::new(self.spacing(), std::iter::once(spaced).chain(rows)));
         }
@@ -88,19 +97,17 @@ impl Function {
             let [phi, psi] = at(k);
             let (phi, psi) = (phi - turned(0), psi - turned(1));
             let near = |v: f64| libm::atan2(libm::sin(v), libm::cos(v));
-            format!(
-                "{}\\,K_1 − {}\\,K_2 + K_3 = {}",
-                number(libm::cos(psi)),
-                signed(libm::cos(phi)),
-                number(libm::cos(near(phi - psi)))
-            )
+            format!("{}\\,K_1 − {}\\,K_2 + K_3 = {}", number(libm::cos(psi)), signed(libm::cos(phi)), number(libm::cos(near(phi - psi))))
         };
         let mut formulas = vec!["K_1\\cos\\psi − K_2\\cos\\varphi + K_3 = \\cos(\\varphi − \\psi)".to_owned()];
         formulas.push(
             "K_1 = \\frac{l_{AD}}{l_{AB}} ,\\quad K_2 = \\frac{l_{AD}}{l_{CD}} ,\\quad K_3 = \\frac{l_{AB}^2 − l_{BC}^2 + l_{CD}^2 + l_{AD}^2}{2\\,l_{AB}\\,l_{CD}}".to_owned(),
         );
         out.push(Proof::new(
-            both!("Closing the quadrilateral and taking $BC$ out of the equations gives Freudenstein's equation:", "由封闭矢量方程消去 $BC$，得弗洛伊登斯坦方程："),
+            both!(
+                "Closing the quadrilateral and taking $BC$ out of the equations gives Freudenstein's equation:",
+                "由封闭矢量方程消去 $BC$，得弗洛伊登斯坦方程："
+            ),
             formulas,
         ));
         let exact = draft.error == 0.0;
@@ -117,7 +124,9 @@ impl Function {
 
     fn spacing(&self) -> Both {
         match self.minimax {
-            true => both!("The exchange begins from the five precision points in Chebyshev's spacing:", "交换法从五个切比雪夫插值结点开始："),
+            true => {
+                both!("The exchange begins from the five precision points in Chebyshev's spacing:", "交换法从五个切比雪夫插值结点开始：")
+            }
             false => both!("Precision points in Chebyshev's spacing:", "按切比雪夫间隔求插值结点："),
         }
     }

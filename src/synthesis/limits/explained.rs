@@ -60,7 +60,10 @@ impl Press {
                     "$F$ lies on its guide in both limits; the difference of its heights is the stroke, an equation for $l_{{DE}}$:",
                     "两极限位置上 $F$ 均在导路上，高度差等于行程，由此方程求 $l_{{DE}}$："
                 ),
-                ["y_F = l_{DE}\\cos\\psi − \\sqrt{l_{EF}^2 − (x_2 − l_{DE}\\sin\\psi)^2}".to_owned(), format!("l_{{DE}} = {}", length(of(draft, "DE")))],
+                [
+                    "y_F = l_{DE}\\cos\\psi − \\sqrt{l_{EF}^2 − (x_2 − l_{DE}\\sin\\psi)^2}".to_owned(),
+                    format!("l_{{DE}} = {}", length(of(draft, "DE"))),
+                ],
             ),
         };
         let ac = self.angles.map(|a| self.a.distance((from_vertical(a) * of(draft, "CD")).to_point()));

@@ -37,7 +37,10 @@ impl Path {
                         "设计四杆机构 $ABCD$，使连杆上的点 $E$ 通过三个预定位置。"
                     ),
                     given,
-                    wanted: vec![both!("the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$", "连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$")],
+                    wanted: vec![both!(
+                        "the coupler $l_{{BC}}$, $l_{{CE}}$ and the follower $l_{{CD}}$",
+                        "连杆 $l_{{BC}}$、$l_{{CE}}$ 与从动连架杆 $l_{{CD}}$"
+                    )],
                     open_steps: 1,
                 }
             }
@@ -48,7 +51,10 @@ impl Path {
                     points.len()
                 ),
                 given: listed(points),
-                wanted: vec![four_bar_wanted(), both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置")],
+                wanted: vec![
+                    four_bar_wanted(),
+                    both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置"),
+                ],
                 open_steps: 0,
             },
         }
@@ -92,10 +98,7 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
             "C_1",
             c1,
         ),
-        Proof::new(
-            both!("So", "于是"),
-            [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")],
-        ),
+        Proof::new(both!("So", "于是"), [["BC", "CE", "CD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n)))).join(" ,\\quad ")]),
     ]
 }
 

@@ -28,12 +28,8 @@ impl Task {
     }
 
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
-        let lengths: Vec<String> = draft
-            .numbers
-            .iter()
-            .take_while(|n| n.name != "length")
-            .map(|n| format!("l_{{{}}} = {}", n.name, length(n.value)))
-            .collect();
+        let lengths: Vec<String> =
+            draft.numbers.iter().take_while(|n| n.name != "length").map(|n| format!("l_{{{}}} = {}", n.name, length(n.value))).collect();
         vec![
             Proof::new(self.proportions(), lengths.chunks(4).map(|c| c.join(" ,\\quad "))),
             Proof::new(

@@ -48,14 +48,10 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
                 "one of `offset`, `crank`, `rod` is given beside K and the stroke",
                 "除 K 和行程外，应给出 `offset`、`crank`、`rod` 之一"
             );
-            form.fault(
-                Diagnostic::error("missing-key", message)
-                    .at(form.span("stroke"))
-                    .help(both!(
-                        "add \"offset\": \"20 mm\", or \"best\": \"transmission\" for the least pressure angle",
-                        "请加上 \"offset\": \"20 mm\"，或写 \"best\": \"transmission\" 以使压力角最小"
-                    )),
-            );
+            form.fault(Diagnostic::error("missing-key", message).at(form.span("stroke")).help(both!(
+                "add \"offset\": \"20 mm\", or \"best\": \"transmission\" for the least pressure angle",
+                "请加上 \"offset\": \"20 mm\"，或写 \"best\": \"transmission\" 以使压力角最小"
+            )));
             None
         }
     };

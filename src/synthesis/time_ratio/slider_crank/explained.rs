@@ -17,10 +17,9 @@ impl SliderCrank {
         let wanted = match self.third {
             Third::Offset(_) => both!("the lengths of crank $l_{{AB}}$ and rod $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度"),
             Third::Crank(_) => both!("the rod $l_{{BC}}$ and the offset $e$", "连杆 $l_{{BC}}$ 与偏距 $e$"),
-            Third::Best => both!(
-                "the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$",
-                "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$"
-            ),
+            Third::Best => {
+                both!("the crank $l_{{AB}}$, the rod $l_{{BC}}$ and the offset $e$", "曲柄 $l_{{AB}}$、连杆 $l_{{BC}}$ 与偏距 $e$")
+            }
             Third::Rod(_) => both!("the crank $l_{{AB}}$ and the offset $e$", "曲柄 $l_{{AB}}$ 与偏距 $e$"),
         };
         Statement {
@@ -33,7 +32,10 @@ impl SliderCrank {
                 both!("stroke $H = {}$", "行程 $H = {}$", length(self.stroke)),
                 third,
             ],
-            wanted: vec![wanted, both!("the greatest pressure angle $\\alpha_{{\\text{{max}}}}$", "最大压力角 $\\alpha_{{\\text{{max}}}}$")],
+            wanted: vec![
+                wanted,
+                both!("the greatest pressure angle $\\alpha_{{\\text{{max}}}}$", "最大压力角 $\\alpha_{{\\text{{max}}}}$"),
+            ],
             open_steps: 1,
         }
     }
@@ -42,10 +44,14 @@ impl SliderCrank {
         let (a, b, e) = (of(draft, "AB"), of(draft, "BC"), of(draft, "e"));
         let pressure = Proof::new(
             both!("The pressure angle is greatest when the crank is square to the guide:", "曲柄垂直于导路时压力角最大："),
-            [format!("\\sin\\alpha_{{\\text{{max}}}} = \\frac{{l_{{AB}} + e}}{{l_{{BC}}}} ,\\quad \\alpha_{{\\text{{max}}}} = {}", angle(of(draft, "alpha_max")))],
+            [format!(
+                "\\sin\\alpha_{{\\text{{max}}}} = \\frac{{l_{{AB}} + e}}{{l_{{BC}}}} ,\\quad \\alpha_{{\\text{{max}}}} = {}",
+                angle(of(draft, "alpha_max"))
+            )],
         );
         if self.ratio.theta == 0.0 {
-            let centric = both!("Without a quick return the offset is zero and the crank half the stroke:", "无急回时偏距为零，曲柄长为行程之半：");
+            let centric =
+                both!("Without a quick return the offset is zero and the crank half the stroke:", "无急回时偏距为零，曲柄长为行程之半：");
             return vec![Proof::new(centric, [format!("l_{{AB}} = \\frac{{H}}{{2}} = {}", length(a))]), pressure];
         }
         vec![
