@@ -20,7 +20,7 @@ use crate::render::escaped;
 use crate::render::number::mm;
 use crate::render::svg::Elements;
 use crate::report::math::mathml;
-use crate::report::phrase::{Phrase, Piece};
+use crate::paper::phrase::{Phrase, Piece};
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{pose_of, value};
 use crate::scene::{self, Lang, Scene};

@@ -11,7 +11,7 @@ use crate::figure::label::Label;
 use crate::figure::synthesis::{self as figure, Set};
 use crate::report::limits::grashof_words;
 use crate::report::math::Math;
-use crate::report::phrase::{Phrase, tr};
+use crate::paper::phrase::{Phrase, tr};
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};

@@ -11,7 +11,7 @@ use crate::figure::plot::{Axis, Plot};
 use crate::figure::style::Style;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
-use crate::report::phrase::tr;
+use crate::paper::phrase::tr;
 use crate::report::synthesis::{Posed, positions, traced};
 use crate::synthesis::{Candidate, Task};
 

@@ -17,6 +17,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
 use crate::geom::{Point, Vec2};
 use search::Fit;
+use std::f64::consts::TAU;
 
 /// The kind.
 pub const KIND: KindOfTask = KindOfTask {
@@ -212,7 +213,7 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     let mut numbers = named_lengths(four.lengths());
     numbers.push(Number::length("A_x", both!("place of A", "A 的位置"), l.a.x));
     numbers.push(Number::length("A_y", both!("place of A", "A 的位置"), l.a.y));
-    numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi));
+    numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
     numbers.push(Number::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
     numbers.push(Number::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
     numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
