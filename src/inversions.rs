@@ -44,7 +44,7 @@ pub struct Inversion {
 /// All inversions of a scene, in the order of its links.
 ///
 /// # Errors
-/// `inversion-pairs` for chains with wheels, cams or cylinders, `inversion-freedoms` for more than one freedom, `too-many-links`, and the
+/// `inversion-pairs` for each wheel, cam or cylinder of the chain, `inversion-freedoms` for more than one freedom, `too-many-links`, and the
 /// faults of the scene itself. An inversion that cannot be driven is a note.
 pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     refused(scene)?;
@@ -67,14 +67,7 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
 /// What cannot be inverted, and why; all at once.
 fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
-    let cylinder = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Cylinder { .. }));
-    if !scene.rolling.is_empty() || !scene.cams.is_empty() || cylinder {
-        let message = both!(
-            "only chains of pins and slides are inverted; this one has wheels, cams or cylinders",
-            "只能倒置由转动副和移动副组成的运动链；该机构有齿轮、凸轮或油缸"
-        );
-        faults.push(Diagnostic::error("inversion-pairs", message).help(both!("replace them by lower pairs", "请先以低副代替")));
-    }
+    other_pairs(scene, &mut faults);
     if scene.drivers.len() != 1 {
         let message = both!(
             "a chain of one freedom is inverted; this one has {} drivers",
@@ -88,6 +81,48 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
         faults.push(Diagnostic::error("too-many-links", message).help(both!("take a part of the mechanism", "请只取一部分机构")));
     }
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
+}
+
+/// Every pair that is neither pin nor slide, and why it is not inverted.
+fn other_pairs(scene: &Scene, faults: &mut Faults) {
+    let name = |l: LinkId| scene.link_name(l);
+    for r in &scene.rolling {
+        let [a, b] = r.links.map(name);
+        let message = both!(
+            "links {a} and {b} roll on one another: where a wheel is the ground its contour would have to be written for every pose, and only \
+             chains of pins and slides are inverted",
+            "构件 {a} 与 {b} 作纯滚动：以轮为机架时其接触轮廓随位置变化，只能倒置由转动副和移动副组成的运动链"
+        );
+        let help = both!(
+            "leave the wheels out: `hodograph solve` with \"spin\" and ratios tells their turning against any link",
+            "请去掉轮；各轮相对任一构件的转动可由 `hodograph solve` 求得"
+        );
+        faults.push(Diagnostic::error("inversion-pairs", message).at(r.span).help(help));
+    }
+    for c in &scene.cams {
+        let (cam, follower) = (name(c.cam), name(c.follower));
+        let message = both!(
+            "cam {cam} drives follower {follower} by a higher pair, whose profile is given about the cam's pivot on the ground",
+            "凸轮 {cam} 与从动件 {follower} 组成高副，其廓线是相对机架上的转轴给出的"
+        );
+        let help =
+            both!("replace it by a lower pair at the instant (the centre of curvature as a pin)", "请先高副低代（以曲率中心为铰链）");
+        faults.push(Diagnostic::error("inversion-pairs", message).at(c.span).help(help));
+    }
+    for d in &scene.drivers {
+        if let DriverKind::Cylinder { a, b, .. } = d.kind {
+            let (a, b) = (scene.point_name(a), scene.point_name(b));
+            let message = both!(
+                "the cylinder from {a} to {b} drives by its length: barrel and rod carry no points and cannot be the ground",
+                "油缸 {a}–{b} 以长度驱动：缸筒与活塞杆上没有其他点，不能作机架"
+            );
+            let help = both!(
+                "write it as two links with a slide between them, {{\"on\": \"barrel\", \"slider\": \"rod\"}}, driven by that slide",
+                "请写成两个构件及其间的移动副，并由该移动副驱动"
+            );
+            faults.push(Diagnostic::error("inversion-pairs", message).at(d.span).help(help));
+        }
+    }
 }
 
 /// The chain with another ground, driven by what moves it best.

@@ -11,7 +11,7 @@ mod pdf;
 mod worksheet;
 
 use files::{
-    CENTRES, CURVATURE, CURVES, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden,
+    CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden,
 };
 use hodograph::centres;
 use hodograph::certified::{certify, steps};
@@ -22,6 +22,7 @@ use hodograph::figure::mechanism::Overlay;
 use hodograph::figure::sheet::{Options, diagram, drawing, equations, sheet};
 use hodograph::figure::steps as steps_of;
 use hodograph::figure::style::Style;
+use hodograph::figure::synthesis as designs;
 use hodograph::figure::{groups, path, poses};
 use hodograph::lesson;
 use hodograph::mechanism::{Level, Mechanism};
@@ -31,6 +32,7 @@ use hodograph::render::{png as raster, svg};
 use hodograph::report::{answers, centres as report_of_centres, construction, drafting, plan, plan_json};
 use hodograph::scene::{self, Angle, Lang, PointId, edit, templates};
 use hodograph::sweep::{self, Placed, Stations, Width, extreme};
+use hodograph::synthesis;
 use hodograph::worked::{Scope, work};
 use std::path::Path;
 
@@ -199,6 +201,25 @@ fn curvature_looks_as_accepted() {
                 assert!(drawn.notes.is_empty(), "{name} {figure}: {:?}", drawn.notes);
                 check_png(&golden(name, &format!("{figure}.{suffix}.png")), &raster::render(&drawn.value, 110.0).unwrap(), &mut failures);
             }
+        }
+    }
+    finish(&failures);
+}
+
+/// The construction of each kind of synthesis.
+#[test]
+fn designs_look_as_accepted() {
+    let mut failures = Vec::new();
+    for kind in synthesis::KINDS {
+        let (_, figure) = DESIGNS.iter().find(|d| d.0 == kind.name).unwrap_or_else(|| panic!("add {} to DESIGNS", kind.name));
+        let task = synthesis::read(synthesis::templates::get(kind.name).unwrap()).unwrap().value;
+        let design = synthesis::solve(&task).unwrap();
+        for (lang, suffix) in LANGS {
+            let all = designs::figures(&task, &design.candidates[0], &Style::default(), lang).unwrap();
+            let drawn = svg::write(&all.iter().find(|f| f.0 == *figure).unwrap().1).unwrap();
+            assert!(drawn.notes.is_empty(), "{}: {:?}", kind.name, drawn.notes);
+            let file = golden("synthesis", &format!("{}-{figure}.{suffix}.png", kind.name));
+            check_png(&file, &raster::render(&drawn.value, 80.0).unwrap(), &mut failures);
         }
     }
     finish(&failures);

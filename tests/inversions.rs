@@ -88,9 +88,16 @@ fn types_follow_grashofs_rule() {
 
 #[test]
 fn what_cannot_be_inverted_is_told() {
-    for (name, code) in [("planetary-gear", "inversion-pairs"), ("cam-eccentric", "inversion-pairs"), ("five-bar", "inversion-freedoms")] {
+    for (name, code, told) in [
+        ("planetary-gear", "inversion-pairs", "roll on one another"),
+        ("cam-eccentric", "inversion-pairs", "higher pair"),
+        ("oscillating-cylinder", "inversion-pairs", "the cylinder from"),
+        ("five-bar", "inversion-freedoms", "2 drivers"),
+    ] {
         let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
-        assert!(faults.list.iter().any(|d| d.code == code && d.help.is_some()), "{name}: {faults}");
+        let one = faults.list.iter().find(|d| d.code == code && d.help.is_some()).unwrap_or_else(|| panic!("{name}: {faults}"));
+        // Every pair has its own place in the file.
+        assert!(one.message.en.contains(told) && (one.span.is_some() || code != "inversion-pairs"), "{name}: {one}");
         assert!(faults.list.iter().all(|d| d.english_in_chinese().is_none()));
     }
 }

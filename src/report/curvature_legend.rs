@@ -1,11 +1,11 @@
 //! What the letters and lines of a figure of curvature mean: those that stand in it, each in a few words.
 
 use super::curvature::Words;
-use crate::paper::phrase::{Phrase, tr};
 use crate::curvature::OfLink;
 use crate::curvature::drawing::{Drawing, How, Rays};
 use crate::curvature::motion::Bend;
 use crate::geom::Vec2;
+use crate::paper::phrase::{Phrase, tr};
 use crate::scene::{Lang, PointId};
 
 impl Words<'_> {

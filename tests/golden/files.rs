@@ -54,6 +54,17 @@ pub const CENTRES: [&str; 2] = ["crank-rocker", "shaper"];
 pub const CURVATURE: [(&str, &[&str]); 3] =
     [("crank-rocker", &["curvature", "centrodes", "cognates"]), ("slider-crank", &["curvature", "inversions"]), ("shaper", &["curvature"])];
 
+/// Constructions of synthesis: the first candidate of each kind that has one, and the linkage of the kind that has none.
+pub const DESIGNS: [(&str, &str); 7] = [
+    ("function", "construction"),
+    ("body", "construction"),
+    ("time-ratio", "construction"),
+    ("limits", "construction"),
+    ("path", "construction"),
+    ("cognates", "construction"),
+    ("straight-line", "positions"),
+];
+
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -79,6 +90,7 @@ fn kept() -> BTreeSet<String> {
     for (t, figures) in CURVATURE {
         figures.iter().for_each(|f| in_both(t, &[&format!("{f}.LANG.png")]));
     }
+    DESIGNS.iter().for_each(|(kind, figure)| in_both("synthesis", &[&format!("{kind}-{figure}.LANG.png")]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all
