@@ -91,7 +91,7 @@ fn what_cannot_be_inverted_is_told() {
     for (name, code, told) in [
         ("planetary-gear", "inversion-pairs", "roll on one another"),
         ("cam-eccentric", "inversion-pairs", "higher pair"),
-        ("oscillating-cylinder", "inversion-pairs", "the cylinder from"),
+        ("excavator", "inversion-pairs", "the cylinder from"),
         ("five-bar", "inversion-freedoms", "2 drivers"),
     ] {
         let faults = inversions(&template(name, &[])).map(|_| ()).unwrap_err();
