@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 /// The table of candidates.
 pub fn text(task: &Task, design: &Design, lang: Lang) -> String {
     let mut out = format!("{}\n", lang.of(&task.heading.title));
-    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect::<Vec<_>>().chunks(6) {
+    for line in design.numbers.iter().map(|n| format!("{} = {}", n.name, value(n))).collect::<Vec<_>>().chunks(4) {
         out += &format!("{}\n", line.join("   "));
     }
     for (k, c) in design.candidates.iter().enumerate() {

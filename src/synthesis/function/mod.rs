@@ -176,7 +176,7 @@ pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
     (1..=n).map(|k| (from + to) / 2.0 - (to - from) / 2.0 * libm::cos((2 * k - 1) as f64 * PI / (2 * n) as f64)).collect()
 }
 
-/// Pairs as written; the first one is the start of a side that is relative.
+/// Pairs as written: absolute, or counted from the start that is given (`from`), or from one that is unknown (`relative`).
 fn of_pairs(form: &Form) -> Option<Read> {
     let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 3)?;
     let pair = |n| {
@@ -187,10 +187,30 @@ fn of_pairs(form: &Form) -> Option<Read> {
     let pairs: Vec<Option<[f64; 2]>> = items.iter().map(pair).collect();
     let pairs = pairs.into_iter().collect::<Option<Vec<_>>>()?;
     let relative = if form.has("relative") { form.choice("relative", &["input", "output", "both"])? } else { "" };
-    let first = pairs[0];
-    let steps = pairs.iter().map(|p| [p[0] - first[0], p[1] - first[1]]).collect();
     let free = [matches!(relative, "input" | "both"), matches!(relative, "output" | "both")];
-    let start = [0, 1].map(|i| if free[i] { None } else { Some(first[i]) });
+    let mut start = [None; 2];
+    let mut zero = [0.0; 2];
+    for (side, key) in ["input", "output"].into_iter().enumerate() {
+        let from = match form.inner(key, &["from"]) {
+            Some(inner) if inner.has("from") => Some(inner.angle("from")?),
+            _ => None,
+        };
+        match from {
+            Some(_) if free[side] => {
+                let message = both!("the angles of the {key} count from an unknown start, and from a given one", "{key} 的角度既从未知角又从给定角起算");
+                let help = both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
+                form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
+                return None;
+            }
+            // Angles from a given start are as they are written; others count from the first.
+            Some(from) => start[side] = Some(from),
+            None => {
+                zero[side] = pairs[0][side];
+                start[side] = (!free[side]).then_some(zero[side]);
+            }
+        }
+    }
+    let steps = pairs.iter().map(|p| [p[0] - zero[0], p[1] - zero[1]]).collect();
     Some((Target::Pairs, steps, start))
 }
 
@@ -202,10 +222,14 @@ impl Wish for Function {
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = Vec::new();
         let mut numbers = Vec::new();
-        if let Target::Curve { places, .. } = &self.target {
-            numbers.extend(
-                places.iter().enumerate().map(|(k, x)| Number::ratio(&format!("x{}", k + 1), both!("precision point", "插值结点"), *x)),
-            );
+        if let Target::Curve { curve, places, .. } = &self.target {
+            for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
+                let named = |letter: &str| format!("{letter}{}", k + 1);
+                numbers.push(Number::ratio(&named("x"), both!("precision point", "插值结点"), *x));
+                numbers.extend(curve.at(*x).ok().map(|y| Number::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)));
+                numbers.push(Number::angle(&named("alpha"), both!("the input's turn from its start", "输入构件自初始位置的转角"), *alpha));
+                numbers.push(Number::angle(&named("phi"), both!("the output's turn from its start", "输出构件自初始位置的转角"), *phi));
+            }
         }
         let generators = self.generators()?;
         let unit = self.unit(&mut notes);
