@@ -7,12 +7,15 @@ use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::figure::polygon::is_full;
 use crate::figure::series::Scales;
 use crate::figure::style::Style;
 use crate::geom::Point;
 use crate::mechanism::{Demand, Level, Mechanism};
 use crate::position::Configuration;
-use crate::scene::Scene;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::scene::{Lang, Scene};
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
@@ -89,6 +92,8 @@ pub struct Maker<'a> {
     pub follower: &'a Follower<'a>,
     /// Sizes of the type.
     pub style: &'a Style,
+    /// How vectors are named.
+    pub notation: &'a Notation,
 }
 
 impl Maker<'_> {
@@ -230,8 +235,17 @@ impl Maker<'_> {
         let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
         let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = Scales::of(&self.scene.paper, &poses, full, boxes);
-        let zooms = Level::RATES.map(|level| Zoom::of(&self.scene.paper, &poses, &common, level, boxes, self.style));
+        let zooms = Level::RATES.map(|level| Zoom::of(&self.scene.paper, &poses, &common, level, boxes, self.label_mm(&poses, level)));
         Papers { mu_l: own.map_or(common.mu_l, |w| w.construction.diagram.mu_l), common, zooms }
+    }
+
+    /// The size of the type in a polygon: small where there are many vectors.
+    fn label_mm(&self, poses: &[(f64, &Worked)], level: Level) -> f64 {
+        let many = poses.par_iter().any(|(_, worked)| {
+            let w = Writer { scene: self.scene, plan: &worked.plan, notation: self.notation, lang: Lang::En };
+            worked.construction.polygon(level).is_some_and(|p| is_full(&w, p))
+        });
+        if many { self.style.small_mm } else { self.style.label_mm }
     }
 
     /// Draws all poses to the common scales.

@@ -93,7 +93,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
-    let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower, style: &options.style };
+    let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower, style: &options.style, notation: &options.notation };
     let frames = maker.frames(&sweep)?;
     if frames.list.len() == 1 {
         let d = Diagnostic::warning(

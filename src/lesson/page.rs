@@ -4,6 +4,7 @@
 
 use serde_json::{Value, json};
 
+use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::sheet;
@@ -30,6 +31,9 @@ use super::words::{table, word};
 use super::{Options, pack};
 use crate::sweep::follow::Sweep;
 
+/// The buttons of a drawing.
+const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\" data-title=\"whole\">⤢</button>\
+    <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
 const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
 /// The script, in the order of its rooms.
@@ -84,6 +88,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "cut": frames.cut,
         "handle": handle(frames, options.driver),
         "scales": scales,
+        "pencil": scene.paper.pencil_mm.unwrap_or(USUAL_MM),
         "marks": marks,
         "drawings": told_drawings,
         "steps": steps,
@@ -156,7 +161,9 @@ fn tag(lang: Lang) -> &'static str {
 fn drawing(d: &Scenery, told: &[Told]) -> Value {
     let layout = |(l, told): (&Layout, &Told)| {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
-        json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "moving": told.moving})
+        // In hundredths; rounding and the roundness of heads are no reason to step back.
+        let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
+        json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving})
     };
     let layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
     json!({"key": d.shows.key(), "shown": runs(d.shown.iter().copied()), "layouts": layouts})
@@ -193,7 +200,7 @@ fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
         .collect();
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
-         {ink}</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
+         {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
         escaped(caption(lang)),
         mathml(&Label::math(scale_formula(book, d.shows, d.mu))),
     )

@@ -8,9 +8,8 @@ use rayon::prelude::*;
 use crate::construct::Polygon;
 use crate::diag::Faults;
 use crate::figure::course::courses;
-use crate::figure::drawing::{Habits, Part};
-use crate::figure::extent::{Rect, bounds};
-use crate::figure::item::{Item, Shape};
+use crate::figure::drawing::{Drawing, Habits, Part};
+use crate::figure::extent::Rect;
 use crate::figure::mechanism::{self, Course};
 use crate::figure::polygon;
 use crate::figure::style::Style;
@@ -23,16 +22,12 @@ use crate::worked::Worked;
 
 use super::frames::{Frame, Frames};
 use super::track::Track;
-use super::zoom::{self, GAIN, window_mm};
+use super::zoom::{self, GAIN, stage_mm, window_mm, with_names};
 
 /// Around the ink in a window.
 const MARGIN_MM: f64 = 1.5;
 /// A pose is seen through the own window while its ink stays in this much of its margin.
 const AIR_MM: f64 = 1.0;
-/// A window is full when the ink takes this part of its width or height.
-const FILLED: f64 = 0.96;
-/// How often a drawing is made larger or smaller until it fills its window.
-const PASSES: usize = 3;
 
 /// What a drawing shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,8 +72,10 @@ pub struct Layout {
     pub origin: Point,
     /// Its elements over the frames.
     pub track: Track,
-    /// The frames in which the window holds it.
+    /// The frames in which it is drawn.
     pub held: Vec<bool>,
+    /// How many times as large the window must be to hold all of it, in each frame.
+    pub back: Vec<f64>,
 }
 
 /// All drawings that the scene calls for.
@@ -130,81 +127,59 @@ impl<'a> Studio<'a> {
 
     /// The mechanism has the size of its figure in the own pose, and is smaller only where it would not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
-        let parts = self.parts(self.mu);
-        let (own, all) = (ink(&parts[self.frames.base..=self.frames.base]), ink(&parts));
-        let [w, h] = size(own);
-        let times = (size(all)[0] / w).max(size(all)[1] / h);
-        if times <= GAIN {
-            return self.told(size(all), vec![(self.mu, all, parts)]);
+        let label = self.style.label_mm;
+        let around = |mu: f64| {
+            let courses = self.courses(mu);
+            let lines = |k: usize| self.diagram(k, mu, &courses[k]).1;
+            let all: Vec<Rect> = (0..self.frames.list.len()).into_par_iter().map(lines).collect();
+            (with_names(all[self.frames.base], label), with_names(all.into_iter().reduce(Rect::union).unwrap_or(lines(0)), label))
+        };
+        let times = |box_mm: Rect, [w, h]: [f64; 2]| (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0);
+        // Symbols keep their size, which a first try does not know of.
+        let smaller = |mu: f64, window: [f64; 2], of: fn((Rect, Rect)) -> Rect| {
+            let mu = mu * times(of(around(mu)), window);
+            mu * times(of(around(mu)), window)
+        };
+        let own_mu = smaller(self.mu, stage_mm(label), |(own, _)| own);
+        let (own, all) = around(own_mu);
+        if times(all, size(own)) <= GAIN {
+            return self.told(size(all), vec![(own_mu, all, self.parts(own_mu, all, false))]);
         }
-        let near = self.around_base(parts, own.grown(AIR_MM));
-        let (mu, wide) = self.fitted(self.mu * times, size(own), |parts| extents(parts, |i| !i.class.contains("label")));
-        self.told(size(own), vec![(self.mu, own, near), (mu, ink(&wide), wide)])
+        let mu = smaller(own_mu, size(own), |(_, all)| all);
+        let seen = around(mu).1;
+        self.told(size(own), vec![(own_mu, own, self.parts(own_mu, own, true)), (mu, seen, self.parts(mu, seen, false))])
     }
 
     fn polygon(&self, level: Level) -> Result<Scenery, Faults> {
-        let view = self.frames.zoom[usize::from(level == Level::Acceleration)].as_ref().map_or([self.mu; 2], |z| z.view);
-        let label = if self.full { self.style.small_mm } else { self.style.label_mm };
-        let window = window_mm(label);
-        let vectors = |parts: &Parts| extents(parts, |i| matches!(i.shape, Shape::Arrow { .. } | Shape::Line { .. }));
-        let (wide_mu, wide) = self.fitted(view[1], window, vectors);
-        let base = self.frames.base;
-        let mut own_mu = view[0];
-        if view[0] < view[1] {
-            for _ in 0..PASSES {
-                let alone: Parts = vec![self.part(base, own_mu, &mut Habits::new())];
-                let Some(next) = refitted(own_mu, &alone, window, vectors) else { break };
-                own_mu = next;
-            }
-        }
-        if wide_mu < GAIN * own_mu {
-            return self.told(window, vec![(wide_mu, ink(&wide), wide)]);
-        }
-        let own = self.parts(own_mu);
-        let seen = ink(&own[base..=base]);
-        let near = self.around_base(own, about(seen.centre(), window).grown(AIR_MM));
-        self.told(window, vec![(own_mu, seen, near), (wide_mu, ink(&wide), wide)])
+        let Some(zoom) = self.frames.zoom[usize::from(level == Level::Acceleration)].as_ref() else {
+            return self.told([0.0; 2], Vec::new());
+        };
+        let window = window_mm(self.label_mm());
+        let seen = |i: usize| about((zoom.middles[i].to_vec2() * (1.0 / zoom.view[i])).to_point(), window);
+        let layout = |i: usize, held: bool| (zoom.view[i], seen(i), self.parts(zoom.view[i], seen(i), held));
+        let layouts = if zoom.view[0] < zoom.view[1] { vec![layout(0, true), layout(1, false)] } else { vec![layout(1, false)] };
+        self.told(window, layouts)
     }
 
-    /// All frames in a window of this size, and the scale at which they fill it.
-    fn fitted(&self, first: f64, window: [f64; 2], measured: impl Fn(&Parts) -> [f64; 2]) -> (f64, Parts) {
-        let mut mu = first;
-        let mut parts = self.parts(mu);
-        for _ in 1..PASSES {
-            let Some(next) = refitted(mu, &parts, window, &measured) else { break };
-            mu = next;
-            parts = self.parts(mu);
-        }
-        (mu, parts)
+    fn label_mm(&self) -> f64 {
+        if self.full { self.style.small_mm } else { self.style.label_mm }
     }
 
-    /// The parts next to the scene's own pose that a window holds without a break.
-    fn around_base(&self, mut parts: Parts, window: Rect) -> Parts {
-        let (ahead, back) = ways(self.frames);
-        for way in [ahead, back] {
-            let mut inside = true;
-            for k in way {
-                let held = |p: &Part| window.union(p.bounds) == window;
-                inside &= parts[k].as_ref().is_some_and(held);
-                if !inside {
-                    parts[k] = None;
-                }
-            }
-        }
-        parts
-    }
-
-    /// Every frame's part at a scale, its labels where they stood in the frame before if they can: on from the scene's own pose and
-    /// back from it; where the turn is closed the two meet half a turn off.
-    fn parts(&self, mu: f64) -> Parts {
+    /// Every frame's part at a scale, its labels in the window and where they stood in the frame before if they can: on from the
+    /// scene's own pose and back from it; where the turn is closed the two meet half a turn off. With `held` no farther than
+    /// the window holds it all.
+    fn parts(&self, mu: f64, window: Rect, held: bool) -> Parts {
         let frames = self.frames;
         let mut at_base = Habits::new();
         let courses = self.courses(mu);
-        let part = |k: usize, habits: &mut Habits| self.part_on(k, mu, courses.get(k), habits);
+        let part = |k: usize, habits: &mut Habits| self.part(k, mu, courses.get(k), window, habits);
         let first = part(frames.base, &mut at_base);
         let (ahead, back) = ways(frames);
+        let outer = window.grown(AIR_MM);
+        let outer = first.as_ref().map_or(outer, |p| outer.union(p.bounds));
+        let stays = |p: &Option<Part>| !held || p.as_ref().is_some_and(|p| outer.union(p.bounds) == outer);
         let along = |way: Vec<usize>, mut habits: Habits| -> Vec<(usize, Option<Part>)> {
-            way.into_iter().map(|k| (k, part(k, &mut habits))).collect()
+            way.into_iter().map(|k| (k, part(k, &mut habits))).take_while(|(_, p)| stays(p)).collect()
         };
         let (on, before) = rayon::join(|| along(ahead, at_base.clone()), || along(back, at_base.clone()));
         let mut parts: Parts = frames.list.iter().map(|_| None).collect();
@@ -222,44 +197,57 @@ impl<'a> Studio<'a> {
         courses(&poses, &self.style, self.notation)
     }
 
-    fn part(&self, k: usize, mu: f64, habits: &mut Habits) -> Option<Part> {
-        self.part_on(k, mu, None, habits)
+    /// A frame's diagram before its labels are placed, and the box around its lines.
+    fn diagram(&self, k: usize, mu: f64, course: &Course) -> (Drawing, Rect) {
+        let (frame, times) = (&self.frames.list[k], self.mu / mu);
+        let worked = zoom::diagram(&frame.worked, times);
+        let drawing = mechanism::drawing(&self.style, &frame.scene, &worked, self.notation, course);
+        let (lines, by) = (drawing.bounds(), stray(self.frames, frame) * times);
+        (drawing, Rect::new(lines.min + by, lines.max + by))
     }
 
-    fn part_on(&self, k: usize, mu: f64, course: Option<&Course>, habits: &mut Habits) -> Option<Part> {
+    fn part(&self, k: usize, mu: f64, course: Option<&Course>, window: Rect, habits: &mut Habits) -> Option<Part> {
         let frame = &self.frames.list[k];
         match self.shows {
             Shows::Mechanism => {
-                let times = self.mu / mu;
-                let worked = zoom::diagram(&frame.worked, times);
-                let mut part = mechanism::drawing(&self.style, &frame.scene, &worked, self.notation, course?).finish_after(habits);
-                part.translate(stray(self.frames, frame) * times);
+                let by = stray(self.frames, frame) * (self.mu / mu);
+                let room = Rect::new(window.min - by, window.max - by);
+                let mut part = self.diagram(k, mu, course?).0.finish_within(habits, room);
+                part.translate(by);
                 Some(part)
             }
             Shows::Polygon(_) => {
                 let (w, p) = polygon_of(frame, self.shows, self.notation)?;
-                Some(polygon::drawing(&self.style, &w, &zoom::polygon(p, mu), self.full).finish_after(habits))
+                let drawing = polygon::drawing(&self.style, &w, &zoom::polygon(p, mu), self.full);
+                // What is too long for the window has room around it.
+                let lines = drawing.bounds();
+                let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };
+                Some(drawing.finish_within(habits, room))
             }
         }
     }
 
-    /// The drawing told: its windows have one size, and the ink that each is made for stands in its middle.
+    /// The drawing told: its windows have one size, and what each is made for stands in its middle.
     fn told(&self, window: [f64; 2], layouts: Vec<(f64, Rect, Parts)>) -> Result<Scenery, Faults> {
         let frames = self.frames;
-        let largest = |i: usize| layouts.iter().map(|l| size(l.1)[i]).fold(window[i], f64::max) + 2.0 * MARGIN_MM;
-        let size_mm = [largest(0), largest(1)];
-        let shown = layouts.last().map_or_else(Vec::new, |l| l.2.iter().map(Option::is_some).collect());
+        let size_mm = window.map(|side| side + 2.0 * MARGIN_MM);
+        let shown = layouts.last().map_or_else(|| vec![false; frames.list.len()], |l| l.2.iter().map(Option::is_some).collect());
         let mut list = Vec::new();
         for (mu, seen, parts) in layouts {
-            let shift = Point::new(0.5 * size_mm[0], 0.5 * size_mm[1]) - seen.centre();
+            let middle = Point::new(0.5 * size_mm[0], 0.5 * size_mm[1]);
+            let shift = middle - seen.centre();
             let mut track = Track::new(size_mm[1], frames.base, frames.list.len());
             let held = parts.iter().map(Option::is_some).collect();
+            let mut back = vec![1.0; parts.len()];
             for (k, part) in parts.into_iter().enumerate() {
                 let Some(mut part) = part else { continue };
                 part.translate(shift);
+                let over = |low: f64, high: f64, middle: f64| ((high - middle).max(middle - low) / middle).max(1.0);
+                let b = part.bounds;
+                back[k] = over(b.min.x, b.max.x, middle.x).max(over(b.min.y, b.max.y, middle.y));
                 track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
             }
-            list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held });
+            list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back });
         }
         Ok(Scenery { shows: self.shows, size_mm, mu: self.mu, layouts: list, shown })
     }
@@ -274,31 +262,6 @@ fn ways(frames: &Frames) -> (Vec<usize>, Vec<usize>) {
     } else {
         ((base + 1..count).collect(), (0..base).rev().collect())
     }
-}
-
-/// The scale at which parts drawn to another would fill a window; `None` where they do. Names around the vectors keep their size.
-fn refitted(mu: f64, parts: &Parts, window: [f64; 2], measured: impl Fn(&Parts) -> [f64; 2]) -> Option<f64> {
-    let (seen, lines) = (size(ink(parts)), measured(parts));
-    let over = (seen[0] / window[0]).max(seen[1] / window[1]);
-    if lines == [0.0; 2] || (FILLED..=1.0 + 1e-9).contains(&over) {
-        return None;
-    }
-    let times = |i: usize| {
-        let room = (window[i] - (seen[i] - lines[i])).max(0.3 * window[i]);
-        if lines[i] > 0.0 { room / lines[i] } else { f64::INFINITY }
-    };
-    Some(mu / times(0).min(times(1)))
-}
-
-/// The box around all ink of all parts; around nothing where there is none.
-fn ink(parts: &[Option<Part>]) -> Rect {
-    parts.iter().flatten().map(|p| p.bounds).reduce(Rect::union).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))
-}
-
-/// Width and height of the box around some items of all parts.
-fn extents(parts: &Parts, of: impl Fn(&Item) -> bool) -> [f64; 2] {
-    let boxes = parts.iter().flatten().flat_map(|p| p.items.iter().filter(|i| of(i)).filter_map(|i| bounds(std::slice::from_ref(i))));
-    boxes.reduce(Rect::union).map_or([0.0; 2], size)
 }
 
 fn size(r: Rect) -> [f64; 2] {

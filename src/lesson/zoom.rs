@@ -8,9 +8,9 @@
 
 use crate::construct::scale::{self, Boxes, extent};
 use crate::construct::{Action, Polygon};
+use crate::figure::extent::Rect;
 use crate::figure::series::{Scales, ends, size};
-use crate::figure::style::Style;
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::scene::Paper;
 use crate::worked::Worked;
@@ -23,12 +23,35 @@ pub const GAIN: f64 = 1.25;
 const STAGE_PX: [f64; 2] = [700.0, 430.0];
 /// The type there: letters without ascenders, 0.44 of it, are 14.5 px high, and digits of indices as high.
 const TYPE_PX: f64 = 33.0;
-/// Room for names around the vectors, at each side (em of the type). The drawing is measured afterwards.
-const NAMES_EM: [f64; 2] = [1.6, 1.1];
+/// The stage of the mechanism there, and its type.
+const DIAGRAM_PX: [f64; 2] = [505.0, 435.0];
+const DIAGRAM_TYPE_PX: f64 = 24.0;
+/// Room for names around the vectors, at each side (em of the type).
+const NAMES_EM: [f64; 2] = [1.7, 1.1];
+/// The window of all poses holds polygons up to so many times those of the own pose, or of half of all poses: what is longer still,
+/// next to a limit or a dead centre, leaves it, and the page steps back from it.
+const LONGEST: f64 = 2.5;
 
 /// Width and height of a polygon's window (mm of the window), for type of this size.
 pub fn window_mm(label_mm: f64) -> [f64; 2] {
     STAGE_PX.map(|px| px * label_mm / TYPE_PX)
+}
+
+/// The same for the mechanism: its figure is not seen through a larger window, so that its letters can be read from far too.
+pub fn stage_mm(label_mm: f64) -> [f64; 2] {
+    DIAGRAM_PX.map(|px| px * label_mm / DIAGRAM_TYPE_PX)
+}
+
+/// Width and height of the room that it has for vectors.
+fn inner_mm(label_mm: f64) -> [f64; 2] {
+    let window = window_mm(label_mm);
+    [0, 1].map(|i| window[i] - 2.0 * NAMES_EM[i] * label_mm)
+}
+
+/// The room for names around what is drawn.
+pub fn with_names(lines: Rect, label_mm: f64) -> Rect {
+    let room = Vec2::new(NAMES_EM[0] * label_mm, NAMES_EM[1] * label_mm);
+    Rect::new(lines.min - room, lines.max + room)
 }
 
 /// The scale and windows of a polygon.
@@ -39,14 +62,15 @@ pub struct Zoom {
     /// SI per mm of the window, for the scene's own pose and for all of them; equal where one window serves both.
     pub view: [f64; 2],
     level: Level,
-    /// What the own window holds on each side of its middle (SI).
-    middle: Point,
+    /// What the two windows look at (SI): the middles of the vectors that they are made for.
+    pub middles: [Point; 2],
+    /// How far the own window holds vectors to either side (SI).
     half: [f64; 2],
 }
 
 impl Zoom {
     /// That of a polygon that `common` has a scale for; `None` where there is no such polygon. Poses come with the driver's travel.
-    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], common: &Scales, level: Level, boxes: Boxes, style: &Style) -> Option<Zoom> {
+    pub fn of(paper: &Paper, poses: &[(f64, &Worked)], common: &Scales, level: Level, boxes: Boxes, label_mm: f64) -> Option<Zoom> {
         let later = level == Level::Acceleration;
         let one = common.mu[usize::from(later)]?;
         let on_paper = |w: &&Worked| common.holds(w, level);
@@ -67,34 +91,40 @@ impl Zoom {
         };
         let usual_mu = || scale::choose_in(paper.unit(level as usize), extent(around(half).into_iter()), boxes.polygon);
         let mu = fixed.or(usual).unwrap_or_else(|| if half > 0.0 { usual_mu() } else { one });
-        let label = style.label_mm;
-        let [w, h] = window_mm(label);
-        let inner = [w - 2.0 * NAMES_EM[0] * label, h - 2.0 * NAMES_EM[1] * label];
+        let inner = inner_mm(label_mm);
         let needed = |points: &[Point]| {
             let [w, h] = extent(points.iter().copied());
             (w / inner[0]).max(h / inner[1])
         };
-        let turn = needed(&around(f64::INFINITY));
+        let typical = own.max(half / OF_HALF);
+        let all = around(if typical > 0.0 { LONGEST * typical } else { f64::INFINITY });
         let shown: Vec<Point> = if own >= half { ends(base, level).chain([Point::ORIGIN]).collect() } else { around(half) };
-        let own = needed(&shown);
-        let view = match (turn > 0.0, own > 0.0 && turn > GAIN * own) {
+        let (turn, own) = (needed(&all), needed(&shown));
+        let two = own > 0.0 && turn > GAIN * own;
+        let view = match (turn > 0.0, two) {
             (false, _) => [one; 2],
             (true, false) => [turn; 2],
             (true, true) => [own, turn],
         };
-        let axis = |of: fn(&Point) -> f64| {
-            let (low, high) = shown.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
-            0.5 * (low + high)
-        };
-        let middle = Point::new(axis(|p| p.x), axis(|p| p.y));
-        Some(Zoom { mu, view, level, middle, half: inner.map(|side| 0.5 * side * view[0]) })
+        let middles = [middle(if two { &shown } else { &all }), middle(&all)];
+        Some(Zoom { mu, view, level, middles, half: inner.map(|side| 0.5 * side * view[0]) })
     }
 
     /// Through which window a pose's polygon is first seen: the own one where its vectors lie in that.
     pub fn place(&self, worked: &Worked) -> usize {
-        let inside = |p: Point| (p.x - self.middle.x).abs() <= self.half[0] && (p.y - self.middle.y).abs() <= self.half[1];
+        let at = self.middles[0];
+        let inside = |p: Point| (p.x - at.x).abs() <= self.half[0] && (p.y - at.y).abs() <= self.half[1];
         usize::from(self.view[0] < self.view[1] && !ends(worked, self.level).all(inside))
     }
+}
+
+/// The middle of the box around points.
+fn middle(points: &[Point]) -> Point {
+    let axis = |of: fn(&Point) -> f64| {
+        let (low, high) = points.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+        0.5 * (low + high)
+    };
+    Point::new(axis(|p| p.x), axis(|p| p.y))
 }
 
 /// The polygon to another scale.
