@@ -1,7 +1,18 @@
 //! Numbers of many frames in few characters.
 //!
 //! A column of coordinates over the frames is nearly a polynomial: its third differences are a few thousandths of a
-//! millimetre. The page undoes this in `lesson.js`; the test there compares the two.
+//! millimetre. The page undoes this in `read.js`; the test in a browser compares the two.
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use miniz_oxide::deflate::compress_to_vec;
+
+/// How hard the data of a page is pressed: the most that takes no longer than drawing them.
+const LEVEL: u8 = 8;
+
+/// All that a page is told, deflated (RFC 1951) and in base64: browsers undo both themselves.
+pub fn pressed(text: &str) -> String {
+    BASE64_STANDARD.encode(compress_to_vec(text.as_bytes(), LEVEL))
+}
 
 /// Digits: printable characters that need no escape in JSON nor in HTML.
 const DIGITS: &[u8; 88] = b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";

@@ -102,8 +102,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     if frames.full && sweep.turns != 1 {
         data["turns"] = json!(sweep.turns);
     }
-    // Inside a script element `</` could end it, and after `<!--` nothing might.
-    let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
+    let data = pack::pressed(&data.to_string());
     Ok(filled(
         PAGE,
         &[
@@ -156,8 +155,9 @@ fn tag(lang: Lang) -> &'static str {
     figure_words::words(lang).tag
 }
 
-/// What the page is told of a drawing: its scale, and of each of its windows how many times as large the paper is seen, where the origin
-/// lies in it (y down), in which frames it holds the drawing, and what moves.
+/// What the page is told of a drawing: of each of its windows how many times as large the paper is seen, where the origin
+/// lies in it (y down), in which frames it holds the drawing, what moves, and
+/// for the second the elements.
 fn drawing(d: &Scenery, told: &[Told]) -> Value {
     let layout = |(l, told): (&Layout, &Told)| {
         let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
@@ -165,7 +165,11 @@ fn drawing(d: &Scenery, told: &[Told]) -> Value {
         let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
         json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving})
     };
-    let layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
+    let mut layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
+    for (layout, told) in layouts.iter_mut().zip(told).skip(1) {
+        // A name stands once in a document: that of an element in the window of all poses is kept aside.
+        layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
+    }
     json!({"key": d.shows.key(), "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
@@ -178,7 +182,7 @@ fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
     sheet::of_level(book, level, mu)
 }
 
-/// A drawing with its caption, its layouts one over the other.
+/// A drawing with its caption, as it is first seen.
 fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
     let book = &frames.list[frames.base].scene.book;
@@ -189,15 +193,7 @@ fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     };
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
-    // A name stands once in a document: that of an element in the window of all poses is kept aside.
-    let ink: String = told
-        .iter()
-        .enumerate()
-        .map(|(k, t)| match k {
-            0 => format!("<g class=\"ink\">\n{}</g>\n", t.markup),
-            _ => format!("<g class=\"ink\" display=\"none\">\n{}</g>\n", t.markup.replace(" id=\"", " data-id=\"")),
-        })
-        .collect();
+    let ink = told.first().map_or_else(String::new, |t| format!("<g class=\"ink\">\n{}</g>\n", t.markup));
     format!(
         "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
          {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",

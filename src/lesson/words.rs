@@ -3,7 +3,7 @@
 use crate::scene::Lang;
 
 /// Key, English, Chinese. `{}` is filled in by the page.
-const WORDS: [(&str, &str, &str); 81] = [
+const WORDS: [(&str, &str, &str); 83] = [
     ("lesson", "Lesson", "教学演示"),
     ("first", "First step", "第一步"),
     ("previous", "Previous step", "上一步"),
@@ -23,6 +23,8 @@ const WORDS: [(&str, &str, &str); 81] = [
     ("speed", "Speed", "快慢"),
     ("home", "Back to the given position", "回到给定位置"),
     ("polygons", "Polygons", "多边形"),
+    ("tab_velocity", "Velocities", "速度"),
+    ("tab_acceleration", "Accelerations", "加速度"),
     ("nearer", "Zoom in", "放大"),
     ("farther", "Zoom out", "缩小"),
     ("whole", "Whole drawing", "显示全图"),

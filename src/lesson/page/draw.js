@@ -82,7 +82,12 @@
   const drawings = data.drawings.map(({ key, shown, layouts }) => {
     const figure = $(key);
     const svg = figure.querySelector("svg");
-    const inks = [...svg.querySelectorAll(".ink")];
+    const inks = layouts.map(({ markup }) => {
+      if (!markup) return svg.querySelector(".ink");
+      const ink = drawn("g", { class: "ink", display: "none" }, svg);
+      ink.innerHTML = markup;
+      return ink;
+    });
     const { width, height } = svg.viewBox.baseVal;
     const over = drawn("g", { class: "over" }, svg);
     const under = drawn("g", { class: "under" });

@@ -33,7 +33,12 @@
     $("hint").textContent = word(data.driver.turns ? "drag" : "drag_slide");
     const two = drawings.slice(1).some((d) => d.layouts.length > 1);
     $("notes").textContent = [word(data.cut ? "scales_cut" : "scales"), two ? word("scales_window") : "", word("rates")].join(" ");
-    for (const d of drawings.slice(1)) $(`tab-${d.key}`).textContent = d.figure.querySelector("[data-en]").dataset[lang];
+    for (const d of drawings.slice(1)) {
+      const tab = $(`tab-${d.key}`);
+      tab.textContent = word(`tab_${d.key}`);
+      tab.title = d.figure.querySelector("[data-en]").dataset[lang];
+      tab.setAttribute("aria-label", tab.title);
+    }
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
     written = null;
     grip.setAttribute("aria-label", word("handle"));
@@ -223,4 +228,5 @@
   fit();
   reveal();
   speak();
+  document.documentElement.dataset.ready = "";
 })();

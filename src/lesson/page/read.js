@@ -1,8 +1,10 @@
 "use strict";
 // The page at work: decodes the frames, moves the drawings, tells the steps. It draws nothing of the library's anew: every element
 // stands in the page, and only its numbers and whether it is seen change. This room reads numbers over the frames.
-(() => {
-  const data = JSON.parse(document.getElementById("data").textContent);
+(async () => {
+  const pressed = Uint8Array.from(atob(document.getElementById("data").textContent), (c) => c.charCodeAt(0));
+  const opened = new Blob([pressed]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
+  const data = JSON.parse(await new Response(opened).text());
   const $ = (id) => document.getElementById(id);
   const TURN = 2 * Math.PI * (data.turns || 1);
   const times = data.travel;
