@@ -37,11 +37,12 @@ const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\
 const PAGE: &str = include_str!("page/page.html");
 const STYLE: &str = include_str!("page/page.css");
 /// The script, in the order of its rooms.
-const SCRIPT: [&str; 6] = [
+const SCRIPT: [&str; 7] = [
     include_str!("page/read.js"),
     include_str!("page/draw.js"),
     include_str!("page/told.js"),
     include_str!("page/move.js"),
+    include_str!("page/over.js"),
     include_str!("page/predict.js"),
     include_str!("page/page.js"),
 ];

@@ -128,25 +128,24 @@ impl<'a> Studio<'a> {
     /// The mechanism has the size of its figure in the own pose, and is smaller only where it would not be seen as a whole.
     fn mechanism(&self) -> Result<Scenery, Faults> {
         let label = self.style.label_mm;
-        let around = |mu: f64| {
+        let lines = |k: usize, mu: f64, courses: &[Course]| self.diagram(k, mu, &courses[k]).1;
+        let alone = |mu: f64| with_names(lines(self.frames.base, mu, &self.courses(mu)), label);
+        let together = |mu: f64| {
             let courses = self.courses(mu);
-            let lines = |k: usize| self.diagram(k, mu, &courses[k]).1;
-            let all: Vec<Rect> = (0..self.frames.list.len()).into_par_iter().map(lines).collect();
-            (with_names(all[self.frames.base], label), with_names(all.into_iter().reduce(Rect::union).unwrap_or(lines(0)), label))
+            let boxes = (0..self.frames.list.len()).into_par_iter().map(|k| lines(k, mu, &courses));
+            boxes.reduce_with(Rect::union).map_or(alone(mu), |r| with_names(r, label))
         };
         let times = |box_mm: Rect, [w, h]: [f64; 2]| (size(box_mm)[0] / w).max(size(box_mm)[1] / h).max(1.0);
         // Symbols keep their size, which a first try does not know of.
-        let smaller = |mu: f64, window: [f64; 2], of: fn((Rect, Rect)) -> Rect| {
-            let mu = mu * times(of(around(mu)), window);
-            mu * times(of(around(mu)), window)
-        };
-        let own_mu = smaller(self.mu, stage_mm(label), |(own, _)| own);
-        let (own, all) = around(own_mu);
+        let first = self.mu * times(alone(self.mu), stage_mm(label));
+        let own_mu = first * times(alone(first), stage_mm(label));
+        let (own, all) = (alone(own_mu), together(own_mu));
         if times(all, size(own)) <= GAIN {
             return self.told(size(all), vec![(own_mu, all, self.parts(own_mu, all, false))]);
         }
-        let mu = smaller(own_mu, size(own), |(_, all)| all);
-        let seen = around(mu).1;
+        let first = own_mu * times(all, size(own));
+        let mu = first * times(together(first), size(own));
+        let seen = together(mu);
         self.told(size(own), vec![(own_mu, own, self.parts(own_mu, own, true)), (mu, seen, self.parts(mu, seen, false))])
     }
 

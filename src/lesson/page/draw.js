@@ -131,8 +131,9 @@
       if (i === index) ink.removeAttribute("display");
       else ink.setAttribute("display", "none");
     });
-    const { mu, origin } = seenThrough(d);
+    const { mu, times: large, origin } = seenThrough(d);
     d.svg.dataset.mu = mu;
+    d.svg.dataset.times = large;
     d.svg.dataset.origin = origin.join(" ");
     d.figure.classList.toggle("wide", index > 0);
   }
