@@ -49,8 +49,11 @@
         const by = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
         const far = Math.hypot(...by);
         if (far < 0.5) continue;
-        const squares = squaresOf(d);
-        return { at, d, about, kind: about.kind, phase: "direction", tail: ends[0], angle: degrees(by), far: far / large, large, squares, turn: 0, length: (0.3 * d.size[1]) / large };
+        const [tail, first] = [ends[0], 0.3 * d.size[1]];
+        // It begins level, where its tip can be seen.
+        const seen = (a) => [0, 1].every((i) => Math.abs(tail[i] + unit(a)[i] * first - d.size[i] / 2) < d.size[i] / 2 - 5);
+        const turn = [0, 180, 90, -90].find(seen) || 0;
+        return { at, d, about, kind: about.kind, phase: "direction", tail, angle: degrees(by), far: far / large, large, squares: squaresOf(d), turn, length: first / large };
       }
       return null;
     }
@@ -83,7 +86,9 @@
       } else {
         asked++;
         present(task.d.key);
+        tip.style.display = "";
         task.d.svg.append(tip);
+        tip.focus({ preventScroll: true });
       }
       face();
       reveal();
@@ -267,7 +272,7 @@
     });
 
     const leave = () => tip.remove();
-    return { ask, draw, says, check, giveUp, nudge, leave, asking: () => !!task, verdict, focus: () => tip.focus({ preventScroll: true }), task: () => task };
+    return { ask, draw, says, check, giveUp, nudge, leave, asking: () => !!task };
   }
 
   function predict() {
@@ -287,5 +292,4 @@
       step = 0;
     }
     predicting.ask();
-    predicting?.focus();
   }
