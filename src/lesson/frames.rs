@@ -12,9 +12,9 @@ use crate::figure::series::Scales;
 use crate::figure::style::Style;
 use crate::geom::Point;
 use crate::mechanism::{Demand, Level, Mechanism};
-use crate::position::Configuration;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
+use crate::position::Configuration;
 use crate::scene::{Lang, Scene};
 use crate::worked::{Worked, work_placed};
 

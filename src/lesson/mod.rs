@@ -22,6 +22,7 @@ mod track;
 mod words;
 mod zoom;
 
+pub use pack::told;
 pub use reveal::reveal;
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
@@ -93,7 +94,15 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
-    let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower, style: &options.style, notation: &options.notation };
+    let maker = Maker {
+        scene,
+        mechanism: &worked.mechanism,
+        demand: &worked.demand,
+        driver: options.driver,
+        follower: &follower,
+        style: &options.style,
+        notation: &options.notation,
+    };
     let frames = maker.frames(&sweep)?;
     if frames.list.len() == 1 {
         let d = Diagnostic::warning(

@@ -26,6 +26,8 @@ use super::zoom::{self, GAIN, stage_mm, window_mm, with_names};
 
 /// Around the ink in a window.
 const MARGIN_MM: f64 = 1.5;
+/// How often the polygon of the own pose is made smaller for its names.
+const PASSES: usize = 3;
 /// A pose is seen through the own window while its ink stays in this much of its margin.
 const AIR_MM: f64 = 1.0;
 
@@ -154,9 +156,20 @@ impl<'a> Studio<'a> {
             return self.told([0.0; 2], Vec::new());
         };
         let window = window_mm(self.label_mm());
-        let seen = |i: usize| about((zoom.middles[i].to_vec2() * (1.0 / zoom.view[i])).to_point(), window);
-        let layout = |i: usize, held: bool| (zoom.view[i], seen(i), self.parts(zoom.view[i], seen(i), held));
-        let layouts = if zoom.view[0] < zoom.view[1] { vec![layout(0, true), layout(1, false)] } else { vec![layout(1, false)] };
+        let seen = |i: usize, mu: f64| about((zoom.middles[i].to_vec2() * (1.0 / mu)).to_point(), window);
+        // The own pose is drawn a little smaller where its names would not be seen whole.
+        let mut own = zoom.view[0];
+        for _ in 0..PASSES {
+            let Some(part) = self.part(self.frames.base, own, None, seen(0, own), &mut Habits::new()) else { break };
+            let over = beyond(part.bounds, seen(0, own).centre(), window.map(|side| side + 2.0 * MARGIN_MM));
+            if over <= 1.0 {
+                break;
+            }
+            own *= over;
+        }
+        let layout = |i: usize, mu: f64| (mu, seen(i, mu), self.parts(mu, seen(i, mu), i == 0));
+        let layouts =
+            if zoom.view[0] == zoom.view[1] { vec![layout(1, own)] } else { vec![layout(0, own), layout(1, zoom.view[1].max(own))] };
         self.told(window, layouts)
     }
 
@@ -241,9 +254,7 @@ impl<'a> Studio<'a> {
             for (k, part) in parts.into_iter().enumerate() {
                 let Some(mut part) = part else { continue };
                 part.translate(shift);
-                let over = |low: f64, high: f64, middle: f64| ((high - middle).max(middle - low) / middle).max(1.0);
-                let b = part.bounds;
-                back[k] = over(b.min.x, b.max.x, middle.x).max(over(b.min.y, b.max.y, middle.y));
+                back[k] = beyond(part.bounds, middle, size_mm);
                 track.add(k, &part.items, &frames.list[k].worked.construction.chosen)?;
             }
             list.push(Layout { mu, origin: Point::ORIGIN + shift, track, held, back });
@@ -261,6 +272,12 @@ fn ways(frames: &Frames) -> (Vec<usize>, Vec<usize>) {
     } else {
         ((base + 1..count).collect(), (0..base).rev().collect())
     }
+}
+
+/// How many times as large a window about a place must be to hold a box; 1 where it does.
+fn beyond(held: Rect, at: Point, [w, h]: [f64; 2]) -> f64 {
+    let over = |low: f64, high: f64, at: f64, side: f64| (high - at).max(at - low) / (0.5 * side);
+    over(held.min.x, held.max.x, at.x, w).max(over(held.min.y, held.max.y, at.y, h)).max(1.0)
 }
 
 fn size(r: Rect) -> [f64; 2] {

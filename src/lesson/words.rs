@@ -53,7 +53,11 @@ const WORDS: [(&str, &str, &str); 83] = [
     ("shown", "This is the answer.", "答案如图。"),
     ("score", "{} of {} right at once.", "一次画对 {} 个，共 {} 个。"),
     ("predict_done", "The construction is complete: {} of {} right at once.", "作图完成：一次画对 {} 个，共 {} 个。"),
-    ("wrong_sense", "The line is right, the sense is not: it follows from the sense of {}.", "方向线正确，指向相反：指向由 {} 的转向决定。"),
+    (
+        "wrong_sense",
+        "The line is right, the sense is not: it follows from the sense of {}.",
+        "方向线正确，指向相反：指向由 {} 的转向决定。",
+    ),
     (
         "wrong_coriolis",
         "The sense is opposite: turn the relative velocity by 90° in the sense of {}.",

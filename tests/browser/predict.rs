@@ -102,7 +102,11 @@ fn a_construction_is_predicted_by_keys() {
                     // What is wrong is told: the sense of the crank, square and along, too long and too short.
                     turn_to(&mut b, degrees + 180.0);
                     b.key("Enter");
-                    assert!(text(&mut b, "verdict").contains("sense") && bare(&text(&mut b, "verdict")).contains("ω1"), "{}", text(&mut b, "verdict"));
+                    assert!(
+                        text(&mut b, "verdict").contains("sense") && bare(&text(&mut b, "verdict")).contains("ω1"),
+                        "{}",
+                        text(&mut b, "verdict")
+                    );
                     turn_to(&mut b, degrees + 90.0);
                     b.key("Enter");
                     assert_eq!(text(&mut b, "verdict"), "It is square to AB, not along it.");

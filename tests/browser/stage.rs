@@ -57,7 +57,12 @@ fn measured(b: &mut Browser, name: &str, path: &std::path::Path, window: [u32; 2
     for language in 0..2 {
         b.key("Home");
         for _ in 0..200 {
-            assert_eq!(b.eval(WORDS), serde_json::json!([]), "{name} at {window:?}, language {language}: {}", b.eval("document.getElementById('count').textContent"));
+            assert_eq!(
+                b.eval(WORDS),
+                serde_json::json!([]),
+                "{name} at {window:?}, language {language}: {}",
+                b.eval("document.getElementById('count').textContent")
+            );
             if b.eval("document.getElementById('next').disabled") == true {
                 break;
             }
@@ -85,7 +90,15 @@ fn letters_are_read_from_the_last_row_and_nothing_is_cut() {
                     const p = document.querySelector('#polygons .drawing:not(.aside)').getBoundingClientRect(); \
                     const t = document.querySelector('#sentence').getBoundingClientRect(); return [p.top, p.bottom, t.top, t.bottom, innerHeight]; })()";
         let v: Vec<f64> = serde_json::from_value(b.eval(read)).unwrap();
-        assert!(v[0] >= 0.0 && v[1] <= v[2] + 1.0 && v[3] <= v[4] - 40.0, "{name}: polygon from {} to {}, sentence from {} to {} of {}", v[0], v[1], v[2], v[3], v[4]);
+        assert!(
+            v[0] >= 0.0 && v[1] <= v[2] + 1.0 && v[3] <= v[4] - 40.0,
+            "{name}: polygon from {} to {}, sentence from {} to {} of {}",
+            v[0],
+            v[1],
+            v[2],
+            v[3],
+            v[4]
+        );
     }
 }
 
@@ -96,7 +109,12 @@ fn what_is_drawn_over_the_drawings_is_true() {
     let scene = template("crank-rocker");
     b.open(&page("over", &scene), SMALL_PROJECTOR);
     let count = |b: &mut Browser, what: &str| b.eval(&format!("document.querySelectorAll('{what}').length")).as_u64().unwrap();
-    for (key, what) in [("s", "#mechanism .path"), ("v", "#mechanism .vector.velocity"), ("a", "#mechanism .vector.acceleration"), ("h", "#velocity .hodograph")] {
+    for (key, what) in [
+        ("s", "#mechanism .path"),
+        ("v", "#mechanism .vector.velocity"),
+        ("a", "#mechanism .vector.acceleration"),
+        ("h", "#velocity .hodograph"),
+    ] {
         assert_eq!(count(&mut b, what), 0);
         b.key(key);
         assert!(count(&mut b, what) > 0, "{what}");
@@ -126,4 +144,46 @@ fn what_is_drawn_over_the_drawings_is_true() {
     b.key("b");
     assert!(later > early && early > 0.0, "{early} {later}");
     assert_quiet(&b, "over");
+}
+
+/// Every position has one scale; where a vector would leave the paper the window becomes larger, once in a turn, and what is drawn
+/// stays true.
+#[test]
+fn one_scale_and_at_most_one_larger_window() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("slotted-lever");
+    b.open(&page("scales", &scene), PROJECTOR);
+    let caption = "document.querySelector('#acceleration .scale').textContent";
+    let first = b.eval(caption);
+    let mut windows = vec![b.eval("document.querySelector('#acceleration svg').dataset.mu")];
+    for _ in 0..13 {
+        assert_eq!(b.eval(caption), first);
+        let there = travel(&mut b);
+        let (scene_there, worked) = worked_at(&mut b, &scene, there);
+        let (shown, drawn) = (shown(&mut b), drawn(&scene_there, &worked));
+        for (id, want) in drawn {
+            let worst = shown[&id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(worst < 1e-2, "{there}: {id} is off by {worst} mm");
+        }
+        for _ in 0..7 {
+            b.key("+");
+        }
+        let window = b.eval("document.querySelector('#acceleration svg').dataset.mu");
+        if windows.last() != Some(&window) {
+            windows.push(window);
+        }
+    }
+    assert_eq!(windows.len(), 2, "{windows:?}");
+    b.key("0");
+    assert_eq!(b.eval("document.querySelector('#acceleration svg').dataset.mu"), windows[0], "the given position fills its window again");
+    assert_quiet(&b, "scales");
+}
+
+/// The names of a polygon have one size in all frames, however many of its vectors vanish in some.
+#[test]
+fn names_keep_their_size() {
+    let page = lesson(&template("jansen-leg"), &Options::of_language(Lang::En)).unwrap().value;
+    let figure = page.split("<figure id=\"acceleration\"").nth(1).and_then(|rest| rest.split("</figure>").next()).unwrap();
+    let sizes: std::collections::BTreeSet<&str> = figure.split("scale(").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert_eq!(sizes.len(), 1, "{sizes:?}");
 }
