@@ -59,7 +59,7 @@
     answers.forEach((say, i) => (answerItems[i].innerHTML = say(told)));
     const said = !begun ? word("finished") : step ? steps[step - 1].say(told) : formulas(data.statement[which()]);
     const asked = predicting && predicting.says();
-    $("sentence").innerHTML = asked || said;
+    fitSentence(asked || said);
     const now = begun && step > 0 ? steps[step - 1] : null;
     const of = asked && steps[step] ? equation(steps[step], told, true) : equation(now, told);
     if (of.html !== written) {
@@ -67,6 +67,19 @@
       fitEquation(of);
     }
     $("count").textContent = word("step", step, steps.length);
+  }
+
+  let spoken = null;
+
+  /** The sentence as large as its room lets it be. */
+  function fitSentence(html) {
+    if (html === spoken) return;
+    const box = $("sentence");
+    box.innerHTML = spoken = html;
+    for (const size of [1, 0.9, 0.8, 0.7, 0.62]) {
+      box.style.setProperty("--fit", size);
+      if (!boxed() || box.getBoundingClientRect().bottom <= $("told").getBoundingClientRect().bottom) return;
+    }
   }
 
   /** The equation as large as its room lets it be: smaller first, then in several lines. */

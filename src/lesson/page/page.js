@@ -40,7 +40,7 @@
       tab.setAttribute("aria-label", tab.title);
     }
     for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
-    written = null;
+    written = spoken = null;
     grip.setAttribute("aria-label", word("handle"));
     const values = data.full ? [start, start + wholeTurn * (data.turns || 1)] : ends().map((t) => start + t * data.driver.factor);
     grip.setAttribute("aria-valuemin", Math.round(values[0] * 10) / 10);
@@ -63,7 +63,7 @@
     const sizes = drawings.map((d) => d.size);
     const below = sizes.slice(1).reduce((sum, s) => sum + s[0], 0);
     document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(sizes[0][0], below), 110 / sizes[0][1]));
-    written = null;
+    written = spoken = null;
     if (told >= 0) tell();
   }
 
