@@ -71,7 +71,7 @@ fn lesson_text(page: &str) -> String {
         }
     }
     let between = |from: &str, to: &str| page.split(from).nth(1).unwrap().split(to).next().unwrap();
-    let mut data: serde_json::Value = serde_json::from_str(between("id=\"data\">", "</script>")).unwrap();
+    let mut data: serde_json::Value = serde_json::from_str(&lesson::told(page).unwrap()).unwrap();
     data["words"] = "…".into();
     fold(&mut data);
     let lines: Vec<String> = data.as_object().unwrap().iter().map(|(key, value)| format!("{key}: {value}")).collect();

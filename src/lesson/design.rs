@@ -33,7 +33,7 @@ use std::f64::consts::TAU;
 
 const PAGE: &str = include_str!("design.html");
 /// The look of all lessons, and what this page has beside it.
-const STYLE: [&str; 2] = [include_str!("page.css"), include_str!("design.css")];
+const STYLE: [&str; 2] = [include_str!("design-page.css"), include_str!("design.css")];
 const SCRIPT: &str = include_str!("design.js");
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;

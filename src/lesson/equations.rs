@@ -13,6 +13,7 @@ use crate::plan::text::{Column, Writer};
 use crate::plan::{Step, Term};
 use crate::report::equation::{Written, written};
 
+use super::acts::acts;
 use super::bank::{Formulas, runs};
 use super::frames::{Frame, Frames};
 use super::steps::LANGS;
@@ -21,10 +22,11 @@ use super::steps::LANGS;
 ///
 /// `written`: a table is a list of columns (sign before it, symbol, direction, magnitude: indices of formulas, −1 for none), a
 /// statement an object with both languages. `variants`: for each level and each of its actions 0, or the index of what is written
-/// and the columns that the action draws. `frames`: runs of variants, −1 for none; 0 for the first in all.
+/// and the columns that the action draws. `acts`: for each variant and level what its actions are about ([`super::acts`]). `frames`:
+/// runs of variants, −1 for none; 0 for the first in all.
 pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
     let mut table = Book { written: Vec::new() };
-    let mut variants: Vec<Value> = Vec::new();
+    let (mut variants, mut about): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
     let mut known: Vec<&Frame> = Vec::new();
     let mut which: Vec<i64> = Vec::new();
     for frame in &frames.list {
@@ -35,12 +37,13 @@ pub fn equations(frames: &Frames, notation: &Notation, formulas: &mut Formulas) 
         let index = known.iter().position(|k| alike(k, frame)).unwrap_or_else(|| {
             known.push(frame);
             variants.push(json!(Level::RATES.map(|level| table.level(frame, level, notation, formulas))));
+            about.push(json!(Level::RATES.map(|level| acts(frame, level, notation, formulas))));
             known.len() - 1
         });
         which.push(index as i64);
     }
     let which = if which.iter().all(|v| *v == 0) { json!(0) } else { json!(runs(&which)) };
-    json!({"written": table.written, "variants": variants, "frames": which, "direction_first": notation.first_row == "direction"})
+    json!({"written": table.written, "variants": variants, "acts": about, "frames": which, "direction_first": notation.first_row == "direction"})
 }
 
 /// Whether two frames are drawn by the same equations in the same steps.

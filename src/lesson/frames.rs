@@ -1,21 +1,25 @@
 //! Every pose worked through to common scales, with more poses where the motion bends.
 //!
 //! Decided here: that all poses fit the paper but those next to a limit, where vectors grow beyond all bounds, and how many
-//! poses the page needs to show those between them true to a hundredth of a millimetre. Which scales they have: [`super::ladder`].
+//! poses the page needs to show those between them true to a hundredth of a millimetre. Which scales they have: [`super::zoom`].
 
 use rayon::prelude::*;
 
 use crate::construct::scale::Boxes;
 use crate::diag::{Diagnostic, Faults, both};
+use crate::figure::polygon::is_full;
 use crate::figure::series::Scales;
+use crate::figure::style::Style;
 use crate::geom::Point;
 use crate::mechanism::{Demand, Level, Mechanism};
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
 use crate::position::Configuration;
-use crate::scene::Scene;
+use crate::scene::{Lang, Scene};
 use crate::worked::{Worked, work_placed};
 
 use super::curve;
-use super::ladder::Ladder;
+use super::zoom::Zoom;
 use crate::sweep::follow::{Follower, Pose, Sweep, between, scene_at};
 
 /// A pose with all that is known of it.
@@ -28,8 +32,6 @@ pub struct Frame {
     pub worked: Worked,
     /// Whether the polygon of velocities, and that of accelerations, is on the paper.
     pub shown: [bool; 2],
-    /// Which of [`Frames::mu`] each has.
-    pub scale: [usize; 2],
     /// Whether the driver can go no farther here: nothing is said of the motion.
     pub end: bool,
 }
@@ -42,8 +44,8 @@ pub struct Frames {
     pub base: usize,
     /// Whether the mechanism turns fully.
     pub full: bool,
-    /// The scales of either polygon, the usual one first (SI/mm); empty where there is none.
-    pub mu: [Vec<f64>; 2],
+    /// The scale and the windows of either polygon, if there is one.
+    pub zoom: [Option<Zoom>; 2],
     /// Whether some polygon next to a limit is too large for the paper.
     pub cut: bool,
 }
@@ -52,8 +54,6 @@ pub struct Frames {
 const BETWEEN_MM: f64 = 0.006;
 /// More frames than this part of those asked for are not added.
 const ADDED: f64 = 0.4;
-/// How much larger than on a sheet a polygon may be: it has to be read in the poses too in which it is small.
-const LARGER: f64 = 1.5;
 /// Rounds of halving: next to a limit a step of 5° becomes one of 0.3°.
 const ROUNDS: usize = 4;
 /// A pose in which lines coincide is shown from so far (a part of a step) on both sides of it: a change point from where its
@@ -70,10 +70,12 @@ struct Trial {
 /// The scales of all poses.
 struct Papers {
     common: Scales,
-    ladders: [Option<Ladder>; 2],
+    /// That of the scene's own figure (m/mm).
+    mu_l: f64,
+    zooms: [Option<Zoom>; 2],
 }
 
-/// A mark on paper, and which scale it is drawn to.
+/// A mark in a window, and in which.
 type Mark = (usize, Point);
 
 /// What a lesson is made from.
@@ -88,6 +90,10 @@ pub struct Maker<'a> {
     pub driver: usize,
     /// How the mechanism is followed.
     pub follower: &'a Follower<'a>,
+    /// Sizes of the type.
+    pub style: &'a Style,
+    /// How vectors are named.
+    pub notation: &'a Notation,
 }
 
 impl Maker<'_> {
@@ -198,7 +204,7 @@ impl Maker<'_> {
             if (at.saturating_sub(1)..(at + 3).min(keys.len())).any(|n| mark(n).is_none()) {
                 continue;
             }
-            // What is drawn to another scale tells the page nothing of this one.
+            // What is seen through another window tells the page nothing of this one.
             let alike = |n: &usize| mark(*n).is_some_and(|m| m.0 == scale);
             let side = |places: [Option<usize>; 3]| places.into_iter().map_while(|n| n.filter(alike)).collect::<Vec<_>>();
             let (before, after) =
@@ -223,30 +229,33 @@ impl Maker<'_> {
         worst
     }
 
-    /// The room for each drawing.
-    fn boxes(&self, trials: &[Trial]) -> Boxes {
-        let usual = trials.first().map_or(Boxes::default(), |t| Boxes::of(&self.scene.paper, &t.worked.plan));
-        Boxes { polygon: usual.polygon.map(|side| side * LARGER), ..usual }
-    }
-
     /// The scales of all poses.
     fn papers(&self, trials: &[Trial], full: bool) -> Papers {
         let poses: Vec<(f64, &Worked)> = trials.iter().map(|t| (t.travel, &t.worked)).collect();
-        let boxes = self.boxes(trials);
+        let own = trials.iter().min_by(|a, b| a.travel.abs().total_cmp(&b.travel.abs())).map(|t| &t.worked);
+        let boxes = own.map_or(Boxes::default(), |w| Boxes::of(&self.scene.paper, &w.plan));
         let common = Scales::of(&self.scene.paper, &poses, full, boxes);
-        Papers { common, ladders: Level::RATES.map(|level| Ladder::of(&self.scene.paper, &poses, &common, level, boxes)) }
+        let zooms = Level::RATES.map(|level| Zoom::of(&self.scene.paper, &poses, &common, level, boxes, self.label_mm(&poses, level)));
+        Papers { mu_l: own.map_or(common.mu_l, |w| w.construction.diagram.mu_l), common, zooms }
+    }
+
+    /// The size of the type in a polygon: small where there are many vectors.
+    fn label_mm(&self, poses: &[(f64, &Worked)], level: Level) -> f64 {
+        let many = poses.par_iter().any(|(_, worked)| {
+            let w = Writer { scene: self.scene, plan: &worked.plan, notation: self.notation, lang: Lang::En };
+            worked.construction.polygon(level).is_some_and(|p| is_full(&w, p))
+        });
+        if many { self.style.small_mm } else { self.style.label_mm }
     }
 
     /// Draws all poses to the common scales.
     fn draw(&self, trials: Vec<Trial>, sweep: &Sweep) -> Result<Frames, Faults> {
         let papers = self.papers(&trials, sweep.full);
-        let mu = papers.ladders.each_ref().map(|l| l.as_ref().map_or_else(Vec::new, |l| l.mu.clone()));
-        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, mu, cut: false };
+        let mut frames = Frames { list: Vec::new(), base: 0, full: sweep.full, zoom: papers.zooms.clone(), cut: false };
         let to_scale = |trial: &Trial| {
             let mut scene = scene_at(self.scene, self.driver, trial.travel);
-            papers.common.fix(&mut scene.paper);
-            let [mu_v, mu_a] = [0, 1].map(|i| papers.ladders[i].as_ref().map(|l| l.mu[l.place(&trial.worked)]));
-            (scene.paper.mu_v, scene.paper.mu_a) = (mu_v, mu_a);
+            let [mu_v, mu_a] = papers.zooms.each_ref().map(|z| z.as_ref().map(|z| z.mu));
+            (scene.paper.mu_l, scene.paper.mu_v, scene.paper.mu_a) = (Some(papers.mu_l), mu_v, mu_a);
             let worked = self.work(&scene, &trial.worked.configuration).ok()?;
             Some((scene, worked))
         };
@@ -257,8 +266,7 @@ impl Maker<'_> {
             frames.cut |= Level::RATES.iter().zip(shown).any(|(l, s)| !s && worked.construction.polygon(*l).is_some());
             let near = |k: usize| sweep.is_limit(k) && (sweep.poses[k].travel - trial.travel).abs() < 2.0 * BEFORE[3] * sweep.step(k);
             let end = trial.travel != 0.0 && (near(0) || near(sweep.poses.len() - 1));
-            let scale = papers.ladders.each_ref().map(|l| l.as_ref().map_or(0, |l| l.place(&trial.worked)));
-            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), scale, end });
+            frames.list.push(Frame { travel: trial.travel, scene, worked, shown: shown.map(|s| s && !end), end });
         }
         // A scene in a singular pose begins beside it.
         let from_own = |k: &usize| frames.list[*k].travel.abs();
@@ -282,14 +290,14 @@ impl Maker<'_> {
 impl Papers {
     /// Joints and images on paper, in a fixed order.
     fn marks(&self, worked: &Worked) -> Vec<Option<Mark>> {
-        let joint = |p: Point| (0, (p.to_vec2() * (1.0 / self.common.mu_l)).to_point());
+        let joint = |p: Point| (0, (p.to_vec2() * (1.0 / self.mu_l)).to_point());
         let mut marks: Vec<Option<Mark>> = worked.configuration.points.iter().map(|p| p.map(joint)).collect();
-        for (level, ladder) in Level::RATES.into_iter().zip(&self.ladders) {
-            if let (Some(p), Some(ladder)) = (worked.construction.polygon(level), ladder) {
+        for (level, zoom) in Level::RATES.into_iter().zip(&self.zooms) {
+            if let (Some(p), Some(zoom)) = (worked.construction.polygon(level), zoom) {
                 // What is not shown need not be true.
                 let on_paper = self.common.holds(worked, level);
-                let scale = ladder.place(worked);
-                let mark = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (p.mu / ladder.mu[scale])).to_point()));
+                let scale = zoom.place(worked);
+                let mark = |q: Point| on_paper.then(|| (scale, (q.to_vec2() * (p.mu / zoom.view[scale])).to_point()));
                 marks.extend(p.images.iter().map(|q| q.and_then(mark)));
                 marks.extend(p.edges.iter().map(|e| mark(e.to.1)));
             }

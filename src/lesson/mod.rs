@@ -1,17 +1,18 @@
 //! A lesson: one HTML page in which a mechanism stands beside its polygons, built step by step, with a crank to drag.
 //!
 //! Decided here: what the page holds. [`crate::sweep::follow`] follows the mechanism through its driver's travel, [`frames`] works each pose to
-//! common scales ([`ladder`]), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
+//! one scale ([`zoom`]), [`scenery`] draws it, [`track`] tells what changes from frame to frame and [`pack`] in how few
 //! characters, [`bank`] does the same for sentences ([`crate::report::math`] sets their formulas), [`equations`] gives each step its equation, [`page`] puts it together, and
 //! [`reveal`] writes one pose as a fragment for slides.
 //! Not decided here: how anything is drawn or solved.
 
+mod acts;
 mod bank;
 mod curve;
 pub mod design;
 mod equations;
 mod frames;
-mod ladder;
+mod marks;
 mod pack;
 mod page;
 mod reveal;
@@ -19,7 +20,9 @@ mod scenery;
 mod steps;
 mod track;
 mod words;
+mod zoom;
 
+pub use pack::told;
 pub use reveal::reveal;
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
@@ -91,7 +94,15 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
     }
     let follower = Follower::new(scene, &worked.mechanism, &worked.demand, &worked.configuration, options.driver);
     let sweep = follower.sweep(options.positions.clamp(8, 360));
-    let maker = Maker { scene, mechanism: &worked.mechanism, demand: &worked.demand, driver: options.driver, follower: &follower };
+    let maker = Maker {
+        scene,
+        mechanism: &worked.mechanism,
+        demand: &worked.demand,
+        driver: options.driver,
+        follower: &follower,
+        style: &options.style,
+        notation: &options.notation,
+    };
     let frames = maker.frames(&sweep)?;
     if frames.list.len() == 1 {
         let d = Diagnostic::warning(

@@ -1,7 +1,29 @@
 //! Numbers of many frames in few characters.
 //!
 //! A column of coordinates over the frames is nearly a polynomial: its third differences are a few thousandths of a
-//! millimetre. The page undoes this in `lesson.js`; the test there compares the two.
+//! millimetre. The page undoes this in `read.js`; the test in a browser compares the two.
+
+use base64::prelude::{BASE64_STANDARD, Engine};
+use miniz_oxide::deflate::compress_to_vec;
+use miniz_oxide::inflate::decompress_to_vec_with_limit;
+
+/// How hard the data of a page is pressed: the most that takes no longer than drawing them.
+const LEVEL: u8 = 8;
+
+/// All that a page is told, deflated (RFC 1951) and in base64: browsers undo both themselves.
+pub fn pressed(text: &str) -> String {
+    BASE64_STANDARD.encode(compress_to_vec(text.as_bytes(), LEVEL))
+}
+
+/// What a page is told (JSON), from its text; `None` of what is no lesson. At most [`MOST_BYTES`] of it.
+pub fn told(page: &str) -> Option<String> {
+    let text = page.split("id=\"data\">").nth(1)?.split("</script>").next()?;
+    let bytes = decompress_to_vec_with_limit(&BASE64_STANDARD.decode(text).ok()?, MOST_BYTES).ok()?;
+    String::from_utf8(bytes).ok()
+}
+
+/// More than any lesson tells; a file that claims more is none.
+const MOST_BYTES: usize = 1 << 26;
 
 /// Digits: printable characters that need no escape in JSON nor in HTML.
 const DIGITS: &[u8; 88] = b"!#$%'()*+,-./0123456789:;=?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[]^_`abcdefghijklmnopqrstuvwxyz{|}";

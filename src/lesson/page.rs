@@ -4,6 +4,7 @@
 
 use serde_json::{Value, json};
 
+use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
 use crate::figure::label::Label;
 use crate::figure::sheet;
@@ -22,16 +23,29 @@ use crate::scene::{Book, DriverKind, Lang, Scene};
 use super::bank::{self, Formulas};
 use super::equations::equations;
 use super::frames::{Frame, Frames};
-use super::scenery::{Scenery, Shows, scenery, stray};
+use super::marks::marks;
+use super::scenery::{Layout, Scenery, Shows, scenery, stray};
 use super::steps::{LANGS, answers, steps};
 use super::track::{Told, UNIT, runs};
 use super::words::{table, word};
 use super::{Options, pack};
 use crate::sweep::follow::Sweep;
 
-const PAGE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("page.js");
+/// The buttons of a drawing.
+const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\" data-title=\"whole\">⤢</button>\
+    <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
+const PAGE: &str = include_str!("page/page.html");
+const STYLE: &str = include_str!("page/page.css");
+/// The script, in the order of its rooms.
+const SCRIPT: [&str; 7] = [
+    include_str!("page/read.js"),
+    include_str!("page/draw.js"),
+    include_str!("page/told.js"),
+    include_str!("page/move.js"),
+    include_str!("page/over.js"),
+    include_str!("page/predict.js"),
+    include_str!("page/page.js"),
+];
 
 /// Writes the page.
 ///
@@ -44,11 +58,12 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         let steps = steps(frames, notation, &mut formulas);
         let answers = answers(frames, options.driver, notation, &mut formulas);
         let equations = equations(frames, notation, &mut formulas);
-        (steps, answers, equations, formulas)
+        let marks = marks(frames, notation, &mut formulas);
+        (steps, answers, equations, marks, formulas)
     };
-    let (drawings, (steps, answers, equations, mut formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
+    let (drawings, (steps, answers, equations, marks, mut formulas)) = rayon::join(|| scenery(frames, notation, &options.style), written);
     let drawings = drawings?;
-    let told: Vec<Told> = drawings.iter().map(|d| d.track.told()).collect();
+    let told: Vec<Vec<Told>> = drawings.iter().map(|d| d.layouts.iter().map(|l| l.track.told()).collect()).collect();
     let mut figures = drawings.iter().zip(&told).map(|(d, told)| figure(d, told, frames, options.lang));
     let mechanism = figures.next().unwrap_or_default();
     let polygons: String = figures.collect();
@@ -56,7 +71,9 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "" => figure_words::words(lang).diagram.to_owned(),
         title => title.to_owned(),
     };
-    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t, frames, &mut formulas)).collect();
+    let told_drawings: Vec<Value> = drawings.iter().zip(&told).map(|(d, t)| drawing(d, t)).collect();
+    let book = &frames.list[frames.base].scene.book;
+    let scales: Vec<usize> = drawings.iter().map(|d| formulas.formula(&scale_formula(book, d.shows, d.mu))).collect();
     let mut data = json!({
         "digits": pack::alphabet(),
         "unit": UNIT,
@@ -70,7 +87,10 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         "full": frames.full,
         "limits": limits(scene, sweep, frames),
         "cut": frames.cut,
-        "handle": handle(frames, options.driver, &drawings[0]),
+        "handle": handle(frames, options.driver),
+        "scales": scales,
+        "pencil": scene.paper.pencil_mm.unwrap_or(USUAL_MM),
+        "marks": marks,
         "drawings": told_drawings,
         "steps": steps,
         "answers": answers,
@@ -83,20 +103,19 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
     if frames.full && sweep.turns != 1 {
         data["turns"] = json!(sweep.turns);
     }
-    // Inside a script element `</` could end it, and after `<!--` nothing might.
-    let data = data.to_string().replace("</", "<\\/").replace("<!", "\\u003c!");
+    let data = pack::pressed(&data.to_string());
     Ok(filled(
         PAGE,
         &[
             ("lang", tag(options.lang)),
             ("title", &escaped(&title(options.lang))),
             ("style", &terse(STYLE)),
-            ("letters", &Elements::letters(drawings.iter().map(|d| &d.track.elements_of))),
+            ("letters", &Elements::letters(drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of))),
             ("mechanism", &mechanism),
             ("polygons", &polygons),
             ("noscript", &escaped(word("noscript", options.lang))),
             ("data", &data),
-            ("script", &terse(SCRIPT)),
+            ("script", &terse(&SCRIPT.concat())),
         ],
     ))
 }
@@ -137,27 +156,22 @@ fn tag(lang: Lang) -> &'static str {
     figure_words::words(lang).tag
 }
 
-/// What the page is told of a drawing. `scales`, where there are several: for each its μ and the index of the formula that says
-/// it, and which one each frame has.
-fn drawing(d: &Scenery, told: &Told, frames: &Frames, formulas: &mut Formulas) -> Value {
-    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
-    let scales = if list.len() > 1 {
-        let said: Vec<Value> = list.iter().map(|mu| json!([mu, formulas.formula(&scale_formula(book, d.shows, *mu))])).collect();
-        let level = usize::from(d.shows == Shows::Polygon(Level::Acceleration));
-        let which: Vec<i64> = frames.list.iter().map(|f| f.scale[level] as i64).collect();
-        json!([said, bank::runs(&which)])
-    } else {
-        json!(0)
+/// What the page is told of a drawing: of each of its windows how many times as large the paper is seen, where the origin
+/// lies in it (y down), in which frames it holds the drawing, what moves, and
+/// for the second the elements.
+fn drawing(d: &Scenery, told: &[Told]) -> Value {
+    let layout = |(l, told): (&Layout, &Told)| {
+        let origin = [l.origin.x, d.size_mm[1] - l.origin.y].map(ten_digits);
+        // In hundredths; rounding and the roundness of heads are no reason to step back.
+        let back = bank::runs(&l.back.iter().map(|b| if *b < 1.03 { 100 } else { (b * 100.0).ceil() as i64 }).collect::<Vec<_>>());
+        json!({"mu": l.mu, "times": ten_digits(d.mu / l.mu), "origin": origin, "held": runs(l.held.iter().copied()), "back": back, "moving": told.moving})
     };
-    json!({"key": d.shows.key(), "moving": told.moving, "shown": runs(d.shown.iter().copied()), "scales": scales})
-}
-
-/// The scales of a drawing, the usual one first.
-fn scales(shows: Shows, frames: &Frames) -> &[f64] {
-    match shows {
-        Shows::Mechanism => std::slice::from_ref(&frames.list[frames.base].worked.construction.diagram.mu_l),
-        Shows::Polygon(level) => &frames.mu[usize::from(level == Level::Acceleration)],
+    let mut layouts: Vec<Value> = d.layouts.iter().zip(told).map(layout).collect();
+    for (layout, told) in layouts.iter_mut().zip(told).skip(1) {
+        // A name stands once in a document: that of an element in the window of all poses is kept aside.
+        layout["markup"] = json!(told.markup.replace(" id=\"", " data-id=\""));
     }
+    json!({"key": d.shows.key(), "shown": runs(d.shown.iter().copied()), "layouts": layouts})
 }
 
 /// A scale as the label language says it.
@@ -169,31 +183,23 @@ fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
     sheet::of_level(book, level, mu)
 }
 
-/// A drawing with its caption; its scale is said below.
-fn figure(d: &Scenery, told: &Told, frames: &Frames, lang: Lang) -> String {
+/// A drawing with its caption, as it is first seen.
+fn figure(d: &Scenery, told: &[Told], frames: &Frames, lang: Lang) -> String {
     let [w, h] = d.size_mm.map(crate::render::number::mm);
-    let (x, y) = (crate::render::number::mm(d.origin.x), crate::render::number::mm(d.size_mm[1] - d.origin.y));
-    let (list, book) = (scales(d.shows, frames), &frames.list[frames.base].scene.book);
-    let mu = list.first().copied().unwrap_or(0.0);
+    let book = &frames.list[frames.base].scene.book;
     let caption: fn(Lang) -> &'static str = match d.shows {
         Shows::Mechanism => |l| figure_words::words(l).diagram,
         Shows::Polygon(Level::Acceleration) => |l| figure_words::words(l).acceleration_polygon,
         Shows::Polygon(_) => |l| figure_words::words(l).velocity_polygon,
     };
-    // Kept free where it is not said, so that nothing moves when it is.
-    let smaller = if list.len() > 1 {
-        format!(" <span class=\"smaller\" data-text=\"smaller\">{}</span>", word("smaller", lang))
-    } else {
-        String::new()
-    };
     let key = d.shows.key();
     let both = LANGS.map(|l| format!(" data-{}=\"{}\"", tag(l), escaped(caption(l)))).concat();
+    let ink = told.first().map_or_else(String::new, |t| format!("<g class=\"ink\">\n{}</g>\n", t.markup));
     format!(
-        "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" data-origin=\"{x} {y}\" data-mu=\"{mu}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
-         <g class=\"ink\">\n{}</g>\n</svg>\n<p class=\"off\" hidden></p>\n<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span>{smaller}</figcaption>\n</figure>\n",
-        told.markup,
+        "<figure id=\"{key}\" class=\"drawing\">\n<svg viewBox=\"0 0 {w} {h}\" style=\"--w:{w};--h:{h}\" role=\"img\" aria-labelledby=\"{key}-caption\">\n\
+         {ink}</svg>\n<p class=\"off\" hidden></p>\n{ZOOMS}<figcaption><span id=\"{key}-caption\"{both}>{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
         escaped(caption(lang)),
-        mathml(&Label::math(scale_formula(book, d.shows, mu))),
+        mathml(&Label::math(scale_formula(book, d.shows, d.mu))),
     )
 }
 
@@ -259,15 +265,14 @@ fn limits(scene: &Scene, sweep: &Sweep, frames: &Frames) -> Value {
     said.collect()
 }
 
-/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) on the
-/// mechanism's paper, y down.
-fn handle(frames: &Frames, driver: usize, paper: &Scenery) -> Value {
-    let places: Vec<Point> =
-        frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f) + (paper.origin - Point::ORIGIN)).collect();
+/// The point by which the driver is dragged, over the frames: two packed columns ([`UNIT`]) in mm of the mechanism's paper, from its
+/// origin, y up.
+fn handle(frames: &Frames, driver: usize) -> Value {
+    let places: Vec<Point> = frames.list.iter().map(|f| grip(f, driver).unwrap_or(Point::ORIGIN) + stray(frames, f)).collect();
     let mut packed = String::new();
     let whole = |v: f64| (v * UNIT).round() as i64;
     pack::column(&places.iter().map(|p| whole(p.x)).collect::<Vec<_>>(), &mut packed);
-    pack::column(&places.iter().map(|p| whole(paper.size_mm[1] - p.y)).collect::<Vec<_>>(), &mut packed);
+    pack::column(&places.iter().map(|p| whole(p.y)).collect::<Vec<_>>(), &mut packed);
     json!(packed)
 }
 

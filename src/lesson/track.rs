@@ -101,8 +101,13 @@ impl Track {
         Ok(())
     }
 
+    /// What belongs to a link of the mechanism says so: a step lights it up.
     fn markup(&mut self, item: &Item) -> Result<String, Faults> {
-        Ok(self.elements_of.of(std::slice::from_ref(item))?.concat())
+        let text = self.elements_of.of(std::slice::from_ref(item))?.concat();
+        Ok(match item.link {
+            Some(link) if item.class.starts_with("mechanism") => with(&text, &format!("data-l=\"{link}\"")),
+            _ => text,
+        })
     }
 
     /// The drawing for the page.
@@ -181,8 +186,13 @@ fn blank(item: &Item) -> Item {
 }
 
 fn hidden(markup: &str) -> String {
+    with(markup, "display=\"none\"")
+}
+
+/// An element with one more attribute.
+fn with(markup: &str, attribute: &str) -> String {
     let end = markup.find([' ', '>', '/']).unwrap_or(markup.len());
-    format!("{} display=\"none\"{}", &markup[..end], &markup[end..])
+    format!("{} {attribute}{}", &markup[..end], &markup[end..])
 }
 
 /// An attribute of an element, or of one of the elements in it.

@@ -126,6 +126,9 @@ impl Browser {
             let event = self.until(loaded).expect("the page loads");
             self.events.push_back(event);
         }
+        // A lesson opens its data and says when it is ready.
+        let ready = "new Promise((done) => { const look = () => document.documentElement.dataset.ready === '' ? done() : setTimeout(look, 10); look(); })";
+        self.eval(ready);
     }
 
     /// The value of an expression in the page.

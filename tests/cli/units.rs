@@ -128,7 +128,9 @@ fn nothing_is_left_in_si() {
             let path = file(&format!("{name}-{k}.{ending}"));
             arguments.extend(["-o", &path]);
             printed(&arguments, &scene);
-            all.push((name, std::fs::read_to_string(&path).unwrap()));
+            let text = std::fs::read_to_string(&path).unwrap();
+            let told = hodograph::lesson::told(&text).unwrap_or_default();
+            all.push((name, text + &told));
         }
         for (name, said) in all {
             let said = plain(&said);

@@ -192,13 +192,18 @@ impl Drawing {
 
     /// Places the labels of a drawing of a series: each where it stood before, if it can; `habits` then says where it stands
     /// now.
-    pub fn finish_after(mut self, habits: &mut Habits) -> Part {
-        let lines = bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN));
+    pub fn finish_after(self, habits: &mut Habits) -> Part {
+        let room = self.bounds().grown(LABEL_ROOM_MM);
+        self.finish_within(habits, room)
+    }
+
+    /// The same with the room that the labels have.
+    pub fn finish_within(mut self, habits: &mut Habits, room: Rect) -> Part {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         self.obstacles.lettered.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
-        let placed = place_or_leave(&requests, &self.obstacles, lines.grown(LABEL_ROOM_MM), &before);
+        let placed = place_or_leave(&requests, &self.obstacles, room, &before);
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };

@@ -1,0 +1,129 @@
+//! What an action on the board is about, for the page: the link that it lights up, the line of the mechanism to which its vector is
+//! square or parallel, and by what a wrong guess at it is judged.
+
+use serde_json::{Value, json};
+
+use crate::construct::{Action, Construction, Polygon};
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::plan::{Body, By, Term, TermKind, VertexId};
+use crate::scene::{DriverKind, Lang, LinkId, Scene};
+
+use super::bank::Formulas;
+use super::frames::Frame;
+
+/// For each action of a level: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
+/// `p` a perpendicular; empty where nothing is drawn), the links, then of its first term: vertex and the one from which it is
+/// seen (of a crossing or an image the vertex found, and −1), what sets its sense (`t` a turning, `n` a centre, `k` a turning and a
+/// sliding, `s` a sliding), and the formulas of symbol, direction, line and turning; −1 for what there is not.
+pub fn acts(frame: &Frame, level: Level, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
+    let (scene, paper) = (&frame.scene, &frame.worked.construction);
+    let Some(p) = paper.polygon(level) else { return Vec::new() };
+    let w = Writer { scene, plan: &frame.worked.plan, notation, lang: Lang::En };
+    p.actions.iter().map(|a| Act { w: &w, level, p, paper }.told(a, formulas)).collect()
+}
+
+struct Act<'a> {
+    w: &'a Writer<'a>,
+    level: Level,
+    p: &'a Polygon,
+    paper: &'a Construction,
+}
+
+impl Act<'_> {
+    fn told(&self, action: &Action, formulas: &mut Formulas) -> Value {
+        let of_edges = |edges: &[usize]| edges.iter().flat_map(|e| self.p.edges[*e].terms.clone()).collect::<Vec<Term>>();
+        match action {
+            Action::LayOff(e) => self.of_terms("l", &of_edges(&[*e]), formulas),
+            Action::Line { terms, .. } => self.of_terms("d", terms, formulas),
+            Action::Join(e) => self.of_terms("j", &of_edges(&[*e]), formulas),
+            Action::Perpendicular { edges, .. } => self.of_terms("p", &of_edges(edges), formulas),
+            Action::Cross { target, edges, .. } => json!(["x", self.links(&of_edges(edges)), target.0, -1]),
+            Action::Copy { target, .. } => json!(["c", self.of_vertex(*target), target.0, -1]),
+            Action::Reach(v) | Action::Same { target: v, .. } => json!(["", self.of_vertex(*v), v.0, -1]),
+            Action::Nothing { term, .. } => self.of_terms("", &[*term], formulas),
+            Action::Rate(r) => json!(["", self.paper.rates.get(*r).map_or_else(Vec::new, |r| of_body(self.w.scene, r.body)), -1, -1]),
+        }
+    }
+
+    fn of_terms(&self, kind: &str, terms: &[Term], formulas: &mut Formulas) -> Value {
+        let [first, ..] = terms else { return json!([kind, [], -1, -1]) };
+        let direction = self.w.direction(first);
+        let line = ["\\perp ", "\\parallel "].iter().find_map(|sign| direction.strip_prefix(sign)).unwrap_or_default();
+        let symbols: Vec<String> = terms.iter().map(|t| self.w.symbol(self.level, t)).collect();
+        let told = if direction == self.w.notation.unknown { "" } else { direction.as_str() };
+        let mut formula = |text: &str| if text.is_empty() { -1 } else { formulas.formula(text) as i64 };
+        json!([
+            kind,
+            self.links(terms),
+            first.of.0,
+            first.to.0,
+            sense(first),
+            formula(&symbols.join(" + ")),
+            formula(told),
+            formula(line),
+            formula(&self.turning(first))
+        ])
+    }
+
+    /// The angular velocity or acceleration that decides a term's sense.
+    fn turning(&self, t: &Term) -> String {
+        let (level, body) = match (t.kind, t.by) {
+            (TermKind::Coriolis, By::Guide { guide, .. }) => (Level::Velocity, Some(Body::Link(self.w.scene.guides[guide.0].on))),
+            (TermKind::Coriolis, By::Frame { body, .. }) => (Level::Velocity, body),
+            (TermKind::Coriolis, By::Cylinder(d)) => (Level::Velocity, Some(Body::Cylinder(d))),
+            (_, By::Turning(body)) => (self.level, Some(body)),
+            (_, By::Guide { .. } | By::Cylinder(_) | By::Contact(_) | By::Frame { .. } | By::Apart) => return String::new(),
+        };
+        body.map_or_else(String::new, |body| self.w.turning(level, body))
+    }
+
+    /// The links whose motion the terms are, each once.
+    fn links(&self, terms: &[Term]) -> Vec<usize> {
+        let mut links: Vec<usize> = terms.iter().flat_map(|t| self.of_term(t)).collect();
+        links.sort_unstable();
+        links.dedup();
+        links
+    }
+
+    fn of_term(&self, t: &Term) -> Vec<usize> {
+        let scene = self.w.scene;
+        match t.by {
+            By::Turning(body) | By::Frame { body: Some(body), .. } => of_body(scene, body),
+            By::Cylinder(d) => of_body(scene, Body::Cylinder(d)),
+            By::Guide { guide, .. } => {
+                let g = &scene.guides[guide.0];
+                [Some(g.on), g.slider].into_iter().flatten().filter(|l| *l != scene.ground).map(|l| l.0).collect()
+            }
+            By::Contact(_) | By::Frame { body: None, .. } | By::Apart => {
+                let on = |v: VertexId| self.w.plan.vertex(v).link(scene).filter(|l: &LinkId| *l != scene.ground);
+                [on(t.of), on(t.to)].into_iter().flatten().map(|l| l.0).collect()
+            }
+        }
+    }
+
+    fn of_vertex(&self, v: VertexId) -> Vec<usize> {
+        self.w.plan.vertex(v).link(self.w.scene).into_iter().map(|l| l.0).collect()
+    }
+}
+
+fn of_body(scene: &Scene, body: Body) -> Vec<usize> {
+    match body {
+        Body::Link(l) => vec![l.0],
+        Body::Cylinder(d) => match &scene.drivers[d].kind {
+            DriverKind::Cylinder { links, .. } => links.iter().map(|l| l.0).collect(),
+            DriverKind::Turn { .. } | DriverKind::Slide { .. } => Vec::new(),
+        },
+    }
+}
+
+/// What sets the sense of a term along its line.
+fn sense(t: &Term) -> &'static str {
+    match t.kind {
+        TermKind::Relative | TermKind::Tangential => "t",
+        TermKind::Normal | TermKind::SlideNormal => "n",
+        TermKind::Coriolis => "k",
+        TermKind::Slide | TermKind::Extension | TermKind::Roll => "s",
+    }
+}

@@ -1,0 +1,91 @@
+//! The points of the mechanism over all frames, with their velocities and accelerations: for paths, hodographs, vectors drawn at the
+//! points, and what a guess is compared with.
+
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+
+use serde_json::{Value, json};
+
+use crate::geom::Point;
+use crate::mechanism::Level;
+use crate::plan::notation::Notation;
+use crate::plan::text::Writer;
+use crate::plan::{Spot, VertexId};
+use crate::scene::Lang;
+use crate::scene::quantity::Meaning;
+
+use super::bank::Formulas;
+use super::frames::{Frame, Frames};
+use super::pack;
+use super::scenery::stray;
+use super::track::{UNIT, runs};
+
+/// For the page, in mm of paper, y up. `seen`: the frames in which places, velocities and accelerations are known. `list`: each
+/// vertex's name, whether its place is told, whether it is a moving point of the mechanism, whether a question asks for it, and the symbols of its
+/// vectors (−1 where it has none). `columns`: for each of them x and y of its place, its velocity, its acceleration.
+pub fn marks(frames: &Frames, notation: &Notation, formulas: &mut Formulas) -> Value {
+    let base = &frames.list[frames.base];
+    let plan = &base.worked.plan;
+    let w = Writer { scene: &base.scene, plan, notation, lang: Lang::En };
+    let alike = |f: &Frame| f.worked.plan.vertices == plan.vertices;
+    let has = |f: &Frame, i: usize| alike(f) && f.shown[i] && f.worked.construction.polygon(Level::RATES[i]).is_some();
+    let seen: [Vec<bool>; 3] = [
+        frames.list.iter().map(alike).collect(),
+        frames.list.iter().map(|f| has(f, 0)).collect(),
+        frames.list.iter().map(|f| has(f, 1)).collect(),
+    ];
+    let mut packed = Columns::default();
+    let mut list = Vec::new();
+    for v in (0..plan.vertices.len()).map(VertexId) {
+        let place = |f: &Frame| f.worked.construction.diagram.spots[v.0].map(|p| p + stray(frames, f));
+        let placed = packed.points(frames, &seen[0], place);
+        let fixed = plan.vertex(v).fixed;
+        let symbols = [0, 1].map(|i| {
+            let level = Level::RATES[i];
+            let image = |f: &Frame| f.worked.construction.polygon(level)?.images[v.0];
+            if fixed || !seen[i + 1].contains(&true) || !packed.points(frames, &seen[i + 1], image) {
+                return -1;
+            }
+            formulas.formula(&w.vector(level, v)) as i64
+        });
+        let moves = !fixed && matches!(plan.vertex(v).spot, Spot::Point(_));
+        list.push(json!([formulas.formula(&w.name(v)), placed, placed && moves, asked(&w, v), symbols]));
+    }
+    json!({"seen": seen.map(runs), "list": list, "columns": packed.text})
+}
+
+/// Whether a question asks for a vector of the vertex.
+fn asked(w: &Writer, v: VertexId) -> bool {
+    let Spot::Point(point) = w.plan.vertex(v).spot else { return false };
+    w.scene.find.iter().any(|f| match f.what.meaning(w.scene) {
+        Some(Meaning::Vector(p)) => p.point == point,
+        Some(Meaning::Place(_) | Meaning::Relative(..) | Meaning::Seen(..) | Meaning::Turning(..) | Meaning::Ratio(..)) | None => false,
+    })
+}
+
+/// Columns one after the other; the same one twice is told once.
+#[derive(Default)]
+struct Columns {
+    text: String,
+    told: HashMap<Vec<i64>, usize>,
+}
+
+impl Columns {
+    /// A point over the frames in which it is seen; nothing, and `false`, where some frame does not have it.
+    fn points(&mut self, frames: &Frames, seen: &[bool], of: impl Fn(&Frame) -> Option<Point>) -> bool {
+        let list: Option<Vec<Point>> = frames.list.iter().zip(seen).filter(|(_, s)| **s).map(|(f, _)| of(f)).collect();
+        let Some(list) = list else { return false };
+        for axis in [|p: &Point| p.x, |p: &Point| p.y] {
+            let column: Vec<i64> = list.iter().map(|p| (axis(p) * UNIT).round() as i64).collect();
+            let next = self.told.len();
+            match self.told.entry(column) {
+                Entry::Occupied(earlier) => pack::same(*earlier.get(), &mut self.text),
+                Entry::Vacant(first) => {
+                    pack::column(first.key(), &mut self.text);
+                    first.insert(next);
+                }
+            }
+        }
+        true
+    }
+}

@@ -1,0 +1,232 @@
+  // ---- the page ---------------------------------------------------------------------------------------------------
+
+  function face() {
+    for (const [id, sense] of [["play", 1], ["back", -1]]) {
+      const on = playing === sense;
+      $(id).setAttribute("aria-pressed", on);
+      $(id).title = word(on ? "pause" : sense > 0 ? (data.driver.turns ? "play" : "slide") : data.driver.turns ? "play_back" : "slide_back");
+      $(id).setAttribute("aria-label", $(id).title);
+    }
+    $("predict").setAttribute("aria-pressed", !!predicting);
+    $("laying").hidden = !predicting;
+    const open = predicting && predicting.asking();
+    document.body.classList.toggle("asking", !!open);
+    for (const id of ["less", "more", "give-up"]) $(id).disabled = !open;
+    $("check").textContent = word(open ? "check" : "go_on");
+    $("check").disabled = predicting && !open && step === steps.length;
+  }
+
+  function speak() {
+    document.documentElement.lang = lang;
+    document.title = $("title").textContent = data.title[which()];
+    for (const e of document.querySelectorAll("[data-text]")) {
+      if (!e.closest(".ink")) e.textContent = word(e.dataset.text);
+    }
+    for (const e of document.querySelectorAll("[data-title]")) {
+      e.title = word(e.dataset.title);
+      e.setAttribute("aria-label", e.title);
+    }
+    for (const e of document.querySelectorAll("[data-label]")) e.setAttribute("aria-label", word(e.dataset.label));
+    for (const e of document.querySelectorAll("figcaption [data-en]")) e.textContent = e.dataset[lang];
+    $("language").textContent = word("language");
+    $("language").lang = other[lang];
+    $("hint").textContent = word(data.driver.turns ? "drag" : "drag_slide");
+    const two = drawings.slice(1).some((d) => d.layouts.length > 1);
+    $("notes").textContent = [word(data.cut ? "scales_cut" : "scales"), two ? word("scales_window") : "", word("rates")].join(" ");
+    for (const d of drawings.slice(1)) {
+      const tab = $(`tab-${d.key}`);
+      tab.textContent = word(`tab_${d.key}`);
+      tab.title = d.figure.querySelector("[data-en]").dataset[lang];
+      tab.setAttribute("aria-label", tab.title);
+    }
+    for (const d of drawings) d.off.textContent = d.key === "mechanism" ? "" : word(`off_${d.key}`);
+    written = spoken = null;
+    grip.setAttribute("aria-label", word("handle"));
+    const values = data.full ? [start, start + wholeTurn * (data.turns || 1)] : ends().map((t) => start + t * data.driver.factor);
+    grip.setAttribute("aria-valuemin", Math.round(values[0] * 10) / 10);
+    grip.setAttribute("aria-valuemax", Math.round(values[1] * 10) / 10);
+    toldLimit = null;
+    face();
+    tell();
+    show();
+  }
+
+  function theme() {
+    const dark = document.documentElement.dataset.theme
+      ? document.documentElement.dataset.theme === "dark"
+      : matchMedia("(prefers-color-scheme: dark)").matches;
+    document.documentElement.dataset.theme = dark ? "light" : "dark";
+  }
+
+  /** On paper, A4 upright: the polygons beside one another below the mechanism. On the screen the stages have their sizes by style. */
+  function fit() {
+    const sizes = drawings.map((d) => d.size);
+    const below = sizes.slice(1).reduce((sum, s) => sum + s[0], 0);
+    document.body.style.setProperty("--m", Math.min(1, 178 / Math.max(sizes[0][0], below), 110 / sizes[0][1]));
+    written = spoken = null;
+    if (told >= 0) tell();
+  }
+
+  /** A panel that a button opens and closes. */
+  function panel(button, id, open) {
+    const show = open === undefined ? $(id).hidden : open;
+    $(id).hidden = !show;
+    $(button).setAttribute("aria-expanded", show);
+  }
+
+  // The points that are followed, and what is drawn of them.
+  const toggles = { path: "s", velocity: "v", acceleration: "a", hodograph: "h" };
+  for (const name of Object.keys(toggles)) {
+    const able = name === "path" || name === "hodograph" ? drawings.length > 1 || name === "path" : !!drawing(name);
+    $(`show-${name}`).disabled = !able;
+    $(`show-${name}`).addEventListener("click", () => toggle(name));
+  }
+  function toggle(name) {
+    if ($(`show-${name}`).disabled) return;
+    shows[name] = !shows[name];
+    $(`show-${name}`).setAttribute("aria-pressed", shows[name]);
+    overlay(locate(travel));
+  }
+  points.forEach((p, i) => {
+    if (!p.moves) return;
+    const chip = document.createElement("button");
+    chip.type = "button";
+    chip.innerHTML = formulaList[p.name];
+    chip.setAttribute("aria-pressed", followed.has(i));
+    chip.addEventListener("click", () => {
+      if (!followed.delete(i)) followed.add(i);
+      chip.setAttribute("aria-pressed", followed.has(i));
+      overlay(locate(travel));
+    });
+    $("points").append(chip);
+  });
+  const tabs = drawings.slice(1).map((d) => {
+    const tab = document.createElement("button");
+    tab.type = "button";
+    tab.id = `tab-${d.key}`;
+    tab.addEventListener("click", () => present(d.key));
+    $("tabs").append(tab);
+    return tab;
+  });
+  $("tabs").hidden = tabs.length < 2;
+  /** The next step, or in a prediction its answer. */
+  const forward = () => (predicting ? predicting.giveUp() : go(step + 1));
+  const backward = () => {
+    if (predicting) predict();
+    go(step - 1);
+  };
+  const other_polygon = () => {
+    const at = drawings.findIndex((d, i) => i && !d.figure.classList.contains("aside"));
+    if (drawings.length > 2) present(drawings[at === 1 ? 2 : 1].key);
+  };
+
+  const leap = (to) => {
+    if (predicting) predict();
+    go(to);
+  };
+  $("first").addEventListener("click", () => leap(0));
+  $("previous").addEventListener("click", backward);
+  $("next").addEventListener("click", forward);
+  $("last").addEventListener("click", () => leap(steps.length));
+  $("play").addEventListener("click", () => play(1));
+  $("back").addEventListener("click", () => play(-1));
+  $("predict").addEventListener("click", predict);
+  $("check").addEventListener("click", () => predicting?.check());
+  $("less").addEventListener("click", (event) => predicting?.nudge(0, -1, event.shiftKey));
+  $("more").addEventListener("click", (event) => predicting?.nudge(0, 1, event.shiftKey));
+  $("give-up").addEventListener("click", () => predicting?.giveUp());
+  $("reveal").addEventListener("click", () => panel("reveal", "results"));
+  $("show").addEventListener("click", () => panel("show", "showing"));
+  $("home").addEventListener("click", home);
+  $("theme").addEventListener("click", theme);
+  $("print").addEventListener("click", () => print());
+  $("language").addEventListener("click", () => {
+    lang = other[lang];
+    speak();
+  });
+  grip.addEventListener("keydown", (event) => {
+    const n = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 6, PageDown: -6 }[event.key];
+    if (!n || event.ctrlKey || event.metaKey || event.altKey) return;
+    stop();
+    by(event.shiftKey ? 6 * n : n);
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const inButton = event.target.closest && event.target.closest("button, summary, input");
+    if (event.target.tagName === "INPUT" && /^(Arrow|Home|End|Page)/.test(event.key)) return;
+    const keys = {
+      ArrowRight: forward,
+      PageDown: forward,
+      ArrowLeft: backward,
+      PageUp: backward,
+      Home: () => leap(0),
+      End: () => leap(steps.length),
+      Enter: inButton || !predicting ? null : () => predicting.check(),
+      q: predict,
+      b: () => play(-1),
+      t: other_polygon,
+      r: () => panel("reveal", "results"),
+      s: () => toggle("path"),
+      v: () => toggle("velocity"),
+      a: () => toggle("acceleration"),
+      h: () => toggle("hodograph"),
+      ">": () => faster(1),
+      "<": () => faster(-1),
+      "+": () => (stop(), by(event.shiftKey ? 6 : 1)),
+      "=": () => (stop(), by(1)),
+      "-": () => (stop(), by(-1)),
+      _: () => (stop(), by(-6)),
+      0: home,
+      l: () => $("language").click(),
+      d: theme,
+      p: () => print(),
+    };
+    const acts = event.key === " " && !inButton ? () => play(playing || (data.driver.back ? -1 : 1)) : keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!acts) return;
+    acts();
+    event.preventDefault();
+  });
+  const faster = (by) => ($("speed").value = Number($("speed").value) + by);
+  addEventListener("resize", fit);
+
+  // On paper: the given position, all steps drawn, and all sentences below.
+  let kept = null;
+  addEventListener("beforeprint", () => {
+    stop();
+    if (predicting) predict();
+    kept = { travel, step, begun, open: !$("results").hidden };
+    home();
+    panel("reveal", "results", true);
+    go(steps.length);
+    begun = false;
+    reveal();
+    let last = -1;
+    $("all").replaceChildren(
+      ...steps.map((s) => {
+        const item = document.createElement("li");
+        const { index, html } = equation(s, data.base);
+        item.innerHTML = (index === last ? "" : html) + s.say(data.base);
+        if (index >= 0) last = index;
+        return item;
+      }),
+    );
+  });
+  addEventListener("afterprint", () => {
+    if (!kept) return;
+    ({ step, begun } = kept);
+    panel("reveal", "results", kept.open);
+    turn(kept.travel);
+    reveal();
+    tell();
+    kept = null;
+  });
+
+  drawings.forEach((d) => look(d, 0));
+  present(drawings[1]?.key);
+  fit();
+  reveal();
+  speak();
+  document.documentElement.dataset.ready = "";
+})();

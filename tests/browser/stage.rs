@@ -1,0 +1,189 @@
+//! What is seen from the last row and on a phone, measured in the browser: sizes of letters, filled windows, nothing cut.
+
+use super::*;
+use serde_json::Value;
+
+const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
+const TEMPLATES: [&str; 7] =
+    ["crank-rocker", "shaper", "excavator", "stephenson-six-bar", "class-iii-six-bar", "planetary-gear", "cam-offset-roller"];
+
+/// Of the polygon that is seen: the least height of a name's first letter (px, ink), the part of its window's width or height that
+/// the ink takes, and names cut by the window.
+const POLYGON: &str = r##"(() => {
+    const svg = [...document.querySelectorAll("#polygons .drawing")].find((f) => !f.classList.contains("aside")).querySelector("svg");
+    const ink = svg.querySelector(".ink:not([display])"), box = svg.getBoundingClientRect();
+    const seen = [...ink.children].filter((e) => e.getAttribute("display") !== "none" && !e.classList.contains("later"));
+    const labels = seen.filter((e) => e.classList.contains("label"));
+    const least = Math.min(...labels.map((e) => (e.querySelector("use, path") || e).getBoundingClientRect().height));
+    const rects = seen.map((e) => e.getBoundingClientRect());
+    const [left, top] = [Math.min(...rects.map((r) => r.left)), Math.min(...rects.map((r) => r.top))];
+    const [right, bottom] = [Math.max(...rects.map((r) => r.right)), Math.max(...rects.map((r) => r.bottom))];
+    const m = svg.getScreenCTM(), view = svg.viewBox.baseVal;
+    const cut = labels.filter((e) => { const r = e.getBoundingClientRect();
+        return r.left < box.left - 1 || r.right > box.right + 1 || r.top < box.top - 1 || r.bottom > box.bottom + 1; }).map((e) => e.id);
+    return { least, count: labels.length, fill: Math.max((right - left) / (view.width * m.a), (bottom - top) / (view.height * m.d)), cut };
+})()"##;
+
+/// Of the words: what of sentence and equation is cut off or must be scrolled.
+const WORDS: &str = r##"(() => {
+    const told = document.getElementById("told"), room = told.getBoundingClientRect(), cut = [];
+    const boxed = getComputedStyle(told).overflow === "hidden";
+    for (const e of document.querySelectorAll("#sentence, #equation > *")) {
+        const r = e.getBoundingClientRect();
+        if (r.right > innerWidth + 1 || e.scrollWidth > e.parentElement.clientWidth + 1) cut.push(`${e.id || e.tagName} is too wide`);
+        if (boxed && r.bottom > room.bottom + 1) cut.push(`${e.id || e.tagName} is too high by ${r.bottom - room.bottom}`);
+    }
+    if (boxed && room.bottom > innerHeight + 1) cut.push(`the words end ${room.bottom - innerHeight} px below the window`);
+    return cut;
+})()"##;
+
+fn number(v: &Value, key: &str) -> f64 {
+    v[key].as_f64().unwrap_or_else(|| panic!("{key} in {v}"))
+}
+
+fn measured(b: &mut Browser, name: &str, path: &std::path::Path, window: [u32; 2], least_px: f64) {
+    b.open(path, window);
+    for key in ["velocity", "acceleration"] {
+        b.eval(&format!("document.getElementById('tab-{key}')?.click()"));
+        let seen = b.eval(POLYGON);
+        let (least, fill) = (number(&seen, "least"), number(&seen, "fill"));
+        eprintln!("{name} {key} at {window:?}: letters of {least:.1} px, {:.0} % filled, {} names", 100.0 * fill, seen["count"]);
+        assert!(least >= least_px, "{name} {key} at {window:?}: a letter is {least} px high");
+        assert!(fill > 0.7, "{name} {key} at {window:?} fills {fill} of its window");
+        assert_eq!(seen["cut"], serde_json::json!([]), "{name} {key} at {window:?}");
+    }
+    let over = b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
+    assert!(over <= 0.0, "{name} at {window:?} is {over} pixels too wide");
+    for language in 0..2 {
+        b.key("Home");
+        for _ in 0..200 {
+            assert_eq!(
+                b.eval(WORDS),
+                serde_json::json!([]),
+                "{name} at {window:?}, language {language}: {}",
+                b.eval("document.getElementById('count').textContent")
+            );
+            if b.eval("document.getElementById('next').disabled") == true {
+                break;
+            }
+            b.key("ArrowRight");
+        }
+        b.key("l");
+    }
+    assert_quiet(b, name);
+}
+
+#[test]
+fn letters_are_read_from_the_last_row_and_nothing_is_cut() {
+    let Some(mut b) = browser() else { return };
+    for name in TEMPLATES {
+        let path = page(&format!("stage-{name}"), &template(name));
+        for (window, least) in [(SMALL_PROJECTOR, 14.0), (PROJECTOR, 20.0), (PHONE, 6.5)] {
+            measured(&mut b, name, &path, window, least);
+        }
+        // On a phone the polygon stands above the words while they are read to their end.
+        b.open(&path, PHONE);
+        b.key("Home");
+        b.key("ArrowRight");
+        b.key("ArrowRight");
+        let read = "(() => { const s = document.querySelector('#equation').getBoundingClientRect(); scrollBy(0, Math.max(0, s.bottom - innerHeight + 60)); \
+                    const p = document.querySelector('#polygons .drawing:not(.aside)').getBoundingClientRect(); \
+                    const t = document.querySelector('#sentence').getBoundingClientRect(); return [p.top, p.bottom, t.top, t.bottom, innerHeight]; })()";
+        let v: Vec<f64> = serde_json::from_value(b.eval(read)).unwrap();
+        assert!(
+            v[0] >= 0.0 && v[1] <= v[2] + 1.0 && v[3] <= v[4] - 40.0,
+            "{name}: polygon from {} to {}, sentence from {} to {} of {}",
+            v[0],
+            v[1],
+            v[2],
+            v[3],
+            v[4]
+        );
+    }
+}
+
+/// Paths, hodographs and vectors are drawn where they belong, and grow while the driver turns.
+#[test]
+fn what_is_drawn_over_the_drawings_is_true() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("crank-rocker");
+    b.open(&page("over", &scene), SMALL_PROJECTOR);
+    let count = |b: &mut Browser, what: &str| b.eval(&format!("document.querySelectorAll('{what}').length")).as_u64().unwrap();
+    for (key, what) in [
+        ("s", "#mechanism .path"),
+        ("v", "#mechanism .vector.velocity"),
+        ("a", "#mechanism .vector.acceleration"),
+        ("h", "#velocity .hodograph"),
+    ] {
+        assert_eq!(count(&mut b, what), 0);
+        b.key(key);
+        assert!(count(&mut b, what) > 0, "{what}");
+    }
+    // The velocity of C on the mechanism has the direction that the library computes, and stands at C.
+    let (_, worked) = worked_at(&mut b, &scene, 0.0);
+    let c = scene.points.iter().position(|p| p.name == "C").unwrap();
+    let at = worked.configuration.points[c].unwrap() - worked.construction.diagram.origin;
+    let place = in_window(&mut b, [at.x, at.y]);
+    let ends = "[...document.querySelectorAll('#mechanism .vector.velocity:not(.head)')].map((e) => { const n = e.getAttribute('d').match(/-?[\\d.]+/g).map(Number); \
+                const m = e.getScreenCTM(); return [0, 2].flatMap((i) => { const p = new DOMPoint(n[i], n[i + 1]).matrixTransform(m); return [p.x, p.y]; }); })";
+    let ends: Vec<[f64; 4]> = serde_json::from_value(b.eval(ends)).unwrap();
+    let own = ends.iter().find(|e| (e[0] - place[0]).hypot(e[1] - place[1]) < 0.5).unwrap_or_else(|| panic!("{ends:?} {place:?}"));
+    let p = worked.construction.polygon(Level::Velocity).unwrap();
+    let of_c = worked.plan.vertices.iter().position(|v| matches!(v.spot, hodograph::plan::Spot::Point(q) if q.0 == c)).unwrap();
+    let v = p.images[of_c].unwrap();
+    let off = ((own[3] - own[1]) * v.x + (own[2] - own[0]) * v.y).abs() / v.to_vec2().norm() / (own[2] - own[0]).hypot(own[3] - own[1]);
+    assert!(off < 1e-2 && (own[2] - own[0]) * v.x > 0.0, "{own:?} {v:?}");
+    // Played, a hodograph grows from where the motion began; back as well, and faster.
+    b.key(">");
+    b.key("b");
+    b.eval("new Promise((done) => setTimeout(done, 300))");
+    let length = |b: &mut Browser| b.eval("document.querySelector('#velocity .hodograph').getTotalLength()").as_f64().unwrap();
+    let early = length(&mut b);
+    b.eval("new Promise((done) => setTimeout(done, 500))");
+    let later = length(&mut b);
+    b.key("b");
+    assert!(later > early && early > 0.0, "{early} {later}");
+    assert_quiet(&b, "over");
+}
+
+/// Every position has one scale; where a vector would leave the paper the window becomes larger, once in a turn, and what is drawn
+/// stays true.
+#[test]
+fn one_scale_and_at_most_one_larger_window() {
+    let Some(mut b) = browser() else { return };
+    let scene = template("slotted-lever");
+    b.open(&page("scales", &scene), PROJECTOR);
+    let caption = "document.querySelector('#acceleration .scale').textContent";
+    let first = b.eval(caption);
+    let mut windows = vec![b.eval("document.querySelector('#acceleration svg').dataset.mu")];
+    for _ in 0..13 {
+        assert_eq!(b.eval(caption), first);
+        let there = travel(&mut b);
+        let (scene_there, worked) = worked_at(&mut b, &scene, there);
+        let (shown, drawn) = (shown(&mut b), drawn(&scene_there, &worked));
+        for (id, want) in drawn {
+            let worst = shown[&id].iter().zip(want).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(worst < 1e-2, "{there}: {id} is off by {worst} mm");
+        }
+        for _ in 0..7 {
+            b.key("+");
+        }
+        let window = b.eval("document.querySelector('#acceleration svg').dataset.mu");
+        if windows.last() != Some(&window) {
+            windows.push(window);
+        }
+    }
+    assert_eq!(windows.len(), 2, "{windows:?}");
+    b.key("0");
+    assert_eq!(b.eval("document.querySelector('#acceleration svg').dataset.mu"), windows[0], "the given position fills its window again");
+    assert_quiet(&b, "scales");
+}
+
+/// The names of a polygon have one size in all frames, however many of its vectors vanish in some.
+#[test]
+fn names_keep_their_size() {
+    let page = lesson(&template("jansen-leg"), &Options::of_language(Lang::En)).unwrap().value;
+    let figure = page.split("<figure id=\"acceleration\"").nth(1).and_then(|rest| rest.split("</figure>").next()).unwrap();
+    let sizes: std::collections::BTreeSet<&str> = figure.split("scale(").skip(1).filter_map(|rest| rest.split(')').next()).collect();
+    assert_eq!(sizes.len(), 1, "{sizes:?}");
+}
