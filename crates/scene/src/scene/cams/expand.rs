@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use super::super::model::*;
 use super::super::names::Names;
-use super::super::raw::{RawQuantity, RawScene};
+use super::super::raw::{RawGuide, RawLink, RawQuantity, RawScene, RawThrough};
 use super::super::units::Wanted;
 use super::super::values::Values;
 use super::pairs::fresh;
@@ -39,9 +39,10 @@ pub(super) struct Pending {
 }
 
 /// A cam whose link has one point gets a second one on its base circle, from which its angle is told; so does a lever with a flat face whose
-/// motion a law gives.
+/// motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
 pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
     let mut out = raw.clone();
+    (0..out.cams.len()).for_each(|i| slid(&mut out, i));
     for cam in &raw.cams {
         let radius = match &cam.profile {
             RawProfile::Law { base, .. } => Some(base),
@@ -62,6 +63,43 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
         }
     }
     out
+}
+
+/// Gives the face of a sliding follower its point: the pin of the follower's one guide. A guide without a pin gets one; its line may be anywhere, and is
+/// through the origin where nothing says where.
+fn slid(raw: &mut RawScene, index: usize) {
+    let cam = &raw.cams[index];
+    let RawFollows::Face(RawFace { through: None, .. }) = &cam.follows else { return };
+    let mine = |g: &RawGuide| named(&g.slider, &cam.follower.text);
+    let mut guides = raw.guides.iter().enumerate().filter(|(_, g)| mine(g));
+    let (Some((i, guide)), None) = (guides.next(), guides.next()) else { return };
+    let (span, follower) = (cam.span, cam.follower.clone());
+    let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
+    let guide = &mut raw.guides[i];
+    // A bare number has the unit of the scene's angles, which a sum with degrees would hide.
+    let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
+    let square = guide.angle.as_ref().map(|q| {
+        let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };
+        RawQuantity { text, span, bare: false }
+    });
+    if guide.pin.is_none() {
+        guide.pin = Some(pin.clone());
+        if guide.through.is_none() && guide.line.is_none() && guide.on.is_none() {
+            let zero = || RawQuantity { text: "0 m".into(), span, bare: false };
+            guide.through = Some(RawThrough::At([zero(), zero()], span));
+        }
+        match raw.links.iter_mut().find(|l| l.name.text == follower.text) {
+            Some(link) => link.points.push(pin.clone()),
+            None => raw.links.push(RawLink { name: follower, points: vec![pin.clone()] }),
+        }
+    }
+    if let RawFollows::Face(face) = &mut raw.cams[index].follows {
+        face.through = Some(RawThrough::Point(pin));
+        if face.line.is_none() && face.angle.is_none() {
+            face.angle = square;
+            face.left = face.left.or(face.angle.as_ref().map(|_| true));
+        }
+    }
 }
 
 fn named(word: &Option<Word>, text: &str) -> bool {
@@ -122,10 +160,20 @@ impl One<'_> {
         };
         let (cam, follower) = (cam?, follower?);
         let Some(point) = point else {
-            if self.raw.follows.pin().is_none() {
-                let message =
-                    both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标");
-                faults.push(Diagnostic::error("cam-follower", message).at(self.raw.span));
+            if let RawFollows::Face(face) = &self.raw.follows
+                && self.raw.follows.pin().is_none()
+            {
+                let d = match face.through {
+                    Some(_) => Diagnostic::error(
+                        "cam-follower",
+                        both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标"),
+                    ),
+                    None => Diagnostic::error("missing-key", both!("\"face\" has no `through`", "\"face\" 没有 `through`")),
+                };
+                faults.push(d.at(self.raw.span).help(both!(
+                    "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none",
+                    "请加上 \"through\": \"C\"，即从动件上的一点；只在一条导路中滑动的从动件可以不写"
+                )));
             }
             return None;
         };
