@@ -4,7 +4,7 @@
 
 use super::assemble::Assembly;
 use super::branch::Trial;
-use super::shape::given_at;
+use super::shape::{Frame, given_at};
 use super::{Configuration, Pose, Shapes, newton};
 use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
@@ -49,7 +49,8 @@ impl<N: Real> Assembly<'_, N> {
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
             // A wheel that is only its centre lies as the plane does: nothing tells one of its lines from another.
             if let ([(local, at)], [_]) = (&known[..], &self.shapes[l.0].points[..])
-                && self.is_plain_wheel(l)
+                && self.shapes[l.0].frame == Frame::Loose
+                && self.scene.rolling.iter().any(|r| r.links.contains(&l))
             {
                 start.poses[l.0] = Some(Pose { origin: *at - local.to_vec2(), axis: Vec2::new(1.0, 0.0) });
                 continue;
@@ -109,16 +110,6 @@ impl<N: Real> Assembly<'_, N> {
             }
         }
         places
-    }
-
-    /// Whether all that a link does besides turning about its only point is rolling.
-    fn is_plain_wheel(&self, link: LinkId) -> bool {
-        let guided = self.scene.guides.iter().any(|g| g.on == link || g.slider == Some(link));
-        let driven = self.scene.drivers.iter().any(|d| match &d.kind {
-            DriverKind::Turn { link: l, against, angle, .. } => (*l == link || *against == link) && angle.is_some(),
-            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => false,
-        });
-        !guided && !driven && self.scene.rolling.iter().any(|r| r.other(link).is_some() && r.phase.is_none())
     }
 
     /// A slider and the link against which it keeps its direction.
