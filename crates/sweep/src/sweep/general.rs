@@ -55,7 +55,7 @@ impl<'a> General<'a> {
         let mut row = Vec::new();
         for f in &scene.find {
             let value = solution.answer(scene, at, &f.what).ok_or_else(|| {
-                Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", f.text)).at(f.span)
+                Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span)
             })?;
             row.extend(value.columns());
         }

@@ -3,7 +3,7 @@
 //! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -54,6 +54,11 @@ impl Quantity for InstantCentre {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let [i, j] = self.links.map(|(l, _)| scene.link_name(l));
+        both!("links {i} and {j} do not turn against one another", "构件 {i} 与 {j} 之间没有相对转动")
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {
