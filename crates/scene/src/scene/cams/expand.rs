@@ -10,7 +10,8 @@ use super::super::values::Values;
 use super::pairs::fresh;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
-use super::{Cam, Follows, Turning};
+use super::by_pose::Posed;
+use super::{Cam, Follows, Pieces, Turning};
 use crate::cam::{Disc, Follower, Motion, Side, Touch};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::digits::significant;
@@ -35,6 +36,7 @@ pub(super) struct Pending {
     pub circle: Option<(String, f64)>,
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
+    pub posed: Option<Posed>,
     span: Span,
 }
 
@@ -207,6 +209,7 @@ impl One<'_> {
             circle: None,
             disc: None,
             contact: None,
+            posed: None,
             span: self.raw.span,
         };
         let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
@@ -299,14 +302,14 @@ impl One<'_> {
         let d = Diagnostic::error(
             "cam-pose",
             both!(
-                "which part of the profile of cam `{}` is touched is told only where cam and follower are on the ground",
-                "只有凸轮和从动件都装在机架上时，才能判断凸轮 `{}` 的哪一段廓线接触",
+                "nothing tells which part of the profile of cam `{}` is touched",
+                "无法判断凸轮 `{}` 的哪一段廓线接触",
                 self.raw.cam.text
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "a pivot of the cam among the points of the ground, a driver with \"angle\" for it, and a guide or pivot of the follower on the ground through the point that touches; or a profile of one circle",
-            "请给出：机架上的凸轮轴心、带 \"angle\" 的凸轮原动件、从动件在机架上的导路（通过接触点）或转轴；或只用一个圆作廓线"
+            "give the cam a pivot on the ground and a driver with \"angle\", and the follower a guide or pivot on the ground through the point that touches; on moving links, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "凸轮和从动件装在机架上时，请给出凸轮轴心、带 \"angle\" 的凸轮原动件、从动件（通过接触点）的导路或转轴；装在活动构件上时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
         )));
         None
     }
@@ -386,6 +389,10 @@ impl Expanded {
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,
                 contact: p.contact.map(GuideId),
+                posed: p.posed.and_then(|posed| {
+                    let [from, to] = posed.frame.map(|name| point(&name));
+                    Some(Pieces { frame: [from?, to?], segments: posed.segments, touched: posed.touched })
+                }),
                 span: p.span,
             })
         };
