@@ -86,7 +86,8 @@ fn slid(raw: &mut RawScene, index: usize) {
     });
     if guide.pin.is_none() {
         guide.pin = Some(pin.clone());
-        if guide.through.is_none() && guide.line.is_none() && guide.on.is_none() {
+        let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
+        if guide.through.is_none() && guide.line.is_none() && grounded {
             let zero = || RawQuantity { text: "0 m".into(), span, bare: false };
             guide.through = Some(RawThrough::At([zero(), zero()], span));
         }
