@@ -151,7 +151,7 @@ macro_rules! families {
             }
 
             /// Why it has no value in a pose of which the motion is known.
-            pub(crate) fn no_value(&self, scene: &Scene) -> Both {
+            pub fn no_value(&self, scene: &Scene) -> Both {
                 match self { $(Asked::$Family(q) => q.no_value(scene)),+ }
             }
 
