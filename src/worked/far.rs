@@ -33,6 +33,16 @@ pub struct Unanswered {
     pub why: NoAnswer,
 }
 
+impl Unanswered {
+    /// The part of the mechanism that has no motion, where it rests on one.
+    pub fn refused(&self) -> Option<&Refused> {
+        match &self.why {
+            NoAnswer::NoMotion(refused) => Some(refused),
+            NoAnswer::NoValue(_) => None,
+        }
+    }
+}
+
 /// Why a question has no answer in the pose.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {

@@ -147,7 +147,11 @@ fn ratios_are_those_of_the_teeth() {
     let scene = read(still).unwrap().value;
     let worked = work(&scene, Scope::Questions).unwrap().value;
     let found: Vec<usize> = worked.unanswered.iter().map(|u| u.find).collect();
-    assert!(found.contains(&0) && worked.results.len() > 2 && found.len() + worked.results.len() == scene.find.len(), "{:?}", worked.unanswered);
+    assert!(
+        found.contains(&0) && worked.results.len() > 2 && found.len() + worked.results.len() == scene.find.len(),
+        "{:?}",
+        worked.unanswered
+    );
 }
 
 /// Whatever is asked of links at rest is answered or told to have no value; no question takes the others' answers away.

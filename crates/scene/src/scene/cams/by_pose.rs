@@ -62,7 +62,8 @@ impl One<'_> {
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
                 let Some(spot) = place::spot(self.bare, point) else { return self.no_pose(faults) };
                 let at = into(spot.at() - origin);
-                let missed = segments.iter().enumerate().filter_map(|(i, s)| Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs())));
+                let missed =
+                    segments.iter().enumerate().filter_map(|(i, s)| Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs())));
                 missed.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, missed)| *missed <= OFF * at.norm()).map(|(i, _)| i)
             }
         };

@@ -97,14 +97,18 @@ fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
         for key in ["radius", "angle"] {
             if let Some(node) = f.get(key) {
                 let message = both!("only a motion on an arc about a `centre` has `{key}`", "只有绕 `centre` 的圆弧运动才有 `{key}`");
-                faults.push(Diagnostic::error("motion", message).at(node.span).help(both!(
-                    "add \"centre\": \"C\", or leave it away",
-                    "请加上 \"centre\": \"C\"，或去掉它"
-                )));
+                faults.push(
+                    Diagnostic::error("motion", message)
+                        .at(node.span)
+                        .help(both!("add \"centre\": \"C\", or leave it away", "请加上 \"centre\": \"C\"，或去掉它")),
+                );
                 return None;
             }
         }
-        let example = both!("\"AB\", from which point toward which; or \"centre\" and \"radius\"", "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\"");
+        let example = both!(
+            "\"AB\", from which point toward which; or \"centre\" and \"radius\"",
+            "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\""
+        );
         return f.need("line", example, faults).and_then(|n| word(n, "\"line\"", faults)).map(Way::Line);
     };
     if let Some(line) = f.get("line") {

@@ -93,7 +93,9 @@ impl Quantity for CamQuantity {
         let link = scene.link_name(self.link);
         match self.what {
             What::RhoMin => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
-            What::Rho => both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触"),
+            What::Rho => {
+                both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
+            }
             What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure => {
                 both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
             }

@@ -38,7 +38,9 @@ impl Quantity for InstantCentre {
             *point = own.or(other);
             if point.is_none() {
                 let message = both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
-                return Err(question.fault(message).help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
+                return Err(question
+                    .fault(message)
+                    .help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
             }
         }
         Ok(Some(InstantCentre { links: of }))

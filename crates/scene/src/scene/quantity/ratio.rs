@@ -61,7 +61,10 @@ impl Quantity for Ratio {
     fn no_value(&self, scene: &Scene) -> Both {
         let of = scene.link_name(self.links[1]);
         match self.arm {
-            None => both!("link {of} does not turn, and a ratio over its angular velocity is none", "构件 {of} 不转动，以其角速度为分母的传动比不存在"),
+            None => both!(
+                "link {of} does not turn, and a ratio over its angular velocity is none",
+                "构件 {of} 不转动，以其角速度为分母的传动比不存在"
+            ),
             Some(arm) => {
                 let arm = scene.link_name(arm);
                 both!(
