@@ -301,7 +301,7 @@ fn stages(
             let asked = Demand::of_questions(scene, &mechanism, [find]);
             let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
-                unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(refused.clone()) });
+                unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(Box::new(refused.clone())) });
                 continue;
             }
             if let Some(centre) = far::far(scene, &solution, &configuration, i) {

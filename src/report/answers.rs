@@ -120,7 +120,7 @@ pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
 /// Why a question has no answer, with the links.
 pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
     let Refused { why, named, words, .. } = match &u.why {
-        NoAnswer::NoMotion(refused) => refused,
+        NoAnswer::NoMotion(refused) => &**refused,
         NoAnswer::NoValue(words) => {
             return match lang {
                 Lang::En => words.en.clone(),

@@ -47,7 +47,7 @@ impl Unanswered {
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {
     /// It rests on a part of the mechanism that has no motion.
-    NoMotion(Refused),
+    NoMotion(Box<Refused>),
     /// The motion is known, and leaves the quantity undefined: the ratio to a link at rest, the radius of a straight path. In words.
     NoValue(Both),
 }

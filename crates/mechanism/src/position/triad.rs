@@ -335,7 +335,8 @@ mod tests {
     /// number where secants crawl; of all that was looked at the best is kept.
     #[test]
     fn a_root_is_refined_in_few_steps() {
-        let cases: [(fn(f64) -> f64, f64, [f64; 2], usize); 4] = [
+        type Function = fn(f64) -> f64;
+        let cases: [(Function, f64, [f64; 2], usize); 4] = [
             (|t| t * t * t - 2.0, 2f64.cbrt(), [1.0, 2.0], 30),
             (|t| 2.0 - t * t * t, 2f64.cbrt(), [1.0, 2.0], 30),
             (|t| t.powi(21) - 0.5, 0.5f64.powf(1.0 / 21.0), [0.0, 2.0], 110),
