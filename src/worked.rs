@@ -8,7 +8,7 @@ mod higher;
 #[cfg(test)]
 mod tests;
 
-pub use far::{Far, Unanswered};
+pub use far::{Far, NoAnswer, Unanswered};
 
 use crate::accuracy::Rung;
 use crate::accuracy::{
@@ -301,15 +301,15 @@ fn stages(
             let asked = Demand::of_questions(scene, &mechanism, [find]);
             let rests_on = |r: &&Refused| groups_of(&mechanism, &r.links, &r.pins).iter().any(|g| asked.groups[*g].is_some());
             if let Some(refused) = solution.refused.iter().find(rests_on) {
-                unanswered.push(Unanswered { find: i, refused: refused.clone() });
+                unanswered.push(Unanswered { find: i, why: NoAnswer::NoMotion(Box::new(refused.clone())) });
                 continue;
             }
             if let Some(centre) = far::far(scene, &solution, &configuration, i) {
                 at_infinity.push(centre);
                 continue;
             }
-            let none = Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", find.text)).at(find.span);
-            return Err(none.into());
+            unanswered.push(Unanswered { find: i, why: NoAnswer::NoValue(find.what.no_value(scene)) });
+            continue;
         };
         let level = find.what.level();
         let scale = match level {

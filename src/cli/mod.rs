@@ -270,10 +270,14 @@ impl Input {
             .map(|c| {
                 let (cam, follower) = (self.scene.link_name(c.cam), self.scene.link_name(c.follower));
                 let message = both!(
-                    "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that the face of `{follower}` touches now",
-                    "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 平底此刻所接触的廓线段计算"
+                    "beyond the instant, cam `{cam}` is taken to go on with the piece of its profile that `{follower}` touches now",
+                    "在此瞬时之外，凸轮 `{cam}` 仍按从动件 `{follower}` 此刻所接触的廓线段计算"
                 );
-                Diagnostic::warning("cam-piece", message).at(c.span).help(both!(
+                let warning = Diagnostic::warning("cam-piece", message).at(c.span);
+                if c.posed.is_some() {
+                    return warning;
+                }
+                warning.help(both!(
                     "give the face a line of the follower that begins in its pivot, such as \"line\": \"CF\": then the contact goes from piece to piece",
                     "请给出平底在从动件上的直线（自转轴起），如 \"line\": \"CF\"，则接触点随廓线逐段移动"
                 ))

@@ -78,7 +78,7 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
             }
             Line::None(u) => {
                 let find = &scene.find[u.find];
-                rows.push(told(style, notation, find, verdict(u.refused.why, words.lang())));
+                rows.push(told(style, notation, find, verdict(u, words.lang())));
                 let why = reason(scene, u, words.lang());
                 if !lines.iter().any(|(_, _, told): &(_, _, Phrase)| *told == Phrase::new(&why)) {
                     lines.push(("remark", format!("remark-{}", find.text), Phrase::new(&why)));
@@ -150,7 +150,7 @@ pub fn sentence(answers: &Answers) -> String {
                 return format!("{}: {}", Label::math(symbol(&scene.find[far.find], notation)).plain(), at_infinity(far, words.lang()));
             }
             Line::None(u) => {
-                return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u.refused.why, words.lang()));
+                return format!("{}: {}", Label::math(symbol(&scene.find[u.find], notation)).plain(), verdict(u, words.lang()));
             }
         };
         let find = &scene.find[r.find];

@@ -2,7 +2,7 @@
 
 use super::construction;
 use super::drafting;
-use crate::analytic::{Decided, Refused, SingularKind, Singularity, Why as Refusal};
+use crate::analytic::{Decided, SingularKind, Singularity, Why as Refusal};
 use crate::answer::Value;
 use crate::certified::ladder::{Certified, Number, Part, READING_DIGITS, Why};
 use crate::construct::Measured;
@@ -13,9 +13,13 @@ use crate::paper::phrase::{fill, formula, sense, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::scene::{Book, Find, Kind, Lang, Scene};
-use crate::worked::{Far, Outcome, Unanswered, Worked};
+use crate::worked::{Far, NoAnswer, Outcome, Unanswered, Worked};
 use serde_json::{Value as Json, json};
 use unicode_width::UnicodeWidthStr;
+
+mod none;
+
+pub use none::{reason, verdict};
 
 /// Digits of the direction of a point at infinity.
 const DIRECTION_DIGITS: usize = 5;
@@ -35,7 +39,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
                 continue;
             }
             Line::None(u) => {
-                let value = format!("{} ({})", verdict(u.refused.why, lang), reason(scene, u, lang));
+                let value = format!("{} ({})", verdict(u, lang), reason(scene, u, lang));
                 rows.push([scene.find[u.find].text.clone(), value, String::new(), String::new(), String::new()]);
                 continue;
             }
@@ -102,29 +106,6 @@ pub fn at_infinity(far: &Far, lang: Lang) -> String {
     match far.direction_deg {
         Some(degrees) => fill(tr(lang, "at infinity, ∠ {}°", "无穷远处，∠ {}°"), &[("", &significant(degrees, DIRECTION_DIGITS))]),
         None => tr(lang, "everywhere: no relative motion", "任意点：无相对运动").to_owned(),
-    }
-}
-
-/// What stands in the place of an answer that there is not.
-pub fn verdict(why: Refusal, lang: Lang) -> &'static str {
-    match why {
-        Refusal::DeadPoint => tr(lang, "unbounded", "无界"),
-        Refusal::Locked => tr(lang, "no motion", "不能运动"),
-        Refusal::Loose | Refusal::Several | Refusal::NoAcceleration => tr(lang, "not determined", "不确定"),
-    }
-}
-
-/// Why a question has no answer, with the links.
-pub fn reason(scene: &Scene, u: &Unanswered, lang: Lang) -> String {
-    let Refused { why, named, words, .. } = &u.refused;
-    let names: Vec<_> = named.iter().map(|l| scene.link_name(*l)).collect();
-    match (lang, why) {
-        (Lang::En, Refusal::DeadPoint) => format!("dead centre: {}", words.en),
-        (Lang::En, _) => words.en.clone(),
-        (Lang::Zh, Refusal::DeadPoint) => format!("构件{}处于死点位置", names.join("、")),
-        (Lang::Zh, Refusal::Locked) => format!("构件{}在该位置被锁住", names.join("、")),
-        (Lang::Zh, Refusal::Loose | Refusal::Several) => format!("构件{}在该位置有多余的自由度", names.join("、")),
-        (Lang::Zh, Refusal::NoAcceleration) => format!("构件{}在该位置的加速度不确定", names.join("、")),
     }
 }
 
@@ -368,10 +349,14 @@ const NO_ANSWER: &[&str] = &[
 ///
 /// It has the keys of an answer, so that programs need not ask which there are.
 fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
+    let (unbounded, code, links) = match &u.why {
+        NoAnswer::NoMotion(r) => (r.why == Refusal::DeadPoint, r.diagnostic.code, r.named.as_slice()),
+        NoAnswer::NoValue(_) => (false, "not-defined", [].as_slice()),
+    };
     let mut answer = json!({
         "find": scene.find[u.find].text,
         "unit": scene.find[u.find].what.kind().si(),
-        "unbounded": u.refused.why == Refusal::DeadPoint,
+        "unbounded": unbounded,
         "certified": null,
         "value": null,
         "in_unit": null,
@@ -385,9 +370,9 @@ fn unanswered(scene: &Scene, worked: &Worked, u: &Unanswered) -> Json {
         "agrees": null,
         "others": null,
         "why": {
-            "code": u.refused.diagnostic.code,
+            "code": code,
             "words": reason(scene, u, Lang::En),
-            "links": u.refused.named.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
+            "links": links.iter().map(|l| scene.link_name(*l)).collect::<Vec<_>>(),
         },
     });
     if let (Some(_), Json::Object(fields)) = (&worked.drafting, &mut answer) {

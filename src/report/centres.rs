@@ -3,7 +3,7 @@
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
-use crate::paper::phrase::tr;
+use crate::paper::phrase::{fill, tr};
 use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 
@@ -184,6 +184,11 @@ impl<'a> Words<'a> {
             Line::Normal(g) => {
                 let guide = &self.scene.guides[g.0];
                 let pin = guide.pin.map_or("", |p| self.scene.point_name(p));
+                // Along a circle of a cam the normal of the contact and the radius through it are one line.
+                if let Some(cam) = self.scene.cams.iter().find(|c| c.contact == Some(g)) {
+                    let at = cam.at.as_deref().map(|at| format!(" {at}")).unwrap_or_default();
+                    return fill(tr(self.lang, "common normal at the contact{}", "接触点{}处的公法线"), &[("", &at)]);
+                }
                 match (&guide.path, self.lang) {
                     (GuidePath::Line { .. }, Lang::En) => format!("normal of the slot at {pin}"),
                     (GuidePath::Arc { .. }, Lang::En) => format!("radius of the slot at {pin}"),

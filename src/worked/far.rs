@@ -2,6 +2,7 @@
 
 use crate::analytic::{Refused, Solution};
 use crate::answer::Value;
+use crate::diag::Both;
 use crate::digits::direction_degrees;
 use crate::geom::Vec2;
 use crate::position::Configuration;
@@ -28,8 +29,27 @@ pub(super) fn is_nowhere(what: &Asked, value: &Value, extent_m: f64) -> bool {
 pub struct Unanswered {
     /// Index into the scene's `find` list.
     pub find: usize,
-    /// The part of the mechanism that has no motion, on which the question rests.
-    pub refused: Refused,
+    /// Why.
+    pub why: NoAnswer,
+}
+
+impl Unanswered {
+    /// The part of the mechanism that has no motion, where it rests on one.
+    pub fn refused(&self) -> Option<&Refused> {
+        match &self.why {
+            NoAnswer::NoMotion(refused) => Some(refused),
+            NoAnswer::NoValue(_) => None,
+        }
+    }
+}
+
+/// Why a question has no answer in the pose.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoAnswer {
+    /// It rests on a part of the mechanism that has no motion.
+    NoMotion(Box<Refused>),
+    /// The motion is known, and leaves the quantity undefined: the ratio to a link at rest, the radius of a straight path. In words.
+    NoValue(Both),
 }
 
 /// A centre that is nowhere in the plane: the two links turn alike.

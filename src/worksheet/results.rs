@@ -35,7 +35,7 @@ impl Maker<'_> {
                 }
                 Line::None(u) => {
                     let name = math(&symbol(&scene.find[u.find], self.notation()));
-                    let none = Phrase::new(verdict(u.refused.why, self.lang()));
+                    let none = Phrase::new(verdict(u, self.lang()));
                     said.push(Phrase::new(&reason(scene, u, self.lang())));
                     rows.push(vec![name, Phrase::default(), none, Phrase::default()]);
                     continue;

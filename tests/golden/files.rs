@@ -47,8 +47,8 @@ pub const PATHS: [(&str, &[&str], usize, &str); 4] = [
 /// Sheets of many poses: template, point whose hodographs lie behind the polygons, poses.
 pub const POSES: [(&str, Option<&str>, usize); 3] = [("crank-rocker", Some("E"), 12), ("shaper", None, 4), ("class-iii-six-bar", None, 5)];
 
-/// Figures of centres: a crank-rocker, a shaper with centres at infinity.
-pub const CENTRES: [&str; 2] = ["crank-rocker", "shaper"];
+/// Figures of centres: a crank-rocker, shapers with centres at infinity, a common normal, a pitch point.
+pub const CENTRES: [&str; 5] = ["crank-rocker", "shaper", "shaper-centres", "cam-centres", "five-bar-centres"];
 
 /// Figures of curvature, inversions and cognates, by their names.
 pub const CURVATURE: [(&str, &[&str]); 3] =

@@ -71,7 +71,8 @@ pub fn run(text: &str) -> Result<(Scene, Worked, Vec<hodograph::diag::Diagnostic
     // Told as such, every question in one list or the other, and what the drivers give is answered.
     assert_eq!(unanswered.len() + results.len(), scene.find.len(), "{text}");
     for u in unanswered {
-        assert!(done.notes.contains(&u.refused.diagnostic), "no word of {:?}\n{text}", u.refused);
+        let refused = u.refused().expect("it rests on a part without a motion");
+        assert!(done.notes.contains(&refused.diagnostic), "no word of {refused:?}\n{text}");
         let given = |d: &scene::Driver| match (d.kind.clone(), scene.find[u.find].what.meaning(&scene)) {
             (DriverKind::Turn { link, against, .. }, Some(Meaning::Turning(l, None))) => l == link && against == scene.ground,
             _ => false,

@@ -116,12 +116,12 @@ impl Renamed {
         match symbol {
             "omega" | "alpha" => format!("{symbol}_{}", rest.split('/').map(link).collect::<Vec<_>>().join("/")),
             "phi" => format!("{symbol}_{}", link(rest)),
-            // Two links, and the arm from which they are seen.
-            "i" => {
+            // Two links, and of a ratio the arm from which they are seen.
+            "i" | "P" => {
                 let (pair, arm) = rest.split_once('/').map_or((rest, None), |(pair, arm)| (pair, Some(link(arm))));
                 let halves = pair.char_indices().map(|(i, _)| pair.split_at(i));
                 let (a, b) = halves.clone().find(|(a, b)| self.links.contains_key(*a) && self.links.contains_key(*b)).unwrap();
-                format!("i_{},{}{}", link(a), link(b), arm.map(|a| format!("/{a}")).unwrap_or_default())
+                format!("{symbol}_{},{}{}", link(a), link(b), arm.map(|a| format!("/{a}")).unwrap_or_default())
             }
             "l" => format!("{symbol}_{}", self.pair(rest)),
             _ => match rest.split_once('/') {

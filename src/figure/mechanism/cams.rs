@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::answer::Value;
-use crate::cam::Station;
+use crate::cam::{Segment, Station};
 use crate::figure::item::{Dash, Shape};
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
@@ -12,7 +12,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::position::Path;
-use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, PointId};
+use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -76,6 +76,36 @@ impl Draft<'_> {
         length / self.worked.construction.diagram.mu_l
     }
 
+    /// From the frame of the pieces that a pose places to paper.
+    fn of_pieces(&self, pieces: &Pieces) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
+        let [from, to] = pieces.frame.map(|p| self.point(p));
+        let (from, mu) = (from?, self.worked.construction.diagram.mu_l);
+        let axis = (to? - from).unit()?;
+        Some(move |v: Vec2| from + v.rotate_by(axis) * (1.0 / mu))
+    }
+
+    /// The contact and the centre of curvature on a piece that the pose tells.
+    fn posed_contact(&self, c: &Cam) -> Option<(Point, Option<Point>)> {
+        let pieces = c.posed.as_ref()?;
+        let (at, end) = (self.of_pieces(pieces)?, c.follows.radius().unwrap_or(0.0));
+        match pieces.segments[pieces.touched] {
+            Segment::Arc { centre, radius, .. } => {
+                let k = at(centre);
+                let outward = match c.follows {
+                    Follows::Face(_) => self.face_normal(c, k)?,
+                    Follows::Edge(p) | Follows::Roller(p, _) | Follows::Arc(p, _) => {
+                        (self.point(p)? - k).unit()? * if radius + end < 0.0 { -1.0 } else { 1.0 }
+                    }
+                };
+                Some((k + outward * self.mm(radius), Some(k).filter(|_| self.mm(radius.abs()) < FAR_MM)))
+            }
+            Segment::Line { normal, .. } => {
+                let n = (at(Vec2::from_angle(normal)) - at(Vec2::ZERO)).unit()?;
+                Some((self.point(c.follows.point())? - n * self.mm(end), None))
+            }
+        }
+    }
+
     /// From the frame of a cam to paper, the cam as it stands at the instant.
     fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let t = c.disc.as_ref()?;
@@ -97,7 +127,7 @@ impl Draft<'_> {
             let near = k.is_finite() && self.mm((k - s.contact).norm()) < FAR_MM;
             return Some((at(s.contact), near.then(|| at(k))));
         }
-        let (k, radius) = c.circle?;
+        let Some((k, radius)) = c.circle else { return self.posed_contact(c) };
         let k = self.point(k)?;
         let toward = match c.follows {
             Follows::Face(_) => self.face_normal(c, k)?,
@@ -134,8 +164,13 @@ impl Draft<'_> {
             let owner = self.d.shape(&id, "cam", Shape::Arc { centre, radius_mm, from_rad: 0.0, to_rad: TAU, stroke });
             (owner, [3.6, 4.4].map(|a| centre + Vec2::from_angle(a) * radius_mm))
         } else {
-            let (Some(t), Some(at)) = (&c.disc, self.of_cam(c)) else { return self.d.of_link(None) };
-            let points: Vec<Point> = t.disc.outline(STEPS).into_iter().map(at).collect();
+            let of_disc = || Some(c.disc.as_ref()?.disc.outline(STEPS).into_iter().map(self.of_cam(c)?).collect());
+            let of_pieces = || {
+                let pieces = c.posed.as_ref()?;
+                Some(pieces.segments.iter().flat_map(|s| s.points(TAU / STEPS as f64)).map(self.of_pieces(pieces)?).collect())
+            };
+            let Some(points) = of_disc().or_else(of_pieces) else { return self.d.of_link(None) };
+            let points: Vec<Point> = points;
             let ends = [points[0], points[points.len() / 12]];
             (self.d.shape(&id, "cam", Shape::Polyline { points, closed: true, stroke: Some(stroke), fill: None }), ends)
         };

@@ -182,6 +182,7 @@ impl Writer<'_> {
             (TermKind::Slide, By::Guide { guide, .. }) if level == Level::Acceleration && self.is_arc(guide) => {
                 format!("{}\\,t", self.notation.sliding)
             }
+            (TermKind::Slide, By::Frame { about: Some(_), .. }) if level == Level::Acceleration => format!("{}\\,t", self.notation.sliding),
             (TermKind::Slide, _) => self.notation.sliding.clone(),
             (TermKind::SlideNormal, _) => format!("{}\\,n", self.notation.sliding),
             (TermKind::Roll, _) if level == Level::Acceleration && !fixed_guide => "ro".into(),

@@ -250,7 +250,6 @@ impl<'a, N: Real> Assembly<'a, N> {
                 self.poses[l.0] = Some(Pose::ground());
             }
         }
-        let all_pins = given_pins.len() == group.pins.len();
         let trials = match &group.core {
             Core::Pin { pin, legs } => {
                 let places = match self.points[pin.0] {
@@ -267,9 +266,10 @@ impl<'a, N: Real> Assembly<'a, N> {
                 poses.into_iter().map(|pose| self.trial_of_link(group, *link, pose, legs)).collect::<Result<Vec<_>, _>>()?
             }
             Core::Higher => {
-                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.told_pose(*l, &given_pins)?))).collect();
-                if let (true, Some(poses)) = (all_pins, told) {
-                    vec![self.trial(given_pins.clone(), poses)]
+                let pins = self.told_pins(group, given_pins);
+                let told: Option<Vec<_>> = group.links.iter().map(|l| Some((*l, self.told_pose(*l, &pins)?))).collect();
+                if let (true, Some(poses)) = (pins.len() == group.pins.len(), told) {
+                    vec![self.trial(pins, poses)]
                 } else {
                     vec![self.newton_trial(index, group)?]
                 }

@@ -4,10 +4,10 @@
 
 use super::assemble::Assembly;
 use super::branch::Trial;
-use super::shape::given_at;
+use super::shape::{Frame, given_at};
 use super::{Configuration, Pose, Shapes, newton};
 use crate::diag::{Both, Diagnostic, both};
-use crate::geom::Point;
+use crate::geom::{Point, Vec2};
 use crate::mechanism::{Constraint, Group, Node};
 use crate::number::Real;
 use crate::scene::{DriverKind, GuideId, LinkId, PointId};
@@ -27,12 +27,8 @@ impl<N: Real> Assembly<'_, N> {
             .at(self.scene.links[group.links[0].0].span)
             .help(both!("give rough coordinates of their joints in \"sketch\"", "请在 \"sketch\" 中给出各铰链的大致坐标"))
         };
-        let rough = |p: PointId| {
-            self.points[p.0]
-                .map(Point::approx)
-                .or(given_at(self.scene, p))
-                .or(self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])))
-        };
+        let rough = self.rough_places(group);
+        let rough = |p: PointId| rough[p.0];
         let mut start = self.snapshot();
         for &p in &group.pins {
             start.points[p.0] =
@@ -51,6 +47,14 @@ impl<N: Real> Assembly<'_, N> {
             }
             let known: Vec<(Point, Point)> =
                 self.shapes[l.0].points.iter().filter_map(|(p, local)| rough(*p).map(|at| (local.approx(), at))).collect();
+            // A wheel that is only its centre lies as the plane does: nothing tells one of its lines from another.
+            if let ([(local, at)], [_]) = (&known[..], &self.shapes[l.0].points[..])
+                && self.shapes[l.0].frame == Frame::Loose
+                && self.scene.rolling.iter().any(|r| r.links.contains(&l))
+            {
+                start.poses[l.0] = Some(Pose { origin: *at - local.to_vec2(), axis: Vec2::new(1.0, 0.0) });
+                continue;
+            }
             let [a, .., b] = known[..] else {
                 return Err(lacking(both!(
                     "link {} has fewer than two placed points",
@@ -84,6 +88,28 @@ impl<N: Real> Assembly<'_, N> {
         let pins = group.pins.iter().filter_map(|p| points[p.0].map(|at| (*p, at.lift()))).collect();
         let poses = group.links.iter().filter_map(|l| poses[l.0].map(|pose| (*l, pose.lift()))).collect();
         Ok(self.trial(pins, poses))
+    }
+
+    /// Where points are, or are sketched; of a link with two such points the others too.
+    fn rough_places(&self, group: &Group) -> Vec<Option<Point>> {
+        let told = |p: PointId| {
+            let sketched = || self.scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1]));
+            self.points[p.0].map(Point::approx).or_else(|| given_at(self.scene, p)).or_else(sketched)
+        };
+        let mut places: Vec<Option<Point>> = (0..self.scene.points.len()).map(|p| told(PointId(p))).collect();
+        // As many rounds as there are links: each places one at least.
+        for _ in &group.links {
+            for l in &group.links {
+                let points: Vec<(PointId, Point)> = self.shapes[l.0].points.iter().map(|(p, local)| (*p, local.approx())).collect();
+                let known: Vec<(Point, Point)> = points.iter().filter_map(|(p, local)| places[p.0].map(|at| (*local, at))).collect();
+                let [a, .., b] = known[..] else { continue };
+                let Some(pose) = Pose::from_point_and_direction(a.0, b.0 - a.0, a.1, b.1 - a.1) else { continue };
+                for (p, local) in points {
+                    places[p.0].get_or_insert_with(|| pose.to_world(local));
+                }
+            }
+        }
+        places
     }
 
     /// A slider and the link against which it keeps its direction.

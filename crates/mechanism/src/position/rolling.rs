@@ -11,7 +11,7 @@ use super::shape::{Frame, given_place};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::Hold;
+use crate::mechanism::{Group, Hold};
 use crate::number::Real;
 use crate::scene::{Contours, DriverKind, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
 use std::f64::consts::TAU;
@@ -185,6 +185,16 @@ impl<N: Real> Assembly<'_, N> {
         let centre = || shape.points.iter().find_map(|(p, local)| Some((*local, given.iter().find(|(q, _)| q == p)?.1)));
         let loose = || centre().filter(|_| wheel()).map(|(local, at)| Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() });
         self.poses[link.0].or_else(loose)
+    }
+
+    /// The pins of a group that have coordinates, and those that lie on a link of which two points have them.
+    pub(super) fn told_pins(&self, group: &Group, mut given: Vec<(PointId, Point<N>)>) -> Vec<(PointId, Point<N>)> {
+        for &p in &group.pins {
+            let told = given.iter().any(|(q, _)| *q == p);
+            let on_link = |l: &LinkId| (self.shapes[l.0].frame == Frame::Plane).then(|| self.world(*l, p)).flatten();
+            given.extend((!told).then(|| group.links.iter().find_map(on_link)).flatten().map(|at| (p, at)));
+        }
+        given
     }
 
     /// The direction that rolling gives the frame of a link whose wheel has its centre at `at`, from the pose at the instant, or from the

@@ -331,6 +331,63 @@ mod tests {
         }
     }
 
+    /// Roots of smooth and of steep functions: found to rounding, in fewer steps than halving takes where the function is smooth, and in a bounded
+    /// number where secants crawl; of all that was looked at the best is kept.
+    #[test]
+    fn a_root_is_refined_in_few_steps() {
+        type Function = fn(f64) -> f64;
+        let cases: [(Function, f64, [f64; 2], usize); 4] = [
+            (|t| t * t * t - 2.0, 2f64.cbrt(), [1.0, 2.0], 30),
+            (|t| 2.0 - t * t * t, 2f64.cbrt(), [1.0, 2.0], 30),
+            (|t| t.powi(21) - 0.5, 0.5f64.powf(1.0 / 21.0), [0.0, 2.0], 110),
+            (|t| t.sin(), std::f64::consts::PI, [2.0, 4.5], 20),
+        ];
+        for (k, (f, root, [a, b], most)) in cases.into_iter().enumerate() {
+            let seen = std::cell::RefCell::new(Vec::new());
+            let eval = |t: f64, branch: usize| {
+                assert_eq!(branch, 1);
+                seen.borrow_mut().push(f(t).abs());
+                Some((f(t), Point::new(t, 0.0), Vec2::from_angle(t)))
+            };
+            let (value, at, _) = refine(&eval, 1, (a, f(a)), (b, f(b))).unwrap();
+            let seen = seen.into_inner();
+            assert!((at.x - root).abs() <= 4.0 * f64::EPSILON * root, "{k}: {} is not {root}", at.x);
+            assert!(seen.len() <= most, "{k}: {} steps", seen.len());
+            assert_eq!(value.abs(), seen.into_iter().fold(f64::INFINITY, f64::min), "{k}: a better one was seen");
+        }
+    }
+
+    /// A polish goes to the pose and no farther than it may; where the legs contradict one another there is none.
+    #[test]
+    fn a_polish_settles_near_by_or_not_at_all() {
+        let mut random = Random(0x2545_f491_4f6c_dd1d);
+        let (mut settled, mut refused) = (0, 0);
+        for k in 0..200 {
+            let pose = (random.point(), Vec2::from_angle(6.3 * random.next()));
+            let legs = [0, 1, 2].map(|leg| random.leg([0, k % 3, k / 3 % 3][leg], pose));
+            let scale = scale_of(&legs);
+            let off = 1e-4 * scale;
+            let from = (pose.0 + Vec2::new(off, -off), pose.1.rotate_by(Vec2::from_angle(1e-4)));
+            if let Some((origin, axis)) = polished(&legs, from, scale, POLISH) {
+                let missed = legs.iter().map(|l| l.miss(origin, axis).abs()).fold(0.0, f64::max);
+                assert!(missed < 1e-9 * scale, "{k}: misses by {missed:e}");
+                settled += usize::from((origin - pose.0).norm() < 0.1 * scale);
+            }
+            // A step that is longer than allowed is no polish.
+            let far = (pose.0 + Vec2::new(0.5 * scale, 0.3 * scale), pose.1.rotate_by(Vec2::from_angle(0.9)));
+            refused += usize::from(polished(&legs, far, scale, 1e-6).is_none());
+        }
+        assert!(settled > 180 && refused == 200, "{settled} settle, {refused} are refused");
+        // A circle that the others keep the pin from reaching.
+        let at = |x: f64, y: f64| Point::new(x, y);
+        let unreachable = [
+            TriadLeg::Line { near: at(0.0, 0.0), through: at(0.0, 0.0), direction: Vec2::new(1.0, 0.0) },
+            TriadLeg::Line { near: at(0.0, 0.0), through: at(0.0, 1.0), direction: Vec2::new(1.0, 0.0) },
+            TriadLeg::Circle { near: at(1.0, 0.0), far: at(0.0, 0.0), radius: 1.0 },
+        ];
+        assert!(polished(&unreachable, (at(0.0, 0.5), Vec2::new(1.0, 0.0)), 1.0, SKETCH).is_none());
+    }
+
     /// The pose from which the legs were made is among the assemblies, each of them holds, and none is there twice; a sketch adds none.
     #[test]
     fn every_assembly_is_found_once() {

@@ -88,8 +88,26 @@ impl Segment {
         }
     }
 
+    /// By how much a round end about a point misses the piece (m), the point in the frame of the cam; `None` where it lies beyond the piece's
+    /// ends, or within a line.
+    pub fn missed_by(&self, end: Vec2, radius: f64) -> Option<f64> {
+        match self {
+            Segment::Arc { centre, radius: rho, .. } => {
+                let (way, length) = (end - *centre, rho + radius);
+                let outward = if length < 0.0 { -way } else { way };
+                self.faces(outward.angle()).then(|| way.norm() - length.abs())
+            }
+            Segment::Line { normal, distance, ends: [from, to] } => {
+                let n = Vec2::from_angle(*normal);
+                let along = n.perp().dot(end);
+                let slack = ON * (to - from).abs().max(end.norm());
+                (from - slack..=to + slack).contains(&along).then(|| n.dot(end) - distance - radius)
+            }
+        }
+    }
+
     /// Whether an arc has an outward normal of this direction.
-    fn faces(&self, direction: f64) -> bool {
+    pub fn faces(&self, direction: f64) -> bool {
         match self {
             Segment::Arc { normals: [from, to], .. } => {
                 let (low, high) = (from.min(*to), from.max(*to));

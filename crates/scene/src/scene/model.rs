@@ -11,7 +11,7 @@ use super::statement::Statement;
 use super::units::Unit;
 use crate::diag::Span;
 
-pub use super::cams::{Cam, Follows, Turning};
+pub use super::cams::{Cam, Follows, Pieces, Turning};
 pub use super::lang::Lang;
 pub use super::mistake::Mistake;
 pub use crate::trig::Angle;

@@ -294,6 +294,13 @@ fn what_is_said_about_bad_scenes() {
                 r#""1 s", "motions": [{"point": "M", "on": "2", "line": "BC", "s": "1 m*abs(t/(1 s))"}, {"point": "N", "on": "2", "line": "BC", "s": "1 m*2^(t/(1 s))"}, {"point": "P", "on": "9", "line": "BC", "s": "1 m/s"}]"#,
             ),
         ),
+        (
+            "arcs",
+            with(
+                "time",
+                r#""1 s", "motions": [{"point": "M", "on": "2", "line": "BC", "centre": "B", "s": "1 m/s*t"}, {"point": "N", "on": "2", "line": "BC", "radius": "1 m", "s": "1 m/s*t"}, {"point": "P", "on": "2", "centre": "B", "s": "1 m/s*t"}]"#,
+            ),
+        ),
         ("language", with("language", r#""de""#)),
         ("notation", with("notation", r#""chinese""#)),
         ("parameters", with("parameters", r#"{"a": "b", "b": "2*a", "mm": "1 m", "2x": 1, "unused": 3, "c": "2*mm"}"#)),

@@ -54,9 +54,9 @@ impl<'a> General<'a> {
     fn row(&self, scene: &Scene, at: &Configuration, solution: &Solution) -> Result<Vec<f64>, Faults> {
         let mut row = Vec::new();
         for f in &scene.find {
-            let value = solution.answer(scene, at, &f.what).ok_or_else(|| {
-                Diagnostic::error("cannot-answer", both!("{} cannot be answered here", "此处不能求 {}", f.text)).at(f.span)
-            })?;
+            let value = solution
+                .answer(scene, at, &f.what)
+                .ok_or_else(|| Diagnostic::error("not-defined", both!("{}: {}", "{}：{}", f.text, f.what.no_value(scene))).at(f.span))?;
             row.extend(value.columns());
         }
         match row.iter().all(|v| v.is_finite()) {

@@ -80,7 +80,9 @@ impl One<'_> {
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {
-            return self.no_pose(faults);
+            let posed = self.by_pose(&worded, (cam, point), &follows, end.as_ref(), faults)?;
+            touched = posed.touched;
+            pending.posed = Some(posed);
         }
         pending.contact = Some(raw.guides.len());
         contact.write(raw, &worded, touched)

@@ -63,7 +63,7 @@ fn follows(f: &Fields, faults: &mut Faults) -> Option<RawFollows> {
 
 fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     let f = Fields::open(node, "\"face\"", keys::FACE, faults)?;
-    let through = f.need("through", both!("\"C\", a point of the follower", "\"C\"（从动件上的点）"), faults).and_then(|n| match &n.kind {
+    let through = f.get("through").and_then(|n| match &n.kind {
         Kind::Array(_) => two_quantities(n, "\"through\"", faults).map(|xy| RawThrough::At(xy, n.span)),
         _ => word(n, "\"through\"", faults).map(RawThrough::Point),
     });
@@ -71,7 +71,7 @@ fn face(node: &Node, faults: &mut Faults) -> Option<RawFace> {
     let mut value = |key: &str| f.get(key).and_then(|n| quantity(n, &format!("\"{key}\""), faults));
     let (angle, offset) = (value("angle"), value("offset"));
     let left = f.get("cam").and_then(|n| word(n, "\"cam\"", faults)).and_then(|w| one_of(&w, ["left", "right"], faults)).map(|k| k == 0);
-    Some(RawFace { through: through?, line, angle, offset, left })
+    Some(RawFace { through, line, angle, offset, left })
 }
 
 /// Which of two words it is.

@@ -4,13 +4,14 @@ use std::collections::HashSet;
 
 use super::super::model::*;
 use super::super::names::Names;
-use super::super::raw::{RawQuantity, RawScene};
+use super::super::raw::{RawGuide, RawLink, RawQuantity, RawScene, RawThrough};
 use super::super::units::Wanted;
 use super::super::values::Values;
+use super::by_pose::Posed;
 use super::pairs::fresh;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
-use super::{Cam, Follows, Turning};
+use super::{Cam, Follows, Pieces, Turning};
 use crate::cam::{Disc, Follower, Motion, Side, Touch};
 use crate::diag::{Diagnostic, Faults, Span, both};
 use crate::digits::significant;
@@ -35,13 +36,15 @@ pub(super) struct Pending {
     pub circle: Option<(String, f64)>,
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
+    pub posed: Option<Posed>,
     span: Span,
 }
 
 /// A cam whose link has one point gets a second one on its base circle, from which its angle is told; so does a lever with a flat face whose
-/// motion a law gives.
+/// motion a law gives. A face that does not say where it is passes through the pin of the guide in which its follower slides.
 pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
     let mut out = raw.clone();
+    (0..out.cams.len()).for_each(|i| slid(&mut out, i));
     for cam in &raw.cams {
         let radius = match &cam.profile {
             RawProfile::Law { base, .. } => Some(base),
@@ -62,6 +65,44 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
         }
     }
     out
+}
+
+/// Gives the face of a sliding follower its point: the pin of the follower's one guide. A guide without a pin gets one; its line may be anywhere, and is
+/// through the origin where nothing says where.
+fn slid(raw: &mut RawScene, index: usize) {
+    let cam = &raw.cams[index];
+    let RawFollows::Face(RawFace { through: None, .. }) = &cam.follows else { return };
+    let mine = |g: &RawGuide| named(&g.slider, &cam.follower.text);
+    let mut guides = raw.guides.iter().enumerate().filter(|(_, g)| mine(g));
+    let (Some((i, guide)), None) = (guides.next(), guides.next()) else { return };
+    let (span, follower) = (cam.span, cam.follower.clone());
+    let pin = guide.pin.clone().unwrap_or_else(|| Word { text: fresh(raw, &["F"]), span });
+    let guide = &mut raw.guides[i];
+    // A bare number has the unit of the scene's angles, which a sum with degrees would hide.
+    let unit = raw.units.iter().find(|(key, _)| key.text == "angle").map_or("", |(_, unit)| unit.text.as_str());
+    let square = guide.angle.as_ref().map(|q| {
+        let text = if q.bare { format!("({} {unit})+90 deg", q.text) } else { format!("({})+90 deg", q.text) };
+        RawQuantity { text, span, bare: false }
+    });
+    if guide.pin.is_none() {
+        guide.pin = Some(pin.clone());
+        let grounded = guide.on.as_ref().is_none_or(|on| raw.ground.as_ref().is_some_and(|g| g.text == on.text));
+        if guide.through.is_none() && guide.line.is_none() && grounded {
+            let zero = || RawQuantity { text: "0 m".into(), span, bare: false };
+            guide.through = Some(RawThrough::At([zero(), zero()], span));
+        }
+        match raw.links.iter_mut().find(|l| l.name.text == follower.text) {
+            Some(link) => link.points.push(pin.clone()),
+            None => raw.links.push(RawLink { name: follower, points: vec![pin.clone()] }),
+        }
+    }
+    if let RawFollows::Face(face) = &mut raw.cams[index].follows {
+        face.through = Some(RawThrough::Point(pin));
+        if face.line.is_none() && face.angle.is_none() {
+            face.angle = square;
+            face.left = face.left.or(face.angle.as_ref().map(|_| true));
+        }
+    }
 }
 
 fn named(word: &Option<Word>, text: &str) -> bool {
@@ -122,10 +163,20 @@ impl One<'_> {
         };
         let (cam, follower) = (cam?, follower?);
         let Some(point) = point else {
-            if self.raw.follows.pin().is_none() {
-                let message =
-                    both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标");
-                faults.push(Diagnostic::error("cam-follower", message).at(self.raw.span));
+            if let RawFollows::Face(face) = &self.raw.follows
+                && self.raw.follows.pin().is_none()
+            {
+                let d = match face.through {
+                    Some(_) => Diagnostic::error(
+                        "cam-follower",
+                        both!("a face passes through a point of the follower, not through coordinates", "平底应通过从动件上的点，而非坐标"),
+                    ),
+                    None => Diagnostic::error("missing-key", both!("\"face\" has no `through`", "\"face\" 没有 `through`")),
+                };
+                faults.push(d.at(self.raw.span).help(both!(
+                    "add \"through\": \"C\", a point of the follower; a follower that slides in one guide needs none",
+                    "请加上 \"through\": \"C\"，即从动件上的一点；只在一条导路中滑动的从动件可以不写"
+                )));
             }
             return None;
         };
@@ -159,6 +210,7 @@ impl One<'_> {
             circle: None,
             disc: None,
             contact: None,
+            posed: None,
             span: self.raw.span,
         };
         let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
@@ -251,14 +303,14 @@ impl One<'_> {
         let d = Diagnostic::error(
             "cam-pose",
             both!(
-                "which part of the profile of cam `{}` is touched is told only where cam and follower are on the ground",
-                "只有凸轮和从动件都装在机架上时，才能判断凸轮 `{}` 的哪一段廓线接触",
+                "nothing tells which part of the profile of cam `{}` is touched",
+                "无法判断凸轮 `{}` 的哪一段廓线接触",
                 self.raw.cam.text
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "a pivot of the cam among the points of the ground, a driver with \"angle\" for it, and a guide or pivot of the follower on the ground through the point that touches; or a profile of one circle",
-            "请给出：机架上的凸轮轴心、带 \"angle\" 的凸轮原动件、从动件在机架上的导路（通过接触点）或转轴；或只用一个圆作廓线"
+            "give the cam a pivot on the ground and a driver with \"angle\", and the follower a guide or pivot on the ground through the point that touches; on moving links, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "凸轮和从动件装在机架上时，请给出凸轮轴心、带 \"angle\" 的凸轮原动件、从动件（通过接触点）的导路或转轴；装在活动构件上时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
         )));
         None
     }
@@ -338,6 +390,10 @@ impl Expanded {
                 circle: p.circle.and_then(|(c, r)| Some((point(&c)?, r))),
                 disc,
                 contact: p.contact.map(GuideId),
+                posed: p.posed.and_then(|posed| {
+                    let [from, to] = posed.frame.map(|name| point(&name));
+                    Some(Pieces { frame: [from?, to?], segments: posed.segments, touched: posed.touched })
+                }),
                 span: p.span,
             })
         };

@@ -13,6 +13,7 @@
 
 mod by_law;
 mod by_parts;
+mod by_pose;
 pub(super) mod decode;
 pub(super) mod expand;
 mod law;
@@ -22,7 +23,7 @@ mod place;
 pub(super) mod raw;
 
 use super::model::{GuideId, LinkId, PointId};
-use crate::cam::{Disc, Side};
+use crate::cam::{Disc, Segment, Side};
 use crate::diag::Span;
 
 /// With what a follower touches its cam.
@@ -72,10 +73,23 @@ pub struct Cam {
     /// The cam on a pivot of the ground with its follower on the ground: what it does over a whole turn. `None` where either is carried by a
     /// moving link.
     pub disc: Option<Turning>,
+    /// The pieces of a profile that the coordinates of the pose place: cam or follower is carried by a moving link.
+    pub posed: Option<Pieces>,
     /// The guide that stands for the contact; a law has a driver instead.
     pub contact: Option<GuideId>,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// A profile of several pieces on a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pieces {
+    /// The points of the cam in whose frame the pieces are: origin in the first, x toward the second.
+    pub frame: [PointId; 2],
+    /// The pieces, counter-clockwise.
+    pub segments: Vec<Segment>,
+    /// The one that is touched in the pose.
+    pub touched: usize,
 }
 
 /// A cam that turns about a pivot of the ground.

@@ -26,7 +26,7 @@ impl Scene {
 
     /// Whether the pairs that stand for a cam are right only next to the instant.
     pub fn has_momentary_cams(&self) -> bool {
-        let momentary = |c: &Cam| c.circle.is_none() && c.disc.is_some();
+        let momentary = |c: &Cam| c.circle.is_none() && (c.disc.is_some() || c.posed.is_some());
         self.cams.iter().any(momentary)
     }
 
@@ -54,9 +54,9 @@ impl Scene {
         scene
     }
 
-    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line.
+    /// Cams whose pairs are right at the instant only, and which no driver follows over a turn: a swinging flat face without a line, and what moving links carry.
     pub fn kept_cams(&self) -> impl Iterator<Item = &Cam> {
-        self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_some_and(|t| t.by_law.is_none()))
+        self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_none_or(|t| t.by_law.is_none()))
     }
 
     /// The driver of a follower on the ground; `None` for a face without a line whose angle could be given.

@@ -84,7 +84,7 @@ impl Contact<'_> {
             pin: Some(self.word(centre)),
             on: Some(self.word(self.follower)),
             line: face.line.clone(),
-            through: Some(face.through.clone()),
+            through: face.through.clone(),
             angle: face.angle.clone(),
             offset: Some(self.quantity(text)),
             ..self.blank()

@@ -1,7 +1,7 @@
 //! Where a cam and its follower are, as numbers and as the texts of the same numbers.
 //!
-//! Only what stands on the ground is placed here: a cam on a fixed pivot, a follower on a fixed guide or pivot. What moving links carry is found
-//! by the position solver, for which one circle needs no choice of a piece.
+//! Only what stands on the ground is placed here: a cam on a fixed pivot, a follower on a fixed guide or pivot. What moving links carry is placed by
+//! the coordinates of the pose ([`super::by_pose`]), or found by the position solver, for which one circle needs no choice of a piece.
 
 use super::super::model::*;
 use crate::cam::Follower;
@@ -79,7 +79,8 @@ pub(super) enum Carried {
     Pivot { pivot: PointId, spot: Spot },
 }
 
-fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
+/// The coordinates of a point that has some.
+pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
     match &scene.points[p.0].place {
         Place::At(xy) => Some(Spot::of(xy)),
         Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
@@ -172,7 +173,7 @@ pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
 }
 
 /// The points of a link in its own frame, its origin moved to the pivot; those that cannot be placed are left out.
-fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
+pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
     let points = &scene.links[link.0].points;
     let mut known: Vec<(PointId, Vec2)> = Vec::new();
     if let Some(spots) = points.iter().map(|p| spot(scene, *p)).collect::<Option<Vec<_>>>() {

@@ -27,8 +27,8 @@ impl RawFollows {
         match self {
             RawFollows::Edge(pin) | RawFollows::Roller { pin, .. } | RawFollows::Arc { pin, .. } => Some(pin),
             RawFollows::Face(face) => match &face.through {
-                RawThrough::Point(word) => Some(word),
-                RawThrough::At(..) => None,
+                Some(RawThrough::Point(word)) => Some(word),
+                Some(RawThrough::At(..)) | None => None,
             },
         }
     }
@@ -51,7 +51,8 @@ impl RawFollows {
 
 #[derive(Clone, Debug)]
 pub(in crate::scene) struct RawFace {
-    pub through: RawThrough,
+    /// Nothing for a sliding follower whose guide tells it.
+    pub through: Option<RawThrough>,
     pub line: Option<Word>,
     pub angle: Option<RawQuantity>,
     pub offset: Option<RawQuantity>,

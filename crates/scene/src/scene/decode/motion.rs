@@ -19,10 +19,9 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
     let f = Fields::open(node, both!("a motion", "运动"), keys::MOTION, faults)?;
     let point = f.need("point", "\"M\"", faults).and_then(|n| word(n, "\"point\"", faults));
     let on = f.need("on", both!("\"2\", the link on which it moves", "\"2\"（所在构件）"), faults).and_then(|n| word(n, "\"on\"", faults));
-    let line = f.need("line", both!("\"AB\", from which point toward which", "\"AB\"（从哪点向哪点）"), faults);
-    let line = line.and_then(|n| word(n, "\"line\"", faults));
+    let way = way(&f, faults);
     let s = f.need("s", "\"6 cm/s*t\"", faults).and_then(|n| quantity(n, "\"s\"", faults));
-    let (point, on, line, s) = (point?, on?, line?, s?);
+    let (point, on, way, s) = (point?, on?, way?, s?);
     let names: Vec<&str> = raw.parameters.iter().map(|(name, _)| name.text.as_str()).collect();
     if !names.contains(&TIME) {
         let message = both!("a law of time needs the instant", "运动规律需要给出时刻");
@@ -49,26 +48,87 @@ pub(super) fn motion(node: &Node, raw: &mut RawScene, faults: &mut Faults) -> Op
         None => None,
     };
     let given = |text: String| RawQuantity { text, span: s.span, bare: false };
-    let guide = RawGuide {
+    let blank = RawGuide {
         pin: Some(point.clone()),
         slider: Some(Word { text: free_name(raw), span: point.span }),
         on: Some(on),
-        line: Some(line.clone()),
-        through: first(raw, &line).map(RawThrough::Point),
+        line: None,
+        through: None,
         angle: None,
         offset: None,
         centre: None,
         radius: None,
         span: node.span,
     };
+    let (guide, position) = match way {
+        Way::Line(line) => {
+            let through = first(raw, &line).map(RawThrough::Point);
+            (RawGuide { line: Some(line), through, ..blank }, s.clone())
+        }
+        Way::Arc { centre, radius, from } => {
+            // On an arc the way counts from the direction of the link that carries it.
+            let position = match from {
+                Some(from) => given(format!("({})+{}*{}", s.text, told(raw, "length", &radius), told(raw, "angle", &from))),
+                None => s.clone(),
+            };
+            (RawGuide { centre: Some(centre), radius: Some(radius), ..blank }, position)
+        }
+    };
     raw.guides.push(guide);
     raw.drivers.push(RawDriver {
-        kind: RawDriverKind::Slide { slide: point, position: Some(s.clone()) },
+        kind: RawDriverKind::Slide { slide: point, position: Some(position) },
         rate: Some(given(rate.unwrap_or_else(|| "0 m/s".to_owned()))),
         acceleration: second.map(given),
         span: node.span,
     });
     Some(())
+}
+
+/// Along what a point moves.
+enum Way {
+    /// From one point of the link toward another.
+    Line(Word),
+    /// About a point of the link, counter-clockwise, from this angle to the link's direction.
+    Arc { centre: Word, radius: RawQuantity, from: Option<RawQuantity> },
+}
+
+fn way(f: &Fields, faults: &mut Faults) -> Option<Way> {
+    let Some(centre) = f.get("centre") else {
+        for key in ["radius", "angle"] {
+            if let Some(node) = f.get(key) {
+                let message = both!("only a motion on an arc about a `centre` has `{key}`", "只有绕 `centre` 的圆弧运动才有 `{key}`");
+                faults.push(
+                    Diagnostic::error("motion", message)
+                        .at(node.span)
+                        .help(both!("add \"centre\": \"C\", or leave it away", "请加上 \"centre\": \"C\"，或去掉它")),
+                );
+                return None;
+            }
+        }
+        let example = both!(
+            "\"AB\", from which point toward which; or \"centre\" and \"radius\"",
+            "\"AB\"（从哪点向哪点）；或 \"centre\" 和 \"radius\""
+        );
+        return f.need("line", example, faults).and_then(|n| word(n, "\"line\"", faults)).map(Way::Line);
+    };
+    if let Some(line) = f.get("line") {
+        let message = both!("a motion is along a `line` or about a `centre`, not both", "运动沿直线 `line` 或绕 `centre`，不能两者都写");
+        faults.push(Diagnostic::error("motion", message).at(line.span).help(both!("keep one of the two", "请保留其中一个")));
+        return None;
+    }
+    let centre = word(centre, "\"centre\"", faults);
+    let radius = f.need("radius", "\"60 mm\"", faults).and_then(|n| quantity(n, "\"radius\"", faults));
+    let from = match f.get("angle") {
+        Some(node) => Some(quantity(node, "\"angle\"", faults)?),
+        None => None,
+    };
+    Some(Way::Arc { centre: centre?, radius: radius?, from })
+}
+
+/// The text of a quantity within a longer expression: a bare number gets the unit of its kind.
+fn told(raw: &RawScene, kind: &str, q: &RawQuantity) -> String {
+    let unit = raw.units.iter().find(|(key, _)| key.text == kind && q.bare).map_or("", |(_, unit)| unit.text.as_str());
+    format!("({} {unit})", q.text)
 }
 
 /// A number that no link has: the moving point is the only one of its link.

@@ -4,7 +4,7 @@
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
 use crate::cam::{Follower, Survey};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::number::Real;
 use crate::scene::book::Kind;
 use crate::scene::cams::{Cam, Turning};
@@ -87,6 +87,19 @@ impl Quantity for CamQuantity {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let link = scene.link_name(self.link);
+        match self.what {
+            What::RhoMin => both!("the profile of cam {link} is nowhere convex", "凸轮 {link} 的廓线没有外凸部分"),
+            What::Rho => {
+                both!("the profile of cam {link} is straight there, or touches nothing", "凸轮 {link} 的廓线在该处为直线，或没有接触")
+            }
+            What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure => {
+                both!("the follower {link} touches nothing in this pose", "从动件 {link} 在该位置没有接触")
+            }
+        }
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {

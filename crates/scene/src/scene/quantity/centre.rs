@@ -3,7 +3,7 @@
 //! How it is found by the theorem of three centres is told by `centres`, which computes it in that other way.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Vec2;
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-13;
 /// The instantaneous centre of two links.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InstantCentre {
-    /// The two links, each with a point of its own; the ground needs none.
+    /// The two links, each with a point of the plane in which its motion is told, one of its own if it has any; the ground needs none.
     pub links: [(LinkId, Option<PointId>); 2],
 }
 
@@ -27,19 +27,20 @@ impl Quantity for InstantCentre {
 
     fn read(question: &Question<'_>) -> Result<Option<InstantCentre>, Diagnostic> {
         let links = question.two_links()?;
+        // A link without a point of its own, a slider or a rack, moves as its plane does: any point of the scene is one of that plane.
+        let own = links.map(|l| question.first_point(l));
+        let other = own.into_iter().flatten().next().or_else(|| question.any_point());
         let mut of = [(links[0], None), (links[1], None)];
-        for (link, point) in &mut of {
-            *point = question.first_point(*link);
-            if point.is_none() && !question.is_ground(*link) {
-                let d = question.fault(both!(
-                    "`{}`: a link without a point of its own has a centre that `find` does not tell",
-                    "`{}`：没有点的构件，其瞬心不能用 `find` 求",
-                    question.text()
-                ));
-                return Err(d.help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
-            }
+        for ((link, point), own) in of.iter_mut().zip(own) {
             if question.is_ground(*link) {
-                *point = None;
+                continue;
+            }
+            *point = own.or(other);
+            if point.is_none() {
+                let message = both!("`{}`: the scene has no point", "`{}`：题目中没有点", question.text());
+                return Err(question
+                    .fault(message)
+                    .help(both!("`hodograph centres` tells all centres", "`hodograph centres` 给出所有瞬心")));
             }
         }
         Ok(Some(InstantCentre { links: of }))
@@ -55,6 +56,11 @@ impl Quantity for InstantCentre {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let [i, j] = self.links.map(|(l, _)| scene.link_name(l));
+        both!("links {i} and {j} do not turn against one another", "构件 {i} 与 {j} 之间没有相对转动")
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {

@@ -3,7 +3,7 @@
 
 use super::joined::name;
 use super::{Entry, Form, Frame, Known, Level, Meaning, Need, Of, Over, Quantity, RelativePath, Seen, Split, Value, owns, relative_path};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -128,6 +128,23 @@ impl Quantity for Composite {
             }
             (Part::Path, _) => return None,
         })
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let point = name(scene, &self.of);
+        match self.part {
+            Part::TransportNormal | Part::TransportTangential => both!(
+                "the point of the frame at {point} stands still, so that nothing says what is along its path and what is square to it",
+                "动系上与 {point} 重合的点不动，无从区分沿其轨迹和垂直于轨迹的分量"
+            ),
+            Part::RelativeNormal | Part::RelativeTangential => both!(
+                "{point} does not move in its frame, so that nothing says what is along its path and what is square to it",
+                "{point} 相对动系不动，无从区分沿相对轨迹和垂直于轨迹的分量"
+            ),
+            Part::TransportVelocity | Part::RelativeVelocity | Part::Transport | Part::Relative | Part::Coriolis | Part::Path => {
+                both!("nothing defines it in this pose", "该位置此量无定义")
+            }
+        }
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {

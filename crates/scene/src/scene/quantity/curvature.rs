@@ -5,7 +5,7 @@
 //! drawn, and what they are where they are nowhere, is told by `curvature`.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -128,6 +128,22 @@ impl Quantity for Curvature {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         None
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        match *self {
+            Curvature::Path(p, _) => {
+                let name = scene.point_name(p.point);
+                both!(
+                    "{name} stands still or its path is straight there: it has no centre of curvature",
+                    "{name} 不动，或其轨迹在该处为直线：没有曲率中心"
+                )
+            }
+            Curvature::Pole(links, _) => {
+                let [i, j] = links.map(|(l, _)| scene.link_name(l));
+                both!("links {i} and {j} do not turn against one another: they have no pole", "构件 {i} 与 {j} 之间没有相对转动，没有极点")
+            }
+        }
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {

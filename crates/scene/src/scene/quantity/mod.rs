@@ -54,7 +54,7 @@ pub use value::{Known, Value};
 use super::book::Kind;
 use super::model::{Find, OnLink, Scene};
 use super::resolve::Question;
-use crate::diag::{Diagnostic, Faults};
+use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::number::Real;
 
 /// A family of quantities.
@@ -85,6 +85,11 @@ trait Quantity: Copy + Into<Asked> {
     /// Why it is not defined in this scene.
     fn fault(&self, _scene: &Scene, _find: &Find) -> Option<Diagnostic> {
         None
+    }
+
+    /// Why it has no value where the motion is known: what it is divided by vanishes, or a direction that it needs is that of a zero vector.
+    fn no_value(&self, _scene: &Scene) -> Both {
+        both!("nothing defines it in this pose", "该位置此量无定义")
     }
 
     /// Its value where places, vectors and rates are known.
@@ -143,6 +148,11 @@ macro_rules! families {
             /// Its value by the formulas of relative motion; `None` where something is not known, or nothing defines it.
             pub fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
                 match self { $(Asked::$Family(q) => q.value(known)),+ }
+            }
+
+            /// Why it has no value in a pose of which the motion is known.
+            pub fn no_value(&self, scene: &Scene) -> Both {
+                match self { $(Asked::$Family(q) => q.no_value(scene)),+ }
             }
 
             fn fault(&self, scene: &Scene, find: &Find) -> Option<Diagnostic> {

@@ -2,7 +2,7 @@
 //! (ω₂ − ω₃)/(ω₄ − ω₃), which of a gear train depends on its numbers of teeth alone (Willis).
 
 use super::{Entry, Form, Level, Meaning, Need, Of, Over, Quantity};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::scene::book::Kind;
 use crate::scene::model::{LinkId, Scene};
 use crate::scene::resolve::Question;
@@ -56,6 +56,23 @@ impl Quantity for Ratio {
 
     fn meaning(&self, _scene: &Scene) -> Option<Meaning> {
         Some(Meaning::Ratio(self.links, self.arm))
+    }
+
+    fn no_value(&self, scene: &Scene) -> Both {
+        let of = scene.link_name(self.links[1]);
+        match self.arm {
+            None => both!(
+                "link {of} does not turn, and a ratio over its angular velocity is none",
+                "构件 {of} 不转动，以其角速度为分母的传动比不存在"
+            ),
+            Some(arm) => {
+                let arm = scene.link_name(arm);
+                both!(
+                    "link {of} does not turn against the arm {arm}, and a ratio over that angular velocity is none",
+                    "构件 {of} 相对系杆 {arm} 不转动，以该角速度为分母的传动比不存在"
+                )
+            }
+        }
     }
 
     fn needs(&self) -> Vec<(Need, Level)> {

@@ -3,7 +3,7 @@
 
 use super::joined::name;
 use super::{Entry, Form, Joined, Meaning, Of, Over, Quantity, Split, joined};
-use crate::diag::{Diagnostic, both};
+use crate::diag::{Both, Diagnostic, both};
 use crate::scene::book::Kind;
 use crate::scene::model::{Find, OnLink, Scene};
 use crate::scene::resolve::Question;
@@ -38,6 +38,11 @@ impl Part {
 }
 
 impl Quantity for Relative {
+    fn no_value(&self, scene: &Scene) -> Both {
+        let [a, b] = [self.of, self.to].map(|p| scene.point_name(p.point));
+        both!("{a} and {b} lie at one place and have no line between them", "{a} 与 {b} 重合，没有连线")
+    }
+
     const WRITTEN: &'static [Entry] = &[
         Entry::new("v", "v_CB", Kind::Velocity, Form::Vector, ["velocity", "速度"]),
         Entry::new("a", "a_CB", Kind::Acceleration, Form::Vector, ["acceleration", "加速度"]),

@@ -209,6 +209,11 @@ impl Question<'_> {
         self.c.names.links[link.0].points.first().copied()
     }
 
+    /// A point of the scene, whatever it is on.
+    pub fn any_point(&self) -> Option<PointId> {
+        (!self.c.names.points.is_empty()).then_some(PointId(0))
+    }
+
     /// Two different points.
     ///
     /// # Errors

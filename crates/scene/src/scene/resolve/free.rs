@@ -13,7 +13,7 @@ pub(super) fn centres(
     lengths: &[Length],
     faults: &mut Faults,
 ) {
-    let turning_only = |f: &Find| matches!(f.what, Asked::Turning(_));
+    let turning_only = |f: &Find| matches!(f.what, Asked::Turning(_) | Asked::Ratio(_));
     if find.is_empty() || !find.iter().all(turning_only) {
         return;
     }
@@ -56,8 +56,18 @@ fn lay(
     laid: &mut Vec<PointId>,
 ) {
     let Some(arm) = c.common(from, to) else { return };
-    let anchored = c.carries(c.ground, from) && anchor(c, from, places);
-    if !anchored || !is_free(c, arm, (from, to), places, lengths) {
+    let anchored = laid.contains(&from) || c.carries(c.ground, from) && anchor(c, from, places);
+    if !anchored || !is_free(c, (arm, &*rolling, &*laid), (from, to), places, lengths) {
+        return;
+    }
+    // A further centre of an arm that meshes with two others stands over them, by its distance from each.
+    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(|q| c.carries(arm, *q)).nth(1).is_some() {
+        let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
+        if !given(from, &rolling.lengths)
+            && let Some(value) = by_teeth(c, rolling, pair)
+        {
+            rolling.lengths.push(Length { a: from, b: to, value });
+        }
         return;
     }
     let between = |l: &Length| (l.a, l.b) == (from, to) || (l.b, l.a) == (from, to);
@@ -103,14 +113,25 @@ fn anchor(c: &Context, p: PointId, places: &mut [Place]) -> bool {
 
 /// Whether nothing but the pairs of its gears says where a centre is: it is carried by the arm, or the ground, and by gears that are nothing
 /// but wheels about it.
-fn is_free(c: &Context, arm: LinkId, (from, to): (PointId, PointId), places: &[Place], lengths: &[Length]) -> bool {
+fn is_free(
+    c: &Context,
+    (arm, rolling, laid): (LinkId, &rolling::Resolved, &[PointId]),
+    (from, to): (PointId, PointId),
+    places: &[Place],
+    lengths: &[Length],
+) -> bool {
     let unplaced = matches!(places[to.0], Place::Unknown) && !c.raw.points.iter().any(|(w, _)| w.text == c.point_name(to));
-    let only_arm = arm == c.ground || c.names.links[arm.0].points.len() == 2;
+    // All that an arm carries are centres of the train.
+    let centre = |p: PointId| neighbours(rolling, p).next().is_some();
+    let only_arm = arm == c.ground || on_arm(c, arm).all(centre);
     let wheels = (0..c.names.links.len())
         .map(LinkId)
         .filter(|l| *l != arm && c.carries(*l, to))
         .all(|l| l != c.ground && c.names.links[l.0].points.len() == 1 && !guided(c, l));
-    let measured = lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from);
+    // The first centre of an arm may be laid however far it is from the next ones: its direction is as free as it is.
+    let first = arm != c.ground && !on_arm(c, arm).any(|p| laid.contains(&p));
+    let inner = |l: &Length| first && c.carries(arm, l.a) && c.carries(arm, l.b);
+    let measured = lengths.iter().any(|l| (l.a == to || l.b == to) && l.a != from && l.b != from && !inner(l));
     let named = |w: &Word| w.text == c.point_name(to);
     let told = c.raw.sketch.iter().any(|(w, _)| named(w)) || c.raw.sides.iter().any(|(w, _)| named(w));
     let runs = c.raw.guides.iter().any(|g| g.pin.as_ref().is_some_and(named)) || (arm != c.ground && guided(c, arm));
@@ -119,6 +140,25 @@ fn is_free(c: &Context, arm: LinkId, (from, to): (PointId, PointId), places: &[P
         RawDriverKind::Turn { .. } | RawDriverKind::Slide { .. } => false,
     });
     unplaced && only_arm && wheels && !measured && !told && !runs && !rammed
+}
+
+/// The points of a link.
+fn on_arm<'a>(c: &'a Context, arm: LinkId) -> impl Iterator<Item = PointId> + 'a {
+    c.names.links[arm.0].points.iter().copied()
+}
+
+/// The centres with whose gears those about `centre` mesh.
+fn neighbours(rolling: &rolling::Resolved, centre: PointId) -> impl Iterator<Item = PointId> + '_ {
+    let found: std::collections::BTreeSet<usize> = rolling
+        .rolling
+        .iter()
+        .filter_map(|r| match r.contours {
+            Contours::Circles { centres: [a, b], .. } if a == centre => Some(b.0),
+            Contours::Circles { centres: [a, b], .. } if b == centre => Some(a.0),
+            Contours::Circles { .. } | Contours::Track { .. } => None,
+        })
+        .collect();
+    found.into_iter().map(PointId)
 }
 
 /// Whether a link carries a guide or slides in one.

@@ -1,0 +1,86 @@
+//! Which piece of a profile is touched where cam or follower moves with further links: told by the coordinates of the pose.
+//!
+//! On the ground the piece follows from the angle of the cam ([`super::by_parts`]). On moving links the place of the cam follows from the assembly,
+//! and that from the piece; so the pose must say it: coordinates of the cam's first two points and of the point that touches, or the direction
+//! of the face.
+
+use super::super::model::*;
+use super::super::units::Wanted;
+use super::expand::{One, note};
+use super::pairs::{Worded, numbers};
+use super::place::{self, Told};
+use super::raw::*;
+use crate::cam::Segment;
+use crate::cam::outline::segments;
+use crate::diag::Faults;
+use crate::geom::Vec2;
+use crate::json::Word;
+
+/// A follower farther from its piece than this part of the cam's size does not touch it; what is nearer is judged where pins are held to their
+/// guides.
+const OFF: f64 = 1e-6;
+
+/// A profile of several pieces that the pose places.
+pub(super) struct Posed {
+    /// The points of the cam in whose frame the pieces are: origin in the first, x toward the second.
+    pub frame: [String; 2],
+    pub segments: Vec<Segment>,
+    pub touched: usize,
+}
+
+impl One<'_> {
+    /// The pieces in the frame of the cam's first two points, and the one that is touched in the pose.
+    pub(super) fn by_pose(
+        &self,
+        worded: &[Worded],
+        (cam, point): (LinkId, PointId),
+        follows: &RawFollows,
+        end: Option<&Told>,
+        faults: &mut Faults,
+    ) -> Option<Posed> {
+        let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else { return self.no_pose(faults) };
+        let (Some(origin), Some(toward)) = (place::spot(self.bare, *first), place::spot(self.bare, *second)) else {
+            return self.no_pose(faults);
+        };
+        let (origin, axis) = (origin.at(), (toward.at() - origin.at()).unit());
+        let Some(axis) = axis else { return self.no_pose(faults) };
+        let Some(known) = place::locals(self.bare, cam, *first, axis.angle()) else { return self.no_pose(faults) };
+        let local = |name: &str| {
+            let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
+            known.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
+        };
+        let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else { return self.no_pose(faults) };
+        let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
+        let into = |v: Vec2| v.divide_by(axis);
+        let touched = match follows {
+            RawFollows::Face(face) => {
+                let Some(along) = self.face_direction(face, faults) else { return self.no_pose(faults) };
+                // The cam lies to the left of its face, or to the right: its outward normal points the other way.
+                let normal = if face.left.unwrap_or(true) { -along.perp() } else { along.perp() };
+                segments.iter().position(|s| s.faces(into(normal).angle()))
+            }
+            RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
+                let Some(spot) = place::spot(self.bare, point) else { return self.no_pose(faults) };
+                let at = into(spot.at() - origin);
+                let missed =
+                    segments.iter().enumerate().filter_map(|(i, s)| Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs())));
+                missed.min_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, missed)| *missed <= OFF * at.norm()).map(|(i, _)| i)
+            }
+        };
+        let Some(touched) = touched else { return self.no_contact(faults) };
+        let frame = [*first, *second].map(|p| self.bare.point_name(p).to_owned());
+        Some(Posed { frame, segments, touched })
+    }
+
+    /// The direction of a face in the pose.
+    fn face_direction(&self, face: &RawFace, faults: &mut Faults) -> Option<Vec2> {
+        let angle = match &face.angle {
+            Some(q) => Vec2::from_angle(self.told(q, Wanted::Angle, faults)?.value),
+            None => Vec2::unit_x(),
+        };
+        let Some(line) = &face.line else { return face.angle.is_some().then_some(angle) };
+        let (a, b) = note(self.names.pair(line), faults)?;
+        let way = place::spot(self.bare, b)?.at() - place::spot(self.bare, a)?.at();
+        Some(angle.rotate_by(way.unit()?))
+    }
+}
