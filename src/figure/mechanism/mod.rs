@@ -1,7 +1,7 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
@@ -14,6 +14,7 @@ mod letters;
 mod marks;
 mod overlay;
 mod parted;
+mod rates;
 mod slides;
 mod special;
 mod supports;
