@@ -144,6 +144,10 @@ pub struct Draw {
     /// With the mechanism: the given lengths as dimensions, in mm
     #[arg(long, conflicts_with = "steps")]
     pub dimensions: bool,
+    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then things are left out,
+    /// which is told; what still does not fit is not drawn
+    #[arg(long, value_name = "LENGTH", conflicts_with = "steps")]
+    pub width: Option<String>,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
     #[arg(long, value_enum, default_value_t = Text::Outlines)]
     pub text: Text,
