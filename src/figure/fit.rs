@@ -187,6 +187,14 @@ fn left_out(what: &[Both], room: Room) -> Option<Diagnostic> {
     })
 }
 
+/// A scene drawn to scales at which everything is at most this part of its size, those that it fixes excepted; `None` where it cannot be
+/// worked again.
+pub(crate) fn to_part(scene: &Scene, worked: &Worked, options: &Options, part: f64) -> Option<(Scene, Worked)> {
+    let extras = Extras::default();
+    let Smaller { scene, worked, .. } = Smaller::of(&Wanted { scene, worked, options, extras: &extras }, part).ok()?;
+    Some((scene, worked?))
+}
+
 /// Everything for a part of the usual size.
 struct Smaller {
     scene: Scene,

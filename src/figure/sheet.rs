@@ -10,17 +10,19 @@ use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::paper::phrase::Phrase;
+use crate::report::given::Givens;
 use crate::scene::{Kind, Lang, Scene};
 use crate::worked::Worked;
 
 pub use crate::report::amount::{of_level, scale};
 
-use super::arrange::{Pieces, arrange, arrange_in, column};
+use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
 use super::drawing::Part;
+use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::label::Label;
 use super::lines::wrapped;
-use super::mechanism::Overlay;
+use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::style::Style;
 use super::tables::Tables;
@@ -50,6 +52,8 @@ impl Options {
 
 /// Border of a sheet: what a printer cannot reach on most paper.
 pub(super) const MARGIN_MM: f64 = 8.0;
+/// The least width of the list of what is given.
+const GIVEN_MM: f64 = 90.0;
 /// From a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// From the caption's baseline to the scale's.
@@ -162,7 +166,15 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
         mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
-    maker.alone(maker.titled(part, Label::text(words), &mu, "mu_l"))
+    let titled = maker.titled(part, Label::text(words), &mu, "mu_l");
+    maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
+}
+
+/// The mechanism with what is drawn over it, and no list below: the document around it has one.
+pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
+    maker.alone(maker.captioned(part, "", Level::Position))
 }
 
 /// Makes the parts of a sheet.
@@ -267,6 +279,25 @@ impl Maker<'_> {
         part.items.push(text(Point::new(x, y - SCALE_MM), Label::math(mu), self.options.style.small_mm, "scale"));
         let (placements, left_out) = (part.placements, part.left_out);
         Part { placements, left_out, ..Part::of(part.items) }
+    }
+
+    /// Below a dimensioned drawing, all that is given and not drawn as a dimension.
+    fn with_givens(&self, part: Part) -> Part {
+        let scene = self.scene;
+        let drawn = |a, b| part.items.iter().any(|i| i.id == dimensions::id_of(scene, a, b));
+        let lines = Givens { scene, lang: self.options.lang }.beside(drawn);
+        let size_mm = self.options.style.small_mm;
+        let width_mm = part.bounds.width_mm().max(GIVEN_MM);
+        let labels = lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
+        let row = |label: Label| Row {
+            cells: vec![Some(Cell { label, size_mm, anchor: Anchor::Start, class: "given".into(), id: String::new() })],
+            height_mm: size_mm * 1.55,
+        };
+        let mut items = grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0);
+        for (k, item) in items.iter_mut().enumerate() {
+            item.id = format!("given-{}", k + 1);
+        }
+        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, Part::of(items)])
     }
 
     fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {

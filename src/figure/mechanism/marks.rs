@@ -7,7 +7,8 @@ use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::Point;
 use crate::plan::names::name_label;
-use crate::scene::{Driver, DriverKind, GuideId, LinkId, PointId};
+use crate::report::given::Givens;
+use crate::scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
 
 use super::Draft;
 use super::rates::{ARROW_MM, Slides, Turns};
@@ -102,7 +103,11 @@ impl Draft<'_> {
                 _ => 0.0,
             };
             let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
-            self.arc_label(&format!("\\varphi_{{{}}}", name_label(&index)), "angle", at, radius, [reference, reference + sweep], owner);
+            let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
+            if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
+                symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
+            }
+            self.arc_label(&symbol, "angle", at, radius, [reference, reference + sweep], owner);
         }
         let radius = match wheel {
             Some((_, _, rim)) => rim + RIM_OFF_MM,

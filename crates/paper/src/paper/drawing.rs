@@ -111,6 +111,11 @@ impl Drawing {
         self.obstacles.met_by(&Obstacles::of(items), air_mm)
     }
 
+    /// The same for ink that is known.
+    pub fn met(&self, ink: &Obstacles, air_mm: f64) -> usize {
+        self.obstacles.met_by(ink, air_mm)
+    }
+
     /// The box around what is drawn so far.
     pub fn bounds(&self) -> Rect {
         bounds(&self.items).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN))

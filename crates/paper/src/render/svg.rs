@@ -18,6 +18,7 @@ use crate::geom::Point;
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::label::Label;
 use crate::paper::text::{self, Typeset};
 
 use super::not_finite;
@@ -215,23 +216,35 @@ impl Writer {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
                 let place = format!("translate({} {})", mm(left), self.y(at.y));
-                let (transform, content) = match self.writing {
-                    Writing::Used => (format!("{place}scale({})", scale(*size_mm)), self.used(&set)),
-                    Writing::Text => (place, editable(&set, *size_mm)),
-                };
-                let mut node = Group::new();
-                node.assign("transform", transform);
-                node.append(Blob::new(content));
-                node.assign("aria-label", label.plain());
-                node.assign("data-text", label.source());
-                named(&mut node, item);
-                if *colour != Colour::BLACK {
-                    node.assign("fill", hex(*colour));
-                }
-                self.faults.list.extend(set.faults.iter().cloned());
-                node.into()
+                self.lettering(item, &place, label, &set, *size_mm, *colour)
+            }
+            Shape::Turned { at, angle_rad, label, size_mm, colour } => {
+                let set = text::set(label);
+                // Down the page angles go the other way.
+                let turn = format!("translate({} {})rotate({})", mm(at.x), self.y(at.y), mm(-angle_rad.to_degrees()));
+                let place = format!("{turn}translate({} 0)", mm(-set.width_em * size_mm / 2.0));
+                self.lettering(item, &place, label, &set, *size_mm, *colour)
             }
         }
+    }
+
+    /// A label whose line begins in the origin of a place.
+    fn lettering(&mut self, item: &Item, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
+        let (transform, content) = match self.writing {
+            Writing::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
+            Writing::Text => (place.to_owned(), editable(set, size_mm)),
+        };
+        let mut node = Group::new();
+        node.assign("transform", transform);
+        node.append(Blob::new(content));
+        node.assign("aria-label", label.plain());
+        node.assign("data-text", label.source());
+        named(&mut node, item);
+        if colour != Colour::BLACK {
+            node.assign("fill", hex(colour));
+        }
+        self.faults.list.extend(set.faults.iter().cloned());
+        node.into()
     }
 
     /// The letters of a label, each used from the definitions.

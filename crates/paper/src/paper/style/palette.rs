@@ -56,7 +56,7 @@ impl Palette {
                 stroke.as_mut().map(line);
                 fill.as_mut().map(change);
             }
-            Shape::Label { colour, .. } => change(colour),
+            Shape::Label { colour, .. } | Shape::Turned { colour, .. } => change(colour),
         }
     }
 
