@@ -3,8 +3,8 @@
 mod cams;
 mod rolling;
 
-use crate::digits::{self, shortest};
 use super::amount::{number, scale};
+use crate::digits::{self, shortest};
 use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::{Words, words};
 use crate::plan::names::name_label;
