@@ -100,7 +100,8 @@ impl Drawing {
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
         for item in &mut items {
             item.id = self.name(name);
-            item.link = self.link;
+            // Parts of one symbol may belong to links of their own, as barrel and rod do.
+            item.link = item.link.or(self.link);
         }
         self.items.extend(items);
         self.owners
