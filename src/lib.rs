@@ -127,7 +127,7 @@
 //! synthesis  diag json digits number geom scene mechanism position sweep
 //! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
-//! worksheet  diag digits geom cam scene mechanism answer plan construct paper render worked certified attempts synthesis report figure
+//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts synthesis report figure
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified synthesis report figure
 //! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions synthesis report figure worksheet lesson
 //! ```

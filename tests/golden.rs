@@ -11,7 +11,8 @@ mod pdf;
 mod worksheet;
 
 use files::{
-    CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, check_png, check_text, finish, golden,
+    ASKED, CENTRES, CURVATURE, CURVES, DESIGNS, DRAFTED, KINDS, LANGS, LESSONS, PATHS, PLANS_AS_JSON, POSES, SHOWN, check_png, check_text,
+    finish, golden, kept,
 };
 use hodograph::centres;
 use hodograph::certified::{certify, steps};
@@ -164,6 +165,26 @@ fn kinds_of_figures_look_as_accepted() {
     finish(&failures);
 }
 
+/// Kinds of picture that are asked for by name; of several pages the last.
+#[test]
+fn pictures_asked_for_look_as_accepted() {
+    let mut failures = Vec::new();
+    for (name, figure) in ASKED {
+        let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for (lang, suffix) in LANGS {
+            let options = Options::of_language(lang);
+            let extras = Extras { dimensions: figure == "dimensions", ..Extras::default() };
+            let entry = list::named(figure).unwrap_or(list::MECHANISM);
+            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let pages = (entry.draw)(&wanted).unwrap_or_else(|f| panic!("{name} {figure}: {f}")).value;
+            let drawn = svg::write(&pages.last().unwrap().1).unwrap().value;
+            check_png(&golden(name, &format!("{figure}.{suffix}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+        }
+    }
+    finish(&failures);
+}
+
 /// All centres of a mechanism as figure and as text.
 #[test]
 fn centres_look_as_accepted() {
@@ -295,9 +316,14 @@ fn pictures_of_motion_look_as_accepted() {
 fn the_gallery_is_current() {
     let mut failures = Vec::new();
     let mut page = String::from(
-        "# Gallery\n\nEvery template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --release --test golden` makes the pictures and this\n\
+        "# Gallery\n\nEvery kind of picture, then every template as its sheet. `HODOGRAPH_ACCEPT=1 cargo test --release --test golden` makes the pictures and this\n\
          page anew; the same test without it checks that they are current. Any of them: `hodograph new NAME > scene.json && hodograph draw scene.json -o out/`.\n",
     );
+    page += "\n## Kinds of picture\n\nCams have theirs from `hodograph cam`, designs from `hodograph draw` of a synthesis file.\n";
+    for (title, command, picture) in SHOWN {
+        assert!(kept().contains(picture), "{picture} is no golden file");
+        page += &format!("\n### {title}\n`hodograph {command}`\n\n![{title}](../golden/{picture})\n");
+    }
     for t in templates::list() {
         page += &format!("\n## {}\n`{}` · {}\n\n![{}](../golden/{}/sheet.en.png)\n", t.title.en, t.name, t.title.zh, t.title.en, t.name);
     }

@@ -141,9 +141,14 @@ pub struct Draw {
     /// hodographs behind the polygons too
     #[arg(long, value_name = "POINTS", value_delimiter = ',', conflicts_with = "steps")]
     pub path: Vec<String>,
-    /// With the mechanism: the given lengths as dimensions, in mm
+    /// With the mechanism: the given lengths and angles as dimensions in the scene's units, and below all else that is given, so that the
+    /// mechanism can be drawn again from it
     #[arg(long, conflicts_with = "steps")]
     pub dimensions: bool,
+    /// Width of the page, such as 80mm for a column of a book: type is made smaller as far as it can be read, then things are left out,
+    /// which is told; what still does not fit is not drawn
+    #[arg(long, value_name = "LENGTH", conflicts_with = "steps")]
+    pub width: Option<String>,
     /// Letters of an SVG: outlines look the same everywhere; editable text depends on the fonts of the machine that shows it
     #[arg(long, value_enum, default_value_t = Text::Outlines)]
     pub text: Text,

@@ -5,6 +5,7 @@ use super::together::Together;
 use super::values::{Format, Vectors};
 use super::{Failure, Input, Run, Told, choices, files, verdict};
 use crate::diag::{Diagnostic, Faults, Span, Warned, both};
+use crate::figure::fit;
 use crate::figure::font::own::Fonts;
 use crate::figure::item::Figure;
 use crate::figure::list::{self, Entry, Extras, Pages, Wanted};
@@ -14,7 +15,7 @@ use crate::figure::style::{self, Style};
 use crate::json::fields::suggest;
 use crate::mechanism::Level;
 use crate::render::pdf;
-use crate::scene::{PointId, Scene};
+use crate::scene::{self, PointId, Scene};
 use crate::worked::{Scope, Worked};
 use std::path::{Path, PathBuf};
 
@@ -22,6 +23,7 @@ use std::path::{Path, PathBuf};
 pub fn run(a: args::Draw) -> Run {
     output(&a.output).map_err(|f| Failure::argument("-o", &a.output, f))?;
     let style = style_of(&a.look)?;
+    let width_mm = width(&a)?;
     if super::synth::is_task(&a.common.scene) {
         return super::synth::draw(&a, &style);
     }
@@ -42,7 +44,7 @@ pub fn run(a: args::Draw) -> Run {
     } else {
         let extras = extras(&input.scene, &worked, &a)?;
         let wanted = Wanted { scene: &input.scene, worked: &worked, options: &options, extras: &extras };
-        let Warned { value, notes } = pictures(&wanted, asked(&a, &extras)).map_err(|f| input.failed(f))?;
+        let Warned { value, notes } = pictures(&wanted, asked(&a, &extras), width_mm).map_err(|f| input.failed(f))?;
         input.notes.extend(notes);
         value
     };
@@ -74,6 +76,12 @@ pub fn run(a: args::Draw) -> Run {
     files::print_names(&written)?;
     input.say_notes();
     Ok(verdict(&worked))
+}
+
+/// The width that is asked for (mm).
+pub(super) fn width(a: &args::Draw) -> Result<Option<f64>, Failure> {
+    let read = |text: &String| scene::width(text).map_err(|faults| Failure::argument("--width", text, faults));
+    a.width.as_ref().map(read).transpose()
 }
 
 /// Refuses a file of a format that figures are not written in; it would become the name of a folder.
@@ -133,7 +141,7 @@ fn read_style(name: &str) -> Result<Style, Failure> {
 }
 
 /// The figures asked for, each with the word that its file is named after.
-fn pictures(wanted: &Wanted, asked: &[&'static Entry]) -> Result<Warned<Pages>, Faults> {
+fn pictures(wanted: &Wanted, asked: &[&'static Entry], width_mm: Option<f64>) -> Result<Warned<Pages>, Faults> {
     let mut out = Vec::new();
     let mut notes = Vec::new();
     let mut missing = Faults::default();
@@ -141,7 +149,7 @@ fn pictures(wanted: &Wanted, asked: &[&'static Entry]) -> Result<Warned<Pages>, 
         if asked[..k].iter().any(|e| e.name == entry.name) {
             continue;
         }
-        let pages = (entry.draw)(wanted)?;
+        let pages = fit::drawn(entry, wanted, width_mm)?;
         notes.extend(pages.notes);
         if pages.value.is_empty() {
             let word = entry.name;

@@ -6,6 +6,7 @@ use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::digits::significant;
+use crate::figure::fit;
 use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::figure::synthesis as figure;
@@ -265,6 +266,9 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
             return Err(solved.failed(d.help(both!("leave --steps out", "请去掉 --steps")).into()));
         };
         figures = figure::growing(&figures[at].1);
+    }
+    if let Some(width_mm) = draw::width(a)? {
+        figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| solved.failed(f))?;
     }
     let mut notes = Vec::new();
     if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {

@@ -119,25 +119,11 @@ impl Tree {
 /// # Errors
 /// `paper-too-small` when a fixed paper does not hold the best arrangement.
 pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -> Result<(Vec<Item>, [f64; 2]), Faults> {
-    let mut parts = Vec::new();
-    let mut add = |part: Part| {
-        parts.push(part);
-        parts.len() - 1
-    };
-    let title = pieces.title.map(&mut add);
-    let drawings: Vec<usize> = pieces.drawings.into_iter().map(&mut add).collect();
-    let equations: Vec<Vec<usize>> = pieces
-        .equations
-        .into_iter()
-        .filter(|(_, lines)| !lines.is_empty())
-        .map(|(heading, lines)| std::iter::once(heading).chain(lines).map(&mut add).collect())
-        .collect();
-    let results = add(pieces.results);
-    let layout = Layout { parts: &parts, title, drawings, equations, results };
+    let layout = Layout::of(pieces);
     let aim = paper.map_or(AIM_MM, |[w, h]| [w - 2.0 * margin_mm, h - 2.0 * margin_mm]);
     let best = layout.candidates().into_iter().min_by(|a, b| layout.cost(a, aim).total_cmp(&layout.cost(b, aim)));
     let best = best.expect("there is always an arrangement");
-    let [w, h] = best.size(&parts);
+    let [w, h] = best.size(&layout.parts);
     let size = paper.unwrap_or([w + 2.0 * margin_mm, h + 2.0 * margin_mm]);
     let (free_x, free_y) = (size[0] - w, size[1] - h);
     if free_x < 0.0 || free_y < 0.0 {
@@ -153,8 +139,26 @@ pub(super) fn arrange(pieces: Pieces, paper: Option<[f64; 2]>, margin_mm: f64) -
         .help(both!("give a larger paper, leave its size to the sheet, or ask for less", "请用更大的图纸，或不规定图幅，或少求一些量"))
         .into());
     }
+    let mut parts = layout.parts;
     best.put(&mut parts, Point::new(free_x / 2.0, size[1] - free_y / 2.0));
     Ok((parts.into_iter().flat_map(|p| p.items).collect(), size))
+}
+
+/// Arranges the parts in a width, as low as it goes; where nothing is narrow enough, as narrow as it goes. Returns all items and the
+/// size of what they take, without a border.
+pub(super) fn arrange_in(pieces: Pieces, width_mm: f64) -> (Vec<Item>, [f64; 2]) {
+    let layout = Layout::of(pieces);
+    let cost = |tree: &Tree| {
+        let [w, h] = tree.size(&layout.parts);
+        if w <= width_mm { (0.0, h) } else { (w, h) }
+    };
+    let all = layout.candidates().into_iter().chain([layout.one_column()]);
+    let best = all.min_by(|a, b| cost(a).0.total_cmp(&cost(b).0).then(cost(a).1.total_cmp(&cost(b).1)));
+    let best = best.expect("there is always an arrangement");
+    let size = best.size(&layout.parts);
+    let mut parts = layout.parts;
+    best.put(&mut parts, Point::new(0.0, size[1]));
+    (parts.into_iter().flat_map(|p| p.items).collect(), size)
 }
 
 /// Parts as one, standing as the tree says.
@@ -180,18 +184,44 @@ pub(super) fn column(equations: Vec<(Part, Vec<Part>)>) -> Option<Part> {
     (!all.items.is_empty()).then_some(all)
 }
 
-struct Layout<'a> {
-    parts: &'a [Part],
+struct Layout {
+    parts: Vec<Part>,
     title: Option<usize>,
     drawings: Vec<usize>,
     equations: Vec<Vec<usize>>,
     results: usize,
 }
 
-impl Layout<'_> {
+impl Layout {
+    fn of(pieces: Pieces) -> Layout {
+        let mut parts = Vec::new();
+        let mut add = |part: Part| {
+            parts.push(part);
+            parts.len() - 1
+        };
+        let title = pieces.title.map(&mut add);
+        let drawings: Vec<usize> = pieces.drawings.into_iter().map(&mut add).collect();
+        let equations: Vec<Vec<usize>> = pieces
+            .equations
+            .into_iter()
+            .filter(|(_, lines)| !lines.is_empty())
+            .map(|(heading, lines)| std::iter::once(heading).chain(lines).map(&mut add).collect())
+            .collect();
+        let results = add(pieces.results);
+        Layout { parts, title, drawings, equations, results }
+    }
+
+    /// Everything below one another.
+    fn one_column(&self) -> Tree {
+        let mut all: Vec<Tree> = self.title.map(Tree::Leaf).into_iter().chain(self.drawings.iter().map(|k| Tree::Leaf(*k))).collect();
+        all.extend(self.text_columns(1));
+        all.push(Tree::Leaf(self.results));
+        Tree::column(all)
+    }
+
     /// How much larger than the page, plus how much of it stays empty.
     fn cost(&self, tree: &Tree, aim: [f64; 2]) -> f64 {
-        let [w, h] = tree.size(self.parts);
+        let [w, h] = tree.size(&self.parts);
         let scale = (w / aim[0]).max(h / aim[1]);
         let used: f64 = self.parts.iter().map(|p| p.bounds.width_mm() * p.bounds.height_mm()).sum();
         scale + EMPTY_COST * (1.0 - used / (scale * scale * aim[0] * aim[1]))

@@ -13,6 +13,7 @@ use super::drawing::{Drawing, Part};
 use super::item::{Colour, Shape};
 use super::label::Label;
 use super::place::LabelRequest;
+use super::plot::over;
 use super::style::Style;
 use super::symbols as sym;
 
@@ -139,7 +140,7 @@ fn axes(d: &mut Drawing, style: &Style, h: &Hodograph, runs: &[Vec<Vec2>]) {
         let (from, to) = ((along * (lo / h.mu - BEYOND_MM)).to_point(), (along * (hi / h.mu + BEYOND_MM)).to_point());
         let name = format!("{}-axis-{axis}", h.symbol);
         let owner = d.shape(&name, "axis", Shape::Arrow { from, to, stroke, head: style.thin_head });
-        let label = Label::math(format!("{letter}_{axis},\\, {unit}"));
+        let label = Label::math(over(&format!("{letter}_{axis}"), &unit));
         let side = if axis == "x" { Vec2::new(0.0, -1.0) } else { Vec2::new(1.0, 0.0) };
         d.label(&name, "axis", LabelRequest::at_point(label, style.small_mm, to, 0.4).owned(owner).towards(side));
         for tick in (first..=last).filter(|k| *k != 0) {

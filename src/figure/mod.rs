@@ -15,6 +15,7 @@ mod composite;
 pub(crate) mod course;
 mod curvature;
 pub mod curves;
+pub mod fit;
 mod gears;
 pub mod groups;
 pub mod hodograph;

@@ -22,6 +22,7 @@ use super::hodograph::{Hodograph, hodograph, runs};
 use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
+use super::plot::over;
 use super::results::{number, symbol};
 use super::sheet::{MARGIN_MM, Maker, Options, driver_symbol, of_level};
 use crate::sweep::follow::Follower;
@@ -248,7 +249,7 @@ impl Page<'_> {
                 rows.push(Row { cells: std::iter::once(first).chain(rest).collect(), height_mm });
             };
             row("number", Label::text(tr(lang, "Position", "位置")), &|k| Label::math((block * IN_ROW + k + 1).to_string()));
-            row("driver", Label::math(format!("{driver},\\, {unit}")), &|k| {
+            row("driver", Label::math(over(&driver, &unit)), &|k| {
                 let value = marks[k].driver;
                 let shown = if kind == Kind::Angle { turned(value, factor, self.moved.full) } else { value * factor };
                 Label::math(crate::digits::inked(&crate::digits::shortest((shown * parts).round() / parts)))
@@ -257,7 +258,7 @@ impl Page<'_> {
                 for (l, find) in questions(self.scene(), *point).iter().enumerate() {
                     let unit = book.upright(find.what.kind());
                     let symbol = symbol(find, &self.maker.options.notation);
-                    row(&find.text, Label::math(format!("{symbol},\\, {unit}")), &|k| match marks[k].vectors[p][l] {
+                    row(&find.text, Label::math(over(&symbol, &unit)), &|k| match marks[k].vectors[p][l] {
                         Some(v) => Label::math(number(book.value(find.what.kind(), v.norm()), DIGITS)),
                         None => Label::text("—"),
                     });

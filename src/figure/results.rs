@@ -19,6 +19,7 @@ use super::drawing;
 use super::grid::{self, Cell, Row};
 use super::item::Anchor;
 use super::label::Label;
+use super::lines::wrapped;
 use super::remarks::{agreement, pencil, remarks};
 use super::style::Style;
 use super::words::Words;
@@ -59,6 +60,18 @@ impl<'a> Answers<'a> {
 
 /// The block of results.
 pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
+    block(style, answers, None)
+}
+
+/// The block of results in a column of this width: remarks take more lines, and where they do not fit otherwise the lengths measured
+/// are left out.
+pub fn results_in(style: &Style, answers: &Answers, width_mm: f64) -> (drawing::Part, bool) {
+    let whole = block(style, answers, Some((width_mm, true)));
+    if whole.bounds.width_mm() <= width_mm { (whole, true) } else { (block(style, answers, Some((width_mm, false))), false) }
+}
+
+/// The block; in a column of a width remarks are broken into lines, and the lengths measured are there or not.
+fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawing::Part {
     let Answers { scene, worked, certified, notation, words, digits } = *answers;
     let heading = Cell {
         label: Label::text(words.results).in_fonts(&style.fonts),
@@ -99,7 +112,7 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
         let nothing = worked.construction.is_empty(find.what.level());
-        let measured = if nothing { None } else { measured(&scene.book, r, c, find, words) };
+        let measured = if nothing || column.is_some_and(|c| !c.1) { None } else { measured(&scene.book, r, c, find, words) };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -127,10 +140,16 @@ pub fn results(style: &Style, answers: &Answers) -> drawing::Part {
     lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     for (class, id, line) in lines {
-        let cell =
-            Cell { label: line.label().in_fonts(&style.fonts), size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
-        items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
-        below += REMARK_MM;
+        let labels = match column {
+            Some((width_mm, _)) => wrapped(&line, width_mm, style.small_mm, &style.fonts),
+            None => vec![line.label().in_fonts(&style.fonts)],
+        };
+        for (k, label) in labels.into_iter().enumerate() {
+            let id = if k == 0 { id.clone() } else { format!("{id}-{}", k + 1) };
+            let cell = Cell { label, size_mm: style.small_mm, anchor: Anchor::Start, class: class.into(), id };
+            items.extend(grid::set(&[Row { cells: vec![Some(cell)], height_mm: below }], 0.0));
+            below += REMARK_MM;
+        }
     }
     drawing::Part::of(items)
 }

@@ -3,22 +3,26 @@
 //! Decided here: which parts there are and what stands under them. [`super::arrange`] decides where they stand.
 
 use crate::construct::Polygon;
-use crate::diag::Faults;
+use crate::diag::{Both, Faults, both};
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
+use crate::report::given::Givens;
 use crate::scene::{Kind, Lang, Scene};
 use crate::worked::Worked;
 
 pub use crate::report::amount::{of_level, scale};
 
-use super::arrange::{Pieces, arrange, column};
+use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
 use super::drawing::Part;
+use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Colour, Figure, Item, Shape};
 use super::label::Label;
-use super::mechanism::Overlay;
+use super::lines::wrapped;
+use super::mechanism::{Overlay, dimensions};
 use super::results::Answers;
 use super::style::Style;
 use super::tables::Tables;
@@ -48,6 +52,8 @@ impl Options {
 
 /// Border of a sheet: what a printer cannot reach on most paper.
 pub(super) const MARGIN_MM: f64 = 8.0;
+/// The least width of the list of what is given.
+const GIVEN_MM: f64 = 90.0;
 /// From a drawing to its caption's baseline.
 const CAPTION_MM: f64 = 8.0;
 /// From the caption's baseline to the scale's.
@@ -67,6 +73,66 @@ pub fn sheet(scene: &Scene, worked: &Worked, options: &Options) -> Result<Figure
     let pieces = Pieces { title, drawings, equations, results };
     let (items, size) = arrange(pieces, scene.paper.size_mm, MARGIN_MM)?;
     Ok(maker.figure(items, size))
+}
+
+/// What may be left out of a sheet where it is too wide.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fewer {
+    /// Nothing.
+    No,
+    /// What is written.
+    Words,
+    /// Polygons too.
+    Drawings,
+}
+
+/// The whole sheet in a width, as high as it becomes. What is left out of it is told.
+pub fn sheet_in(scene: &Scene, worked: &Worked, options: &Options, width_mm: f64, fewer: Fewer) -> (Figure, Vec<Both>) {
+    let certified = certify(scene, worked, options.digits);
+    let maker = Maker { scene, worked, options, certified };
+    let mut out = Vec::new();
+    let fits = |part: &Part| part.bounds.width_mm() <= width_mm;
+    let title = maker.title().and_then(|whole| if fits(&whole) { Some(whole) } else { maker.title_in(width_mm) });
+    let mut equations = maker.equations(&steps(scene, worked, None));
+    let mut results = results::results(&options.style, &maker.answers());
+    if fewer >= Fewer::Words {
+        let count = |e: &[(Part, Vec<Part>)]| e.iter().map(|(_, lines)| lines.len()).sum::<usize>();
+        let all = count(&equations);
+        equations.iter_mut().for_each(|(_, lines)| lines.retain(fits));
+        match (all - count(&equations), all) {
+            (0, _) => {}
+            (gone, all) if gone == all => out.push(both!("the equations", "方程")),
+            (gone, all) => out.push(both!("{gone} of {all} equations", "{all} 个方程中的 {gone} 个")),
+        }
+        let (part, whole) = results::results_in(&options.style, &maker.answers(), width_mm);
+        match (fits(&part), whole) {
+            (true, true) => results = part,
+            (true, false) => {
+                results = part;
+                out.push(both!("the lengths measured", "图上量得的长度"));
+            }
+            (false, _) => {
+                results = Part::of(Vec::new());
+                out.push(both!("the results", "结果"));
+            }
+        }
+    }
+    let mut drawings = maker.drawings(true);
+    if fewer == Fewer::Drawings {
+        let polygons = Level::RATES.into_iter().filter(|l| worked.construction.polygon(*l).is_some());
+        let levels: Vec<Level> = std::iter::once(Level::Position).chain(polygons).collect();
+        let gone = drawings.iter().zip(&levels).filter(|(part, level)| **level != Level::Position && !fits(part));
+        out.extend(gone.map(|(_, level)| match level {
+            Level::Position => both!("the mechanism", "机构运动简图"),
+            Level::Velocity => both!("the velocity polygon", "速度多边形"),
+            Level::Acceleration => both!("the acceleration polygon", "加速度多边形"),
+        }));
+        let mut level = levels.iter();
+        drawings.retain(|part| level.next() == Some(&Level::Position) || fits(part));
+    }
+    let pieces = Pieces { title, drawings, equations, results };
+    let (items, size) = arrange_in(pieces, width_mm);
+    (maker.figure(items, size), out)
 }
 
 /// The drawing of a level alone, with its caption and scale: the mechanism for positions, else the polygon; `None` where the scene
@@ -100,7 +166,15 @@ pub fn diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Over
     if let (Some(level), Some(of_vectors)) = (overlay.vectors, overlay.mu(scene, worked)) {
         mu = format!("{mu},\\quad {}", of_level(&scene.book, level, of_vectors));
     }
-    maker.alone(maker.titled(part, Label::text(words), &mu, "mu_l"))
+    let titled = maker.titled(part, Label::text(words), &mu, "mu_l");
+    maker.alone(if overlay.dimensions { maker.with_givens(titled) } else { titled })
+}
+
+/// The mechanism with what is drawn over it, and no list below: the document around it has one.
+pub fn problem_diagram(scene: &Scene, worked: &Worked, options: &Options, overlay: &Overlay) -> Figure {
+    let maker = Maker { scene, worked, options, certified: certify(scene, worked, options.digits) };
+    let part = mechanism::overlaid(&options.style, scene, worked, &maker.writer(), overlay);
+    maker.alone(maker.captioned(part, "", Level::Position))
 }
 
 /// Makes the parts of a sheet.
@@ -207,6 +281,25 @@ impl Maker<'_> {
         Part { placements, left_out, ..Part::of(part.items) }
     }
 
+    /// Below a dimensioned drawing, all that is given and not drawn as a dimension.
+    fn with_givens(&self, part: Part) -> Part {
+        let scene = self.scene;
+        let drawn = |a, b| part.items.iter().any(|i| i.id == dimensions::id_of(scene, a, b));
+        let lines = Givens { scene, lang: self.options.lang }.beside(drawn);
+        let size_mm = self.options.style.small_mm;
+        let width_mm = part.bounds.width_mm().max(GIVEN_MM);
+        let labels = lines.iter().flat_map(|l| wrapped(l, width_mm, size_mm, &self.options.style.fonts));
+        let row = |label: Label| Row {
+            cells: vec![Some(Cell { label, size_mm, anchor: Anchor::Start, class: "given".into(), id: String::new() })],
+            height_mm: size_mm * 1.55,
+        };
+        let mut items = grid::set(&labels.map(row).collect::<Vec<_>>(), 0.0);
+        for (k, item) in items.iter_mut().enumerate() {
+            item.id = format!("given-{}", k + 1);
+        }
+        put_together(Tree::column(vec![Tree::Leaf(0), Tree::Leaf(1)]), vec![part, Part::of(items)])
+    }
+
     fn line(&self, id: &str, text: &str, size_mm: f64) -> Part {
         let label = Label::text(text).in_fonts(&self.options.style.fonts);
         let shape = Shape::Label { at: Point::ORIGIN, label, size_mm, anchor: Anchor::Start, colour: Colour::BLACK };
@@ -217,6 +310,23 @@ impl Maker<'_> {
         let title = self.scene.title.get(self.options.lang);
         // A third larger than the captions: a heading without a bold face.
         (!title.is_empty()).then(|| self.line("title", title, self.options.style.caption_mm * 4.0 / 3.0))
+    }
+
+    /// The title in as many lines as it takes.
+    fn title_in(&self, width_mm: f64) -> Option<Part> {
+        let size_mm = self.options.style.caption_mm * 4.0 / 3.0;
+        let lines = wrapped(&Phrase::new(self.scene.title.get(self.options.lang)), width_mm, size_mm, &self.options.style.fonts);
+        let item = |(k, label): (usize, Label)| {
+            let shape = Shape::Label {
+                at: Point::new(0.0, -1.3 * size_mm * k as f64),
+                label,
+                size_mm,
+                anchor: Anchor::Middle,
+                colour: Colour::BLACK,
+            };
+            Item::new("title", shape).with_id(if k == 0 { "title".into() } else { format!("title-{}", k + 1) })
+        };
+        Some(Part::of(lines.into_iter().enumerate().map(item).collect()))
     }
 
     fn heading(&self, level: Level) -> Part {

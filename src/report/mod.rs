@@ -15,6 +15,7 @@ mod curvature_steps;
 pub mod diagnostics;
 pub mod drafting;
 pub mod equation;
+pub mod given;
 pub mod inversions;
 pub mod limits;
 pub mod math;

@@ -8,10 +8,8 @@
 //! The problem's side holds the given things alone: no answer, no polygon, no special point, not even in the words that
 //! describe its figure to a screen reader.
 
-mod cams;
 mod design;
 mod display;
-mod given;
 pub mod html;
 pub mod markdown;
 mod mistake;
@@ -30,7 +28,7 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::math::Math;
-use crate::scene::{Lang, Scene};
+use crate::scene::{Lang, LinkId, Scene};
 use crate::worked::Worked;
 
 pub use design::design;
@@ -192,6 +190,10 @@ impl Maker<'_> {
 
     fn writer(&self) -> Writer<'_> {
         Writer { scene: self.scene, plan: &self.worked.plan, notation: self.notation(), lang: self.lang() }
+    }
+
+    fn link(&self, l: LinkId) -> &str {
+        self.scene.link_name(l)
     }
 
     fn heading(&self, level: u8, en: &'static str, zh: &'static str) -> Block {

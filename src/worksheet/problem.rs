@@ -1,15 +1,23 @@
 //! The problem's side: statement, given, wanted, the mechanism to scale.
 
 use super::{Block, Maker};
+use crate::figure::fit::to_part;
+use crate::figure::mechanism::Overlay;
 use crate::figure::results::symbol;
-use crate::figure::sheet::drawing;
-use crate::mechanism::Level;
+use crate::figure::sheet::problem_diagram;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
+use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::{Frame, Meaning, Of};
-use crate::scene::{Asked, Find, Lang, OnLink};
+use crate::scene::{Asked, Find, Lang, OnLink, PointId};
 use crate::worked::Worked;
+
+/// A drawing wider than this stands in the text, not beside it; one that is higher, too, leaves no room for the rest of the problem.
+const HALF_MM: f64 = 118.0;
+const HIGH_MM: f64 = 150.0;
+/// Then it is drawn at most so large.
+const SMALLER: f64 = 0.85;
 
 impl Maker<'_> {
     pub(super) fn problem(&self, blocks: &mut Vec<Block>) {
@@ -22,9 +30,9 @@ impl Maker<'_> {
                 "图示平面机构已按比例画出，试用矢量多边形图解法求解。",
             )),
         }
-        blocks.extend(self.given_mechanism());
+        blocks.push(self.given_mechanism());
         blocks.push(self.heading(2, "Given", "已知"));
-        blocks.push(Block::List { numbered: false, members: self.given() });
+        blocks.push(Block::List { numbered: false, members: self.givens().list() });
         blocks.push(self.heading(2, "Wanted", "求"));
         blocks.push(Block::List { numbered: false, members: self.wanted() });
     }
@@ -59,13 +67,31 @@ impl Maker<'_> {
         }
     }
 
-    /// The mechanism as it is given: without what the solution finds on it, and described without answers.
-    fn given_mechanism(&self) -> Option<Block> {
+    /// The mechanism as it is given, with the given lengths as dimensions: without what the solution finds on it, and described without answers.
+    fn given_mechanism(&self) -> Block {
         let mut bare: Worked = self.worked.clone();
         bare.construction.diagrams.clear();
-        let mut figure = drawing(self.scene, &bare, self.options, Level::Position)?;
+        let dimensioned = Overlay { dimensions: true, ..Overlay::default() };
+        let mut figure = problem_diagram(self.scene, &bare, self.options, &dimensioned);
+        // Dimensions need room; where the page would not hold it beside the text or above it, the mechanism is drawn to a smaller scale.
+        if figure.width_mm > HALF_MM && figure.height_mm > HIGH_MM {
+            let smaller = to_part(self.scene, self.worked, self.options, SMALLER);
+            if let Some((scene, mut worked)) = smaller {
+                worked.construction.diagrams.clear();
+                figure = problem_diagram(&scene, &worked, self.options, &dimensioned);
+            }
+        }
         figure.desc = self.words().diagram.into();
-        Some(Block::Figure { name: "mechanism", figure: Box::new(figure) })
+        Block::Figure { name: "mechanism", figure: Box::new(figure) }
+    }
+
+    fn givens(&self) -> Givens<'_> {
+        Givens { scene: self.scene, lang: self.lang() }
+    }
+
+    /// A point as a formula.
+    fn point(&self, p: PointId) -> String {
+        self.givens().point(p)
     }
 
     /// A wanted quantity in words.

@@ -65,6 +65,41 @@ pub const DESIGNS: [(&str, &str); 7] = [
     ("straight-line", "positions"),
 ];
 
+/// Kinds of picture that no other list has: template, the figure's name (`dimensions`: the mechanism with them).
+pub const ASKED: [(&str, &str); 6] = [
+    ("class-iii-six-bar", "plates"),
+    ("planetary-gear", "kutzbach"),
+    ("planetary-gear", "gears"),
+    ("turning-plate", "composite"),
+    ("flat-face-mistake", "attempts"),
+    ("crank-rocker", "dimensions"),
+];
+
+/// What the gallery shows beside the sheets: title, the command that draws it, the picture.
+pub const SHOWN: [(&str, &str, &str); 21] = [
+    ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
+    ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
+    ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
+    ("Equations with their tables", "draw --figure equations", "crank-rocker/equations.png"),
+    ("One step of a construction", "draw --steps", "slotted-lever/step.png"),
+    ("Plates: a polygon split by group", "draw --figure plates", "class-iii-six-bar/plates.en.png"),
+    ("Insets", "draw", "class-iii-six-bar/inset.png"),
+    ("Many positions to one set of scales", "draw --poses 12 --path E", "crank-rocker/poses.en.png"),
+    ("The path of a point with its hodographs", "path", "crank-rocker/path.en.png"),
+    ("Line diagrams of a turn", "curves", "shaper/curves.en.png"),
+    ("Instantaneous centres", "draw --figure centres", "crank-rocker/centres.en.png"),
+    ("Curvature: inflection circle, centres of curvature", "draw --figure curvature", "crank-rocker/curvature.en.png"),
+    ("Centrodes", "draw --figure centrodes", "crank-rocker/centrodes.en.png"),
+    ("Cognates", "draw --figure cognates", "crank-rocker/cognates.en.png"),
+    ("Inversions", "draw --figure inversions", "slider-crank/inversions.en.png"),
+    ("Gear trains: Kutzbach's plan", "draw --figure kutzbach", "planetary-gear/kutzbach.en.png"),
+    ("Gears with their teeth", "draw --figure gears", "planetary-gear/gears.en.png"),
+    ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
+    ("A wrong solution over the right one", "draw --figure attempts", "flat-face-mistake/attempts.en.png"),
+    ("The style for slides", "draw --style slides", "shaper/slides.png"),
+    ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
+];
+
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -72,7 +107,7 @@ fn root() -> PathBuf {
 }
 
 /// Every golden file, as `template/file`.
-fn kept() -> BTreeSet<String> {
+pub fn kept() -> BTreeSet<String> {
     let mut all = BTreeSet::new();
     let mut in_both = |template: &str, files: &[&str]| {
         all.extend(LANGS.iter().flat_map(|(_, lang)| files.iter().map(move |f| format!("{template}/{}", f.replace("LANG", lang)))));
@@ -83,6 +118,7 @@ fn kept() -> BTreeSet<String> {
     DRAFTED.iter().for_each(|t| in_both(t, &["drafting.LANG.txt"]));
     LESSONS.iter().for_each(|t| in_both(t, &["lesson.html.txt", "reveal.html.txt"]));
     KINDS.iter().for_each(|(t, kind, _)| in_both(t, &[&format!("{kind}.png")]));
+    ASKED.iter().for_each(|(t, figure)| in_both(t, &[&format!("{figure}.LANG.png")]));
     CURVES.iter().for_each(|t| in_both(t, &["curves.LANG.png"]));
     PATHS.iter().for_each(|(t, ..)| in_both(t, &["path.LANG.png"]));
     POSES.iter().for_each(|(t, ..)| in_both(t, &["poses.LANG.png"]));

@@ -128,7 +128,7 @@ impl<'a> Device<'a> for Reader {
 pub fn letters<'i>(items: impl IntoIterator<Item = &'i Item>) -> String {
     let mut out = String::new();
     for item in items {
-        if let Shape::Label { label, .. } = &item.shape {
+        if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &item.shape {
             text::set(label).runs.iter().for_each(|r| out.push_str(&r.text));
         }
     }

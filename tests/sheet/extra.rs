@@ -3,8 +3,11 @@
 
 use crate::legible::{SMALLEST_MM, look};
 use hodograph::accuracy::toggle::limit;
+use hodograph::figure::item::{Colour, Shape};
 use hodograph::figure::list::{self, Extras, Wanted};
-use hodograph::figure::sheet::Options;
+use hodograph::figure::sheet::{Options, drawing};
+use hodograph::figure::style::Style;
+use hodograph::mechanism::Level;
 use hodograph::scene::{self, DriverKind, Lang, Scene, driver_position, templates, with_driver_at};
 use hodograph::worked::{Scope, work};
 
@@ -78,4 +81,30 @@ fn composite_motions_can_be_read() {
 #[test]
 fn wrong_solutions_can_be_read() {
     every_page_can_be_read("attempts");
+}
+
+/// In a style of colours every moving link that has a number has one colour, of its number as of its lines, and no two share one.
+#[test]
+fn twelve_links_have_twelve_colours() {
+    let scene = scene::read(templates::get("excavator").unwrap()).unwrap().value;
+    let worked = work(&scene, Scope::Figure).unwrap().value;
+    for style in ["slides", "dark"] {
+        let options = Options { style: Style::named(style).unwrap(), ..Options::of_language(Lang::En) };
+        let figure = drawing(&scene, &worked, &options, Level::Position).unwrap();
+        let mut colours: Vec<(usize, Colour)> = Vec::new();
+        for item in &figure.items {
+            let (Some(link), Shape::Line { stroke, .. } | Shape::Polyline { stroke: Some(stroke), .. }) = (item.link, &item.shape) else {
+                continue;
+            };
+            match colours.iter().find(|(l, _)| *l == link) {
+                Some((_, c)) => assert_eq!(*c, stroke.colour, "{style}: {}", item.id),
+                None => {
+                    let twin = colours.iter().find(|(_, c)| *c == stroke.colour);
+                    assert!(twin.is_none(), "{style}: links {link} and {twin:?} share a colour");
+                    colours.push((link, stroke.colour));
+                }
+            }
+        }
+        assert_eq!(colours.len(), scene.links.len() - 1, "{style}: every moving link is drawn in its colour");
+    }
 }

@@ -9,6 +9,7 @@ mod legible;
 mod motion;
 mod parted;
 mod plots;
+mod width;
 
 use std::sync::LazyLock;
 

@@ -3,6 +3,7 @@
 mod asked;
 mod letters;
 mod names;
+mod senses;
 
 use hodograph::answer::Value;
 use hodograph::scene::{self, templates};

@@ -4,7 +4,7 @@ use super::super::extent::Rect;
 use super::super::item::{Anchor, Colour, Dash, Figure, Shape};
 use super::super::label::Label;
 use super::super::place::LabelRequest;
-use super::super::plot::{Axis, Plot};
+use super::super::plot::{Axis, Plot, over};
 use super::super::results::number;
 use super::super::style::Style;
 use super::super::text;
@@ -58,8 +58,8 @@ pub fn figure(report: &Report, style: &Style, lang: Lang) -> Figure {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
         let frame = Rect::new(Point::new(left, top - PLOT_MM[1]), Point::new(left + PLOT_MM[0], top));
         let mut plot = Plot::new(format!("cam-{}", kept.symbol), style, frame, [x.clone(), axis(report, kept)]);
-        let below = (k == 2).then(|| Label::math("\\varphi,\\quad \\degree"));
-        plot.axes(below, Label::math(format!("{},\\quad {}", kept.symbol, kept.unit)));
+        let below = (k == 2).then(|| Label::math(over("\\varphi", "\\degree")));
+        plot.axes(below, Label::math(over(kept.symbol, &kept.unit)));
         if k == 0 {
             stages(&mut plot, report, lang);
         }

@@ -62,10 +62,13 @@ impl Diagram {
             let (unit, times) = scene.book.fine(kind);
             let turning = kind == Kind::Angle;
             let parts = [".x", ".y"].map(|part| format!("{}{part}", find.text));
-            let name = match parts.each_ref().map(|p| column(p)) {
-                [Some(x), Some(y)] if vanishes(&y, &x) => &parts[0],
-                [Some(x), Some(y)] if vanishes(&x, &y) => &parts[1],
-                _ => &find.text,
+            let own = symbol(find, notation);
+            // A component is named as one, and a magnitude as one: both stand in one panel.
+            let (name, named) = match parts.each_ref().map(|p| column(p)) {
+                [Some(x), Some(y)] if vanishes(&y, &x) => (&parts[0], component(&own, 'x')),
+                [Some(x), Some(y)] if vanishes(&x, &y) => (&parts[1], component(&own, 'y')),
+                [Some(_), Some(_)] => (&find.text, format!("|{own}|")),
+                [_, None] | [None, _] => (&find.text, own),
             };
             let Some(values) = column(name) else { continue };
             let most = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
@@ -85,7 +88,7 @@ impl Diagram {
             if extremes.len() == 2 && extremes[0].1 <= extremes[1].1 {
                 extremes.pop();
             }
-            let curve = Curve { symbol: symbol(find, notation), values: shown, extremes, link: link(scene, &find.what) };
+            let curve = Curve { symbol: named, values: shown, extremes, link: link(scene, &find.what) };
             match panels.iter_mut().find(|(o, _)| *o == order) {
                 Some((_, panel)) => panel.curves.push(curve),
                 None => panels.push((order, Panel { unit, curves: vec![curve] })),
@@ -93,6 +96,14 @@ impl Diagram {
         }
         panels.sort_by_key(|p| p.0);
         Diagram { driver: [named, driver_unit], places, panels: panels.into_iter().map(|p| p.1).collect() }
+    }
+}
+
+/// The symbol of a vector's component: `v_{C}` → `v_{C,x}`.
+fn component(symbol: &str, axis: char) -> String {
+    match symbol.strip_suffix('}') {
+        Some(before) => format!("{before},{axis}}}"),
+        None => format!("{symbol}_{axis}"),
     }
 }
 

@@ -11,7 +11,7 @@ use super::extent::Rect;
 use super::item::{Anchor, Colour, Dash, Figure, Item, Shape};
 use super::label::Label;
 use super::place::LabelRequest;
-use super::plot::{Axis, Plot};
+use super::plot::{Axis, Plot, over};
 use super::results::number;
 use super::style::Style;
 use super::words::words;
@@ -31,6 +31,8 @@ const ABOVE_MM: f64 = 18.0;
 const BELOW_MM: f64 = 18.0;
 /// Lines of one panel are told apart without colour.
 const DASHES: [Dash; 4] = [Dash::Solid, Dash::Dashed, Dash::DashDot, Dash::Dotted];
+/// Zero is near a panel's values where it is off them by less than this part of their range.
+const ZERO_NEAR: f64 = 0.5;
 /// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
 const DIGITS: usize = 4;
 
@@ -55,13 +57,17 @@ pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Fi
     for (k, panel) in diagram.panels.iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
         let frame = Rect::new(Point::new(LEFT_MM, top - PLOT_MM[1]), Point::new(LEFT_MM + PLOT_MM[0], top));
-        // Zero belongs to the diagram where it is near: only then is seen what changes its sense.
-        let values = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).chain([0.0]);
-        let y = Axis::of(&values.collect::<Vec<_>>(), panel.unit == DEGREE, 6);
+        let mut values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
+        let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+        // Zero belongs to the diagram where it is near: only then is seen what changes its sense. From afar it would press the lines flat.
+        if lo.max(-hi) < ZERO_NEAR * (hi - lo) {
+            values.push(0.0);
+        }
+        let y = Axis::of(&values, panel.unit == DEGREE, 6);
         let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
         let last = k + 1 == diagram.panels.len();
         let [driver, unit] = &diagram.driver;
-        plot.axes(last.then(|| Label::math(format!("{driver},\\quad {unit}"))), Label::math(panel.unit.as_str()));
+        plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(panel.unit.as_str()));
         curves(&mut plot, panel, diagram, &mut said);
         items.extend(plot.finish(Rect::new(frame.min - Vec2::new(0.0, 1.0), frame.max + Vec2::new(RIGHT_MM, BETWEEN_MM / 2.0))));
     }

@@ -72,7 +72,7 @@ impl Draft<'_> {
         self.scene.cams.iter().find(of).map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
     }
 
-    fn mm(&self, length: f64) -> f64 {
+    pub(super) fn mm(&self, length: f64) -> f64 {
         length / self.worked.construction.diagram.mu_l
     }
 

@@ -1,16 +1,17 @@
-//! The drivers: arrows of given rates, given angles.
+//! The drivers: given angles, and where the arrows of given rates go; [`rates`](super::rates) draws them.
 
 use std::f64::consts::TAU;
 
-use crate::figure::item::Shape;
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
-use crate::geom::{Point, Vec2};
+use crate::geom::Point;
 use crate::plan::names::name_label;
-use crate::scene::{Driver, DriverKind, GuideId, LinkId, PointId};
+use crate::report::given::Givens;
+use crate::scene::{Driver, DriverKind, GuideId, Lang, LinkId, PointId};
 
 use super::Draft;
+use super::rates::{ARROW_MM, Slides, Turns};
 
 /// Radius of a given angle's arc: part of the crank, within what can be read and does not hide the mechanism.
 const ANGLE_PART: f64 = 0.5;
@@ -24,26 +25,14 @@ const ROTATION_PART: f64 = 0.4;
 const ROTATION_MM: [f64; 2] = [7.0, 9.5];
 /// Where the arrow of a rotation begins and ends, seen from the crank.
 const ROTATION_RAD: [f64; 2] = [0.45, 1.9];
-/// Places for the arrow of a rotation: so many turned about its centre, each at so many radii.
-const TURNS: i32 = 24;
-const OUTS: usize = 6;
-const OUT_MM: f64 = 1.6;
-/// Air around it: a line beside it would be read as part of it.
-const ARC_AIR_MM: f64 = 0.8;
-/// What speaks against one: a line crossed is worse than any place; a step outward is as bad as a turn of 75°, a turn of twice that four
-/// times as bad, as the eye looks for the arrow at the link.
-const CROSSED_COST: f64 = 60.0;
-const OUT_COST: f64 = 1.5;
-const TURN_COST: f64 = 0.06;
 /// How much farther out a second driver's arrows are: its label fits between.
-const NEXT_MM: f64 = 6.0;
+pub(super) const NEXT_MM: f64 = 6.0;
 /// A given angle smaller than this has no room for its arrow.
 const ANGLE_LEAST_RAD: f64 = 0.12;
 /// How far outside its rim the arrow of a wheel stands, and half its length.
 const RIM_OFF_MM: f64 = 2.5;
 const RIM_ARROW_MM: f64 = 8.0;
-/// Length of a straight arrow, and its distance from the thing that moves.
-const ARROW_MM: f64 = 12.0;
+/// Distance of a straight arrow from the thing that moves.
 const ARROW_OFF_MM: f64 = 3.0;
 
 impl Draft<'_> {
@@ -51,7 +40,8 @@ impl Draft<'_> {
     pub(super) fn drivers(&mut self) {
         let mut centres: Vec<Point> = Vec::new();
         for k in 0..self.scene.drivers.len() {
-            if !self.shows_driver(k) {
+            // A follower whose motion a cam's law gives is no driver.
+            if !self.shows_driver(k) || self.scene.is_led(k) {
                 continue;
             }
             let driver = &self.scene.drivers[k];
@@ -113,11 +103,11 @@ impl Draft<'_> {
                 _ => 0.0,
             };
             let owner = self.d.draw(&format!("angle-{index}"), "driver", sym::angle(self.style, at, radius, reference, reference + sweep));
-            self.arc_label(&format!("\\varphi_{{{}}}", name_label(&index)), "angle", at, radius, [reference, reference + sweep], owner);
-        }
-        let rate = driver.rate.value;
-        if rate == 0.0 {
-            return;
+            let mut symbol = format!("\\varphi_{{{}}}", name_label(&index));
+            if let Some(given) = angle.as_ref().filter(|_| self.dimensioned) {
+                symbol += &format!(" = {}", Givens { scene: self.scene, lang: Lang::default() }.angle(given));
+            }
+            self.arc_label(&symbol, "angle", at, radius, [reference, reference + sweep], owner);
         }
         let radius = match wheel {
             Some((_, _, rim)) => rim + RIM_OFF_MM,
@@ -128,38 +118,12 @@ impl Draft<'_> {
             Some((_, _, rim)) => [-1.0, 1.0].map(|a| outward.angle() + a * (RIM_ARROW_MM / rim).min(1.0)),
             None => ROTATION_RAD.map(|a| outward.angle() + side * a),
         };
-        // The head is at the end that the link turns to.
-        let ends = if (rate > 0.0) == (side > 0.0) { angles } else { [angles[1], angles[0]] };
-        let (radius, [from, to]) = self.clear_arc(centre, radius, ends);
         self.d.of_link(Some(link.0));
-        let owner = self.d.draw(&format!("rotation-{index}"), "driver", sym::rotation(self.style, centre, radius, from, to));
-        let index = name_label(&index);
-        let symbol = match &driver.acceleration {
-            Some(a) if a.value != 0.0 => format!("\\omega_{{{index}}}, \\alpha_{{{index}}}"),
-            _ => format!("\\omega_{{{index}}}"),
-        };
-        self.arc_label(&symbol, "rotation", centre, radius, [from, to], owner);
+        self.rotations(driver, &index, Turns { centre, radius, angles, mirror: outward.angle() });
         self.d.of_link(None);
     }
 
-    /// Where the arrow of a rotation crosses least: where it is asked for, else turned about its centre or farther out, as little as may be.
-    fn clear_arc(&self, centre: Point, radius: f64, [from, to]: [f64; 2]) -> (f64, [f64; 2]) {
-        let place = |out: usize, turn: i32| {
-            let by = f64::from(turn) * TAU / f64::from(TURNS);
-            (radius + out as f64 * OUT_MM, [from + by, to + by])
-        };
-        let cost = |out: usize, turn: i32| {
-            let (radius, [from, to]) = place(out, turn);
-            let crossed = self.d.met_by(&sym::rotation(self.style, centre, radius, from, to), ARC_AIR_MM);
-            CROSSED_COST * crossed as f64 + OUT_COST * out as f64 + TURN_COST * f64::from(turn * turn)
-        };
-        let all = (0..OUTS).flat_map(|out| (0..TURNS).map(move |k| (out, if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 })));
-        let priced = all.map(|(out, turn)| (cost(out, turn), out, turn));
-        let (_, out, turn) = priced.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, 0, 0));
-        place(out, turn)
-    }
-
-    fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
+    pub(super) fn arc_label(&mut self, symbol: &str, class: &str, centre: Point, radius: f64, angles: [f64; 2], owner: u32) {
         let request =
             LabelRequest::along_arc(Label::math(symbol), self.style.label_mm, centre, radius, angles, self.style.vector.width_mm / 2.0);
         self.d.label(symbol, &format!("driver {class}"), request.owned(owner));
@@ -181,22 +145,17 @@ impl Draft<'_> {
         // Above the block, as the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
         let name = name_label(&name);
-        let symbol = if driver.acceleration.as_ref().is_some_and(|a| a.value != 0.0) {
-            format!("v_{{{name}}}, a_{{{name}}}")
-        } else {
-            format!("v_{{{name}}}")
-        };
-        let ahead = tangent * driver.rate.value.signum();
+        let ahead = if driver.rate.value < 0.0 { -tangent } else { tangent };
         let from = match guide.pin {
             // Beyond the end of a slot with hatching on both sides.
             Some(p) if self.in_fixed_slot(p) => {
                 let [back, on] = self.travel(g);
-                let goes = if driver.rate.value > 0.0 { on } else { -back };
+                let goes = if driver.rate.value >= 0.0 { on } else { -back };
                 at + ahead * (goes + super::slides::GUIDE_MM / 2.0 + ARROW_OFF_MM)
             }
             _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
         };
-        self.straight_arrow(from, tangent, driver.rate.value, &symbol);
+        self.translations(driver, &[format!("v_{{{name}}}"), format!("a_{{{name}}}")], Slides { from, along: tangent, outward: normal });
     }
 
     fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {
@@ -205,17 +164,8 @@ impl Draft<'_> {
         let (na, nb) = (name_label(self.scene.point_name(a)), name_label(self.scene.point_name(b)));
         // Beside the rod; the arrow goes the way the rod goes.
         let rod = base + (tip - base) * 0.75 + u.perp() * ARROW_OFF_MM;
-        let from = if driver.rate.value > 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
-        self.straight_arrow(from, u, driver.rate.value, &format!("v^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
-    }
-
-    fn straight_arrow(&mut self, from: Point, along: Vec2, rate: f64, symbol: &str) {
-        if rate == 0.0 {
-            return;
-        }
-        let to = from + along * (ARROW_MM * rate.signum());
-        let shape = Shape::Arrow { from, to, stroke: self.style.vector, head: self.style.head };
-        let owner = self.d.shape(&format!("driver-{symbol}"), "driver", shape);
-        self.d.label_along(symbol, "driver", symbol, (from, to), self.style.vector.width_mm / 2.0, owner);
+        let from = if driver.rate.value >= 0.0 { rod - u * (ARROW_MM / 2.0) } else { rod + u * (ARROW_MM / 2.0) };
+        let symbols = ["v", "a"].map(|q| format!("{q}^{{{}}}_{{{nb}{na}}}", self.notation.sliding));
+        self.translations(driver, &symbols, Slides { from, along: u, outward: u.perp() });
     }
 }

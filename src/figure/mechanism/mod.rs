@@ -1,19 +1,21 @@
 //! The kinematic diagram to scale μ_l, from topology and positions alone.
 //!
 //! Decided here: the order of drawing and the names. [`form`] says what each link looks like, [`parted`] which bars are moved aside, [`slides`] draws guides,
-//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' arrows and angles, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`directions`] guides
+//! blocks and cylinders, [`wheels`] what rolls, [`marks`] the drivers' angles, [`rates`] their arrows, [`special`] the special points of triads, [`supports`] the side of a pivot's support, [`swings`] swinging blocks, [`dimensions`] the given lengths, [`directions`] guides
 //! that tables call t, [`letters`] numbers and letters, [`overlay`] what is drawn over and behind it, [`composed`] the vectors of a composite motion.
 //! Links and points without a place are left out.
 
 mod apart;
 mod cams;
 mod composed;
+pub(crate) mod dimensions;
 mod directions;
 mod form;
 mod letters;
 mod marks;
 mod overlay;
 mod parted;
+mod rates;
 mod slides;
 mod special;
 mod supports;
@@ -113,6 +115,8 @@ struct Draft<'a> {
     course: &'a Course,
     /// Whether it belongs to a construction: links are numbered, special points and directions named.
     constructed: bool,
+    /// Whether given angles are written with their values.
+    dimensioned: bool,
     /// What is shown of a mechanism that is drawn apart; `None`: all of it.
     only: Option<apart::Only>,
 }
@@ -134,6 +138,7 @@ impl<'a> Draft<'a> {
             hatched,
             course,
             constructed: true,
+            dimensioned: false,
             only: None,
         };
         draft.forms = (0..scene.links.len()).map(|l| draft.form(LinkId(l))).collect();

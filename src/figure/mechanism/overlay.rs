@@ -1,7 +1,6 @@
 //! What can be drawn with the mechanism besides itself: vectors at its points, other positions behind it, paths of points.
 
 use crate::construct::scale;
-use crate::digits::{inked, shortest};
 use crate::figure::drawing::Part;
 use crate::figure::item::{Colour, Dash, Shape, Stroke};
 use crate::figure::label::Label;
@@ -13,7 +12,7 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Spot, VertexId};
 use crate::position::Configuration;
-use crate::scene::{Given, Kind, PointId, Scene, Told};
+use crate::scene::{PointId, Scene};
 use crate::sweep::follow::Follower;
 use crate::sweep::points::at_equal_steps;
 use crate::worked::Worked;
@@ -26,8 +25,6 @@ const PATH_STEPS: usize = 180;
 const VECTOR_MM: f64 = 45.0;
 /// A vector shorter than this has neither head nor direction for the eye.
 const SHORTEST_MM: f64 = 0.4;
-/// From a link to its dimension line: clear of the joints' letters.
-const DIMENSION_MM: f64 = 10.0;
 /// How far other positions and paths stand back.
 const BEHIND: Colour = Colour::grey(150);
 
@@ -94,6 +91,7 @@ pub fn overlaid(style: &Style, scene: &Scene, worked: &Worked, w: &Writer, overl
     let mut draft = Draft::new(style, scene, worked, w.notation, &alone);
     // Numbers of positions and numbers of links would be taken for one another.
     draft.constructed = overlay.paths.iter().all(|path| path.marks.is_empty());
+    draft.dimensioned = overlay.dimensions;
     draft.behind(overlay);
     draft.everything();
     draft.vectors(w, overlay);
@@ -152,33 +150,6 @@ impl Draft<'_> {
             }
         }
         self.d.of_link(None);
-    }
-
-    /// A given length at its dimension line: millimetres to the micrometre without their name, all else with its unit.
-    fn dimension(&self, given: &Given) -> String {
-        let number = |value: f64| inked(&shortest((value * 1e3).round() / 1e3));
-        match self.scene.told(Kind::Length, &given.text, given.value) {
-            Told::AsWritten(number, unit) if unit.name() != "mm" => unit.label(&inked(&number)),
-            Told::Computed(value, unit) if unit.name() != "mm" => unit.label(&number(value)),
-            Told::AsWritten(..) | Told::Computed(..) | Told::Usual => shortest((given.value * 1e6).round() / 1e3),
-        }
-    }
-
-    /// The given lengths, on the side away from the mechanism's middle.
-    fn dimensions(&mut self) {
-        let places: Vec<Point> = (0..self.scene.points.len()).filter_map(|p| self.point(PointId(p))).collect();
-        let middle = places.iter().fold(Point::ORIGIN, |m, p| m + p.to_vec2() * (1.0 / places.len().max(1) as f64));
-        for length in &self.scene.lengths {
-            let (Some(a), Some(b)) = (self.point(length.a), self.point(length.b)) else { continue };
-            let left = (b - a).cross(middle - a) < 0.0;
-            let offset_mm = if left { DIMENSION_MM } else { -DIMENSION_MM };
-            let name = format!("dimension-{}{}", self.scene.point_name(length.a), self.scene.point_name(length.b));
-            let owner = self.d.draw(&name, "", sym::dimension(self.style, a, b, offset_mm));
-            let text = self.dimension(&length.value);
-            let (from, to) = sym::dimension_line(a, b, offset_mm);
-            let request = LabelRequest::along(Label::math(text), self.style.small_mm, from, to, self.style.thin.width_mm / 2.0);
-            self.d.label(&name, "dimension", request.owned(owner));
-        }
     }
 
     fn vectors(&mut self, w: &Writer, overlay: &Overlay) {

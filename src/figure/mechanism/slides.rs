@@ -217,7 +217,11 @@ impl Draft<'_> {
             let (links, name) = (links.clone(), format!("cylinder-{}{}", self.scene.point_name(*a), self.scene.point_name(*b)));
             let (Some(base), Some(tip)) = (self.point(*a), self.point(*b)) else { continue };
             let length = base.distance(tip);
-            let items = sym::cylinder(self.style, base, tip, BARREL_PART * length);
+            let mut items = sym::cylinder(self.style, base, tip, BARREL_PART * length);
+            for item in &mut items {
+                let of_rod = ["rod", "piston"].iter().any(|part| item.class.contains(part));
+                item.link = links.get(usize::from(of_rod)).map(|l| l.0);
+            }
             let owner = self.d.draw(&name, "", items);
             let at = |t: f64| base + (tip - base) * t;
             let off = self.style.block_width_mm / 2.0;

@@ -25,6 +25,12 @@ const NAME_EM: f64 = 1.4;
 /// From the frame to the names at its right: room for their leader lines.
 const NAMES_MM: f64 = 4.0;
 
+/// A quantity over its unit, as numbers at axes and in tables are told: `v_C/(m/s)`, `s/mm` (ISO 80000-1, GB/T 3101).
+pub(super) fn over(symbol: &str, unit: &str) -> String {
+    let composed = unit.contains(['/', '·', '^']) || unit == "\\degree";
+    if composed { format!("{symbol}/({unit})") } else { format!("{symbol}/{unit}") }
+}
+
 /// A plot in the making.
 pub(super) struct Plot<'a> {
     pub style: &'a Style,

@@ -34,7 +34,7 @@ impl Shows {
         match self {
             Shows::Mechanism => "mechanism",
             Shows::Polygon(Level::Acceleration) => "acceleration",
-            Shows::Polygon(_) => "velocity",
+            Shows::Polygon(Level::Velocity | Level::Position) => "velocity",
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::figure::arrange::AIM_MM;
 use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::path::turned;
+use crate::figure::plot::over;
 use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol, of_level};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
@@ -182,7 +183,7 @@ impl Page<'_> {
         let (driver, kind) = driver_symbol(scene, table.driver);
         let unit = scene.book.fine(kind).0;
         let first = Label::text(tr(lang, "Position", "位置"));
-        let mut heads = vec![(first, format!("{driver},\\, {unit}"))];
+        let mut heads = vec![(first, over(&driver, &unit))];
         for column in self.columns {
             let which = match column.shows {
                 Shows::Mechanism => Level::Position,

@@ -86,13 +86,13 @@ fn frame(table: &Table, columns: &[Column], k: usize, size: [f64; 2]) -> Figure 
         let (level, name) = match column.shows {
             Shows::Mechanism => (Level::Position, "mechanism"),
             Shows::Polygon(Level::Acceleration) => (Level::Acceleration, "acceleration"),
-            Shows::Polygon(level) => (level, "velocity"),
+            Shows::Polygon(level @ (Level::Velocity | Level::Position)) => (level, "velocity"),
         };
         let (words, mu) = maker.caption(level);
         // A pose without a polygon has no scale of its own.
         let mu = match (level, table.scales.mu) {
             (Level::Velocity, [Some(mu), _]) | (Level::Acceleration, [_, Some(mu)]) => of_level(&row.scene.book, level, mu),
-            _ => mu,
+            (Level::Position, _) | (Level::Velocity, [None, _]) | (Level::Acceleration, [_, None]) => mu,
         };
         let at = Point::new(middle.x, foot - CAPTION_MM);
         put(&format!("caption-{name}"), at, Label::text(words), style.caption_mm, Anchor::Middle);

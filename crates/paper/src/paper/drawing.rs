@@ -100,7 +100,8 @@ impl Drawing {
         tag(&mut items, &format!("{} {class}", self.kind).replace("  ", " "));
         for item in &mut items {
             item.id = self.name(name);
-            item.link = self.link;
+            // Parts of one symbol may belong to links of their own, as barrel and rod do.
+            item.link = item.link.or(self.link);
         }
         self.items.extend(items);
         self.owners
@@ -109,6 +110,11 @@ impl Drawing {
     /// How many things of what is drawn so far these items would cross, or come nearer to than `air_mm`.
     pub fn met_by(&self, items: &[Item], air_mm: f64) -> usize {
         self.obstacles.met_by(&Obstacles::of(items), air_mm)
+    }
+
+    /// The same for ink that is known.
+    pub fn met(&self, ink: &Obstacles, air_mm: f64) -> usize {
+        self.obstacles.met_by(ink, air_mm)
     }
 
     /// The box around what is drawn so far.

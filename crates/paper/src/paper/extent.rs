@@ -96,6 +96,7 @@ impl Item {
                 centre.is_finite() && all(&[*radius_mm, *from_rad, *to_rad])
             }
             Shape::Label { at, size_mm, .. } => at.is_finite() && size_mm.is_finite(),
+            Shape::Turned { at, size_mm, angle_rad, .. } => at.is_finite() && all(&[*size_mm, *angle_rad]),
         }
     }
 
@@ -132,6 +133,7 @@ impl Item {
                 Rect::of_points(points).map(|r| r.grown(stroke.width_mm / 2.0))
             }
             Shape::Label { at, label, size_mm, anchor, .. } => label_bounds(*at, label, *size_mm, *anchor),
+            Shape::Turned { at, angle_rad, label, size_mm, .. } => Rect::of_points(turned_corners(*at, *angle_rad, label, *size_mm)?),
         }
     }
 
@@ -153,7 +155,7 @@ impl Item {
                 }
             }
             Shape::Circle { centre, .. } | Shape::Arc { centre, .. } | Shape::ArcArrow { centre, .. } => *centre = *centre + by,
-            Shape::Label { at, .. } => *at = *at + by,
+            Shape::Label { at, .. } | Shape::Turned { at, .. } => *at = *at + by,
         }
     }
 }
@@ -169,6 +171,14 @@ pub fn label_bounds(at: Point, label: &Label, size_mm: f64, anchor: Anchor) -> O
         min: Point::new(left, at.y - set.descent_em * size_mm),
         max: Point::new(left + set.width_em * size_mm, at.y + set.ascent_em * size_mm),
     })
+}
+
+/// The corners of the box of a turned label, its middle at the place, from the beginning of its lower edge on; `None` when it has no ink.
+pub fn turned_corners(at: Point, angle_rad: f64, label: &Label, size_mm: f64) -> Option<[Point; 4]> {
+    let level = label_bounds(Point::ORIGIN, label, size_mm, Anchor::Middle)?;
+    let turn = Vec2::from_angle(angle_rad);
+    let (lo, hi) = (level.min, level.max);
+    Some([(lo.x, lo.y), (hi.x, lo.y), (hi.x, hi.y), (lo.x, hi.y)].map(|(x, y)| at + Vec2::new(x, y).rotate_by(turn)))
 }
 
 /// How far the line's start lies left of its anchor, in em.

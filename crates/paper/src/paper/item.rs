@@ -294,6 +294,19 @@ pub enum Shape {
         /// Its head.
         head: Head,
     },
+    /// A label in one line that is turned about its anchor, the middle of its baseline, as the numbers of dimensions are.
+    Turned {
+        /// The anchor's place.
+        at: Point,
+        /// The direction of reading.
+        angle_rad: f64,
+        /// What is written.
+        label: Label,
+        /// Size of the type (its em).
+        size_mm: f64,
+        /// Its colour.
+        colour: Colour,
+    },
     /// A label in one line.
     Label {
         /// The anchor's place on the baseline.
@@ -312,7 +325,7 @@ pub enum Shape {
 impl Item {
     /// The same with its letters in these fonts of the author's.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Item {
-        if let Shape::Label { label, .. } = &mut self.shape
+        if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &mut self.shape
             && label.fonts() != fonts
         {
             *label = label.clone().in_fonts(fonts);

@@ -93,7 +93,7 @@ pub fn document(pages: &[Page], title: &str, lang: &str) -> Result<Warned<Vec<u8
                     both!("item `{name}` has a coordinate that is not a number", "图元 `{name}` 的坐标不是数"),
                 ));
             }
-            if let Shape::Label { label, .. } = &item.shape {
+            if let Shape::Label { label, .. } | Shape::Turned { label, .. } = &item.shape {
                 let set = text::set(label);
                 faults.list.extend(set.faults.iter().cloned());
                 faces.extend(set.runs.iter().map(|r| (r.face.key(), r.face.clone())));
@@ -219,6 +219,14 @@ impl Writer {
                 path.arc(*centre, *radius_mm, *from_rad, parts.shaft_end_rad);
                 path.ink(surface, Some(stroke), None);
                 paper.head(surface, &parts.head, stroke.colour);
+            }
+            Shape::Turned { at, angle_rad, label, size_mm, colour } => {
+                let centre = paper.down(*at);
+                // Down the page angles go the other way.
+                surface.push_transform(&Transform::from_rotate_at(-angle_rad.to_degrees() as f32, centre.x, centre.y));
+                let left = at.x - text::set(label).width_em * size_mm / 2.0;
+                self.label(surface, paper, Point::new(left, at.y), label, *size_mm, *colour);
+                surface.pop();
             }
             Shape::Label { at, label, size_mm, anchor, colour } => {
                 let left = at.x - anchor_shift_em(*anchor, text::set(label).width_em) * size_mm;

@@ -18,6 +18,7 @@ use crate::geom::Point;
 use crate::paper::arrow;
 use crate::paper::extent::{anchor_shift_em, on_circle};
 use crate::paper::item::{Cap, Colour, Figure, Item, Piece, Shape, Stroke};
+use crate::paper::label::Label;
 use crate::paper::text::{self, Typeset};
 
 use super::not_finite;
@@ -214,24 +215,30 @@ impl Writer {
             Shape::Label { at, label, size_mm, anchor, colour } => {
                 let set = text::set(label);
                 let left = at.x - anchor_shift_em(*anchor, set.width_em) * size_mm;
-                let place = format!("translate({} {})", mm(left), self.y(at.y));
-                let (transform, content) = match self.writing {
-                    Writing::Used => (format!("{place}scale({})", scale(*size_mm)), self.used(&set)),
-                    Writing::Text => (place, editable(&set, *size_mm)),
-                };
-                let mut node = Group::new();
-                node.assign("transform", transform);
-                node.append(Blob::new(content));
-                node.assign("aria-label", label.plain());
-                node.assign("data-text", label.source());
-                named(&mut node, item);
-                if *colour != Colour::BLACK {
-                    node.assign("fill", hex(*colour));
-                }
-                self.faults.list.extend(set.faults.iter().cloned());
-                node.into()
+                self.lettering(item, &format!("translate({} {})", mm(left), self.y(at.y)), label, &set, *size_mm, *colour)
+            }
+            Shape::Turned { at, angle_rad, label, size_mm, colour } => {
+                let set = text::set(label);
+                let turn = format!("rotate({})translate({} 0)", mm(-angle_rad.to_degrees()), mm(-set.width_em * size_mm / 2.0));
+                self.lettering(item, &format!("translate({} {}){turn}", mm(at.x), self.y(at.y)), label, &set, *size_mm, *colour)
             }
         }
+    }
+
+    /// A label whose line begins in the origin of a place; down the page angles go the other way.
+    fn lettering(&mut self, item: &Item, place: &str, label: &Label, set: &Typeset, size_mm: f64, colour: Colour) -> Box<dyn Node> {
+        let (transform, content) = match self.writing {
+            Writing::Used => (format!("{place}scale({})", scale(size_mm)), self.used(set)),
+            Writing::Text => (place.to_owned(), editable(set, size_mm)),
+        };
+        let spoken = Group::new().set("aria-label", label.plain()).set("data-text", label.source());
+        let mut node = spoken.set("transform", transform).add(Blob::new(content));
+        named(&mut node, item);
+        if colour != Colour::BLACK {
+            node.assign("fill", hex(colour));
+        }
+        self.faults.list.extend(set.faults.iter().cloned());
+        node.into()
     }
 
     /// The letters of a label, each used from the definitions.

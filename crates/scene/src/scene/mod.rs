@@ -62,6 +62,22 @@ pub fn pencil(text: &str) -> Result<f64, Faults> {
     read.filter(|_| !faults.has_errors()).ok_or(faults)
 }
 
+/// Reads the width of a page, such as `80 mm`; in mm.
+///
+/// # Errors
+/// What is no length, or no side of a paper; places count in `text`.
+///
+/// ```
+/// assert_eq!(hodograph::scene::width("80 mm").unwrap(), 80.0);
+/// assert!(hodograph::scene::width("1 mm").is_err());
+/// ```
+pub fn width(text: &str) -> Result<f64, Faults> {
+    let mut faults = Faults::default();
+    let quantity = raw::RawQuantity { text: text.to_owned(), span: Span::new(0, text.len()), bare: true };
+    let read = resolve::width(&quantity, text, &mut faults);
+    read.filter(|_| !faults.has_errors()).ok_or(faults)
+}
+
 /// Whether a text begins as a question does: `v_`, `omega_`.
 pub fn begins_a_question(text: &str) -> bool {
     resolve::begins_a_question(text)

@@ -71,8 +71,8 @@ pub fn bounded(mut sizes: Vec<f64>, own: f64, full: bool) -> Option<f64> {
     Some(if full { largest } else { largest.min((OFF_PAPER * sizes[sizes.len() / 2]).max(own)) })
 }
 
-/// So many poses at equal steps of the driver: from the scene's own through a full turn, or from one end of the travel to the
-/// other.
+/// So many poses at equal steps of the driver, in the sense in which it moves: from the scene's own through a full turn, or from one end
+/// of the travel to the other.
 pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<Pose> {
     let (Some(first), Some(last)) = (sweep.poses.first(), sweep.poses.last()) else { return Vec::new() };
     let turn = sweep.period();
@@ -91,7 +91,12 @@ pub fn at_equal_steps(follower: &Follower, sweep: &Sweep, count: usize) -> Vec<P
         }
         Some(Pose { travel, configuration: follower.at(&near.configuration, travel)? })
     };
-    (0..count).filter_map(pose).collect()
+    let mut poses: Vec<Pose> = (0..count).filter_map(pose).collect();
+    if follower.goes_back() {
+        // A turn begins with the scene's own pose in either sense.
+        poses[usize::from(sweep.full)..].reverse();
+    }
+    poses
 }
 
 struct Tracer<'a> {

@@ -2,7 +2,7 @@
 
 use crate::geom::Point;
 use crate::paper::arrow;
-use crate::paper::extent::{Rect, on_circle};
+use crate::paper::extent::{Rect, on_circle, turned_corners};
 use crate::paper::item::{Item, Piece, Shape, Stroke};
 
 /// A straight piece of ink.
@@ -109,6 +109,13 @@ impl Obstacles {
             Shape::ArcArrow { centre, radius_mm, from_rad, to_rad, stroke, head } => {
                 self.arc(*centre, *radius_mm, *from_rad, *to_rad, stroke.width_mm / 2.0, owner);
                 self.head(&arrow::bent(*centre, *radius_mm, *from_rad, *to_rad, *head).head, owner);
+            }
+            Shape::Turned { at, angle_rad, label, size_mm, .. } => {
+                // A bar as thick as the letters are high.
+                if let Some([a, b, c, d]) = turned_corners(*at, *angle_rad, label, *size_mm) {
+                    let middle = |p: Point, q: Point| p + (q - p) * 0.5;
+                    self.bar(middle(a, d), middle(b, c), a.distance(d) / 2.0, owner);
+                }
             }
             Shape::Label { .. } => self.rects.extend(item.bounds()),
         }

@@ -146,6 +146,44 @@ impl Style {
     }
 }
 
+/// The smallest type of a figure: its scripts (70 %) are then 2.2 mm, the smallest that prints.
+const LEAST_TYPE_MM: f64 = 2.2 / 0.7;
+/// Lines and symbols shrink less than drawings do: to this part, below which a pin is no circle any more.
+const LEAST_INK: f64 = 0.7;
+
+impl Style {
+    /// The same for a drawing of this part of its size: type as far as it can be read, symbols and lines as far as they can be told apart.
+    pub fn reduced(&self, part: f64) -> Style {
+        let mut style = self.clone();
+        for mm in [&mut style.label_mm, &mut style.caption_mm, &mut style.small_mm] {
+            *mm = mm.min((*mm * part).max(LEAST_TYPE_MM));
+        }
+        let k = part.clamp(LEAST_INK, 1.0);
+        for stroke in [&mut style.link, &mut style.outline, &mut style.thin, &mut style.vector] {
+            stroke.width_mm *= k.sqrt();
+        }
+        for mm in [
+            &mut style.pin_radius_mm,
+            &mut style.dot_radius_mm,
+            &mut style.pivot_height_mm,
+            &mut style.pivot_half_base_mm,
+            &mut style.ground_half_mm,
+            &mut style.hatch_pitch_mm,
+            &mut style.hatch_depth_mm,
+            &mut style.block_length_mm,
+            &mut style.block_width_mm,
+            &mut style.slot_width_mm,
+            &mut style.head.length_mm,
+            &mut style.head.width_mm,
+            &mut style.thin_head.length_mm,
+            &mut style.thin_head.width_mm,
+        ] {
+            *mm *= k;
+        }
+        style
+    }
+}
+
 impl Default for Style {
     /// `print`.
     fn default() -> Style {

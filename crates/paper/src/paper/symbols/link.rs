@@ -24,6 +24,7 @@ pub fn dashed(items: Vec<Item>) -> Vec<Item> {
         | Shape::Arc { .. }
         | Shape::Arrow { .. }
         | Shape::ArcArrow { .. }
+        | Shape::Turned { .. }
         | Shape::Label { .. }) => other,
     };
     items.into_iter().map(|item| Item { shape: change(item.shape), ..item }).collect()

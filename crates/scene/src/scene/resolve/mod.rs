@@ -227,6 +227,11 @@ pub(super) fn pencil(quantity: &RawQuantity, source: &str, faults: &mut Faults) 
     paper::pencil_mm(quantity, &values, faults)
 }
 
+pub(super) fn width(quantity: &RawQuantity, source: &str, faults: &mut Faults) -> Option<f64> {
+    let (values, _) = Values::new(source, &[], &[], faults);
+    paper::width_mm(quantity, &values, faults)
+}
+
 /// A text given in one language serves for both.
 fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
     let raw = raw.as_ref()?;

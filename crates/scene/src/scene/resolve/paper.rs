@@ -98,6 +98,23 @@ fn sides_mm(sides: &[RawQuantity; 2], values: &Values, faults: &mut Faults) -> O
     Some(mm)
 }
 
+/// The width of a page, in mm.
+pub(super) fn width_mm(q: &RawQuantity, values: &Values, faults: &mut Faults) -> Option<f64> {
+    let given = values.positive_length(q, both!("the width", "宽度"), faults)?;
+    let mm = given.value * 1000.0;
+    if !(SIDES_MM[0]..=SIDES_MM[1]).contains(&mm) {
+        let message = both!("a width of {}", "宽度为 {}", given.text);
+        faults.push(Diagnostic::error("paper", message).at(q.span).help(both!(
+            "give {} mm to {} mm, such as \"80 mm\" for a column of a book",
+            "请取 {} mm 到 {} mm，如书的一栏 \"80 mm\"",
+            SIDES_MM[0],
+            SIDES_MM[1]
+        )));
+        return None;
+    }
+    Some(mm)
+}
+
 pub(super) fn language(raw: &RawScene, faults: &mut Faults) -> Option<Lang> {
     let word = raw.language.as_ref()?;
     match Lang::named(&word.text) {

@@ -82,19 +82,25 @@ pub struct Follower<'a> {
     demand: &'a Demand,
     base: &'a Configuration,
     driver: usize,
+    back: bool,
 }
 
 impl<'a> Follower<'a> {
+    /// Whether the driver moves toward smaller positions in the scene.
+    pub fn goes_back(&self) -> bool {
+        self.back
+    }
+
     /// Of the scene in its own pose.
     pub fn new(scene: &Scene, mechanism: &'a Mechanism, demand: &'a Demand, base: &'a Configuration, driver: usize) -> Follower<'a> {
-        let mut scene = scene.clone();
+        let (mut scene, back) = (scene.clone(), scene.drivers[driver].rate.value < 0.0);
         // Only the driver moves, by a unit in a unit of time: then time is its travel.
         for (d, of) in scene.drivers.iter_mut().enumerate() {
             let rate = if d == driver { 1.0 } else { 0.0 };
             of.rate = Given { value: rate, radius: 0.0, text: format!("{rate}"), span: of.rate.span };
             of.acceleration = None;
         }
-        Follower { scene, mechanism, demand, base, driver }
+        Follower { scene, mechanism, demand, base, driver, back }
     }
 
     /// All poses, in at least `count` steps.

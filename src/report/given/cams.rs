@@ -1,11 +1,11 @@
 //! Cams as given things: the profile or the law, and with what the follower touches. The pairs and drivers that stand for a contact are part of the
 //! solution, and are not told among what is given.
 
-use super::Maker;
+use super::Givens;
 use crate::cam::{Law, Motion, Segment, Way};
 use crate::scene::{Cam, Follows, GuideId, Lang, PointId};
 
-impl Maker<'_> {
+impl Givens<'_> {
     /// Whether a guide stands for the contact of a cam.
     pub(super) fn is_contact(&self, g: usize) -> bool {
         self.scene.cams.iter().any(|c| c.contact == Some(GuideId(g)))

@@ -1,30 +1,70 @@
-//! What is given, as a list: lengths, fixed points, guides, gears and wheels ([`rolling`]), drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides, gears and wheels ([`rolling`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
 
+mod cams;
 mod rolling;
 
-use super::Maker;
+use super::amount::{number, scale};
 use crate::digits::{self, shortest};
-use crate::figure::results::number;
-use crate::figure::sheet::scale;
-use crate::paper::phrase::Phrase;
+use crate::paper::phrase::{Phrase, tr};
+use crate::paper::words::{Words, words};
 use crate::plan::names::name_label;
 use crate::plan::text::point_label;
-use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Through, Told};
+use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Scene, Through, Told};
 
 /// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
 const DIGITS: usize = 6;
 
-impl Maker<'_> {
+/// What a scene gives, in words.
+#[derive(Clone, Copy)]
+pub struct Givens<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// In which language.
+    pub lang: Lang,
+}
+
+impl Givens<'_> {
+    fn lang(&self) -> Lang {
+        self.lang
+    }
+
+    fn tr(&self, en: &'static str, zh: &'static str) -> &'static str {
+        tr(self.lang, en, zh)
+    }
+
+    fn words(&self) -> &'static Words {
+        words(self.lang)
+    }
+
     /// The list of given things.
-    pub(super) fn given(&self) -> Vec<Phrase> {
+    pub fn list(&self) -> Vec<Phrase> {
+        let mut all = self.lengths(|_, _| true);
+        all.extend(self.others());
+        all.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    /// All that is given besides the lengths that a figure shows.
+    pub fn beside(&self, shown: impl Fn(PointId, PointId) -> bool) -> Vec<Phrase> {
+        let mut all = self.lengths(|a, b| !shown(a, b));
+        all.extend(self.others());
+        all.iter().map(|s| Phrase::new(s)).collect()
+    }
+
+    fn lengths(&self, wanted: impl Fn(PointId, PointId) -> bool) -> Vec<String> {
         let mut all = Vec::new();
         // The ends in the order of the scene, as the equations name them.
         let ends = |a: PointId, b: PointId| name_label(&format!("{}{}", self.name(a.min(b)), self.name(a.max(b))));
         let written = self.scene.lengths.iter().filter(|l| ![l.a, l.b].iter().any(|p| self.is_of_cam(*p)));
-        let lengths: Vec<String> = written.map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
+        let lengths: Vec<String> =
+            written.filter(|l| wanted(l.a, l.b)).map(|l| format!("$l_{{{}}} = {}$", ends(l.a, l.b), self.length(&l.value))).collect();
         if !lengths.is_empty() {
             all.push(format!("{}{}", self.tr("lengths: ", "长度："), lengths.join(self.words().comma)));
         }
+        all
+    }
+
+    fn others(&self) -> Vec<String> {
+        let mut all = Vec::new();
         let places: Vec<String> = (0..self.scene.points.len()).filter_map(|p| self.place(PointId(p))).collect();
         if !places.is_empty() {
             all.push(format!("{}{}", self.tr("points: ", "点："), places.join(self.tr("; ", "；"))));
@@ -39,7 +79,7 @@ impl Maker<'_> {
             Lang::En => format!("link {} is fixed", self.link(self.scene.ground)),
             Lang::Zh => format!("构件 {} 为机架", self.link(self.scene.ground)),
         });
-        all.iter().map(|s| Phrase::new(s)).collect()
+        all
     }
 
     fn name(&self, p: PointId) -> &str {
@@ -47,11 +87,11 @@ impl Maker<'_> {
     }
 
     /// A point as a formula.
-    pub(super) fn point(&self, p: PointId) -> String {
+    pub fn point(&self, p: PointId) -> String {
         format!("${}$", point_label(self.name(p)))
     }
 
-    pub(super) fn link(&self, l: LinkId) -> &str {
+    fn link(&self, l: LinkId) -> &str {
         self.scene.link_name(l)
     }
 
@@ -222,7 +262,7 @@ impl Maker<'_> {
     }
 
     /// A length as it is given.
-    fn length(&self, given: &Given) -> String {
+    pub fn length(&self, given: &Given) -> String {
         match (self.scene.told(Kind::Length, &given.text, given.value), given.value) {
             (Told::AsWritten(number, unit), _) => unit.label(&as_written(&number)),
             (Told::Computed(value, unit), _) => unit.label(&inked(value)),
@@ -238,7 +278,7 @@ impl Maker<'_> {
     }
 
     /// An angle as it is given; what is written in degrees is told less whole turns.
-    fn angle(&self, given: &Given<Angle>) -> String {
+    pub fn angle(&self, given: &Given<Angle>) -> String {
         match self.scene.told(Kind::Angle, &given.text, given.value.radians()) {
             Told::AsWritten(number, unit) if !unit.is_degree() => unit.label(&as_written(&number)),
             Told::Computed(value, unit) if !unit.is_degree() => unit.label(&inked(value)),

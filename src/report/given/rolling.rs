@@ -1,9 +1,9 @@
 //! Gears, racks and wheels among what is given.
 
-use super::super::Maker;
+use super::Givens;
 use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, Sizes};
 
-impl Maker<'_> {
+impl Givens<'_> {
     /// A rolling pair in one sentence: `gears 2 and 4: $z_{2} = 20$, $z_{4} = 40$, pitch point $K$`.
     pub(super) fn rolling(&self, pair: &Rolling) -> String {
         let mut parts: Vec<String> = self.sizes(pair).into_iter().collect();

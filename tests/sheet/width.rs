@@ -1,0 +1,73 @@
+//! A width that is asked for is kept: every template, at widths from a narrow column to a page of A4, either stands on a page that is
+//! exactly so wide, in type that can be read and with a word on what was left out, or is not drawn and the message says what it needs.
+
+use super::legible::SMALLEST_MM;
+use hodograph::diag::Warned;
+use hodograph::figure::extent::bounds;
+use hodograph::figure::fit::{Room, pages};
+use hodograph::figure::item::{Figure, Shape};
+use hodograph::figure::list::{self, Extras, Wanted};
+use hodograph::figure::sheet::Options;
+use hodograph::scene::{self, Lang, templates};
+use hodograph::worked::{Scope, work};
+
+const WIDTHS_MM: [f64; 4] = [60.0, 80.0, 118.0, 174.0];
+const FIGURES: [&str; 6] = ["sheet", "mechanism", "velocity", "acceleration", "equations", "results"];
+
+fn smallest_type(figure: &Figure) -> f64 {
+    let size = |s: &Shape| if let Shape::Label { size_mm, .. } = s { Some(*size_mm) } else { None };
+    figure.items.iter().filter_map(|i| size(&i.shape)).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn a_width_is_kept_or_refused() {
+    let (mut faults, mut drawn, mut refused) = (Vec::new(), 0, 0);
+    for (t, template) in templates::list().iter().enumerate() {
+        let scene = scene::read(templates::get(template.name).unwrap()).unwrap().value;
+        let worked = work(&scene, Scope::Figure).unwrap().value;
+        for k in 0..2 {
+            // The sheet, and one of the others; each at another width and in the other language.
+            let name = if k == 0 { FIGURES[0] } else { FIGURES[1 + t % (FIGURES.len() - 1)] };
+            let width = WIDTHS_MM[(t + k) % WIDTHS_MM.len()];
+            let options = Options::of_language(if (t + k) % 2 == 0 { Lang::En } else { Lang::Zh });
+            let extras = Extras::default();
+            let wanted = Wanted { scene: &scene, worked: &worked, options: &options, extras: &extras };
+            let what = format!("{} {name} at {width} mm", template.name);
+            match pages(list::named(name).unwrap(), &wanted, Room::Column(width)) {
+                Ok(Warned { value, notes }) => {
+                    for (_, figure) in &value {
+                        drawn += 1;
+                        let ink = bounds(&figure.items).unwrap();
+                        if (figure.width_mm - width).abs() > 1e-9 || ink.min.x < 0.0 || ink.max.x > width {
+                            faults.push(format!(
+                                "{what}: the page is {} mm, its ink goes from {} to {}",
+                                figure.width_mm, ink.min.x, ink.max.x
+                            ));
+                        }
+                        if smallest_type(figure) * 0.7 < SMALLEST_MM - 1e-9 {
+                            faults.push(format!("{what}: type of {} mm", smallest_type(figure)));
+                        }
+                        // What stands on the usual sheet and not on this one is told.
+                        let named = |f: &Figure, word: &str| f.items.iter().any(|i| i.id.contains(word) || i.class.contains(word));
+                        let told = notes.iter().any(|n| n.code == "left-out");
+                        let usual = (list::named(name).unwrap().draw)(&wanted).unwrap().value;
+                        for word in ["result", "velocity", "acceleration", "heading", "measured"] {
+                            if named(&usual[0].1, word) && !named(figure, word) && !told {
+                                faults.push(format!("{what}: {word} is missing, and nothing is said"));
+                            }
+                        }
+                    }
+                }
+                Err(e) => {
+                    refused += 1;
+                    if !e.list.iter().all(|d| d.code == "paper-too-small" && d.message.en.contains("needs")) {
+                        faults.push(format!("{what}: {e}"));
+                    }
+                }
+            }
+        }
+    }
+    println!("{drawn} pages, {refused} refused");
+    assert!(drawn > 4 * refused, "{drawn} pages, {refused} refused");
+    assert!(faults.is_empty(), "{} faults:\n{}", faults.len(), faults.join("\n"));
+}
