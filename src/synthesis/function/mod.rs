@@ -197,7 +197,10 @@ fn of_pairs(form: &Form) -> Option<Read> {
         };
         match from {
             Some(_) if free[side] => {
-                let message = both!("the angles of the {key} count from an unknown start, and from a given one", "{key} 的角度既从未知角又从给定角起算");
+                let message = both!(
+                    "the angles of the {key} count from an unknown start, and from a given one",
+                    "{key} 的角度既从未知角又从给定角起算"
+                );
                 let help = both!("leave out \"relative\" or \"from\"", "请去掉 \"relative\" 或 \"from\"");
                 form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(help));
                 return None;
@@ -226,7 +229,9 @@ impl Wish for Function {
             for ((k, x), [alpha, phi]) in places.iter().enumerate().zip(&self.steps) {
                 let named = |letter: &str| format!("{letter}{}", k + 1);
                 numbers.push(Number::ratio(&named("x"), both!("precision point", "插值结点"), *x));
-                numbers.extend(curve.at(*x).ok().map(|y| Number::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)));
+                numbers.extend(
+                    curve.at(*x).ok().map(|y| Number::ratio(&named("y"), both!("value at the precision point", "结点处的函数值"), y)),
+                );
                 numbers.push(Number::angle(&named("alpha"), both!("the input's turn from its start", "输入构件自初始位置的转角"), *alpha));
                 numbers.push(Number::angle(&named("phi"), both!("the output's turn from its start", "输出构件自初始位置的转角"), *phi));
             }
