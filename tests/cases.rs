@@ -247,7 +247,9 @@ fn the_list_of_cases_is_true() {
     // Tests of cases without a file.
     let page = read("docs/cases.md");
     let sweeps =
-        ["tests/sweep.rs", "tests/centres.rs", "crates/scene/src/cam/tests.rs", "crates/scene/src/cam/law/mod.rs"].map(read).concat();
+        ["tests/sweep.rs", "tests/centres.rs", "tests/synthesis.rs", "crates/scene/src/cam/tests.rs", "crates/scene/src/cam/law/mod.rs"]
+            .map(read)
+            .concat();
     let mut faults = Vec::new();
     let (mut tested, mut all) = (0, 0);
     let (first, second) = page.split_once("\n## ").expect("two collections");
@@ -255,7 +257,7 @@ fn the_list_of_cases_is_true() {
         let told = told(section, &mut found, &sweeps, &mut faults);
         let head = format!(
             "{} cases in `{collection}`; {} are scenes in `tests/cases/` ({} files, {} expected values), \
-             {} are tests of the whole motion, {} are not yet.",
+             {} are tests of the whole motion or of synthesis, {} are not yet.",
             told.all, told.scenes, told.files, told.values, told.elsewhere, told.not_yet
         );
         if !section.contains(&head) {

@@ -121,6 +121,17 @@ impl Linkage {
         let high = (b * b - along * along).sqrt();
         [p, [p[0] + (x * along - y * high) / l, p[1] + (y * along + x * high) / l]]
     }
+
+    /// The follower's angle, C left (1) or right (−1) of BD.
+    fn follower(&self, crank: f64, side: f64) -> f64 {
+        let [_, b, c, d] = self.0;
+        let [p, _] = self.at(crank);
+        let (x, y) = (d - p[0], -p[1]);
+        let l = x.hypot(y);
+        let along = (l * l + b * b - c * c) / (2.0 * l);
+        let high = side * (b * b - along * along).sqrt();
+        (p[1] + (y * along + x * high) / l).atan2(p[0] + (x * along - y * high) / l - d)
+    }
 }
 
 fn is(c: &Candidate, lengths: [f64; 4]) -> bool {
@@ -218,4 +229,74 @@ fn a_hopeless_time_ratio_is_told_with_one_that_works() {
     let notes = design(&task).unwrap().notes;
     let note = notes.iter().find(|n| n.code == "poor-transmission").unwrap();
     assert!(note.to_string().contains("and less has one"), "{note}");
+}
+
+/// The course design y = ln x: three pairs of angles from given starts. The ratios and the output's angles are those of an evaluation in
+/// longer numbers; what was printed comes from single precision.
+#[test]
+fn the_course_design_of_ln_x() {
+    let pairs = json!([["4.02 deg", "7.97 deg"], ["30 deg", "49.68 deg"], ["55.98 deg", "80.83 deg"]]);
+    let task = json!({"synthesis": "function", "pairs": pairs, "input": {"from": "86 deg"}, "output": {"from": "24 deg"}, "crank": "1 m"});
+    let design = design(&task).unwrap();
+    let [c] = design.candidates.as_slice() else { panic!("{} candidates", design.candidates.len()) };
+    let length = |name: &str| c.number(name).unwrap();
+    let [a, coupler, follower, frame] = ["AB", "BC", "CD", "AD"].map(length);
+    for (value, exact) in [(follower / a, 0.601242463656), (frame / a, 1.30404030807), (coupler / a, 1.93825795144)] {
+        assert!((value - exact).abs() < 1e-11 * exact, "{value} {exact}");
+    }
+    // Freudenstein's p₀ = m, p₁ = −m/n, p₂ = (m² + n² + 1 − l²)/(2n) with the crank as unit.
+    let (m, n, l) = (follower / a, frame / a, coupler / a);
+    for (value, exact) in [(m, 0.601242463656), (-m / n, -0.461061257028), ((m * m + n * n + 1.0 - l * l) / (2.0 * n), -0.266414410979)] {
+        assert!((value - exact).abs() < 1e-11, "{value} {exact}");
+    }
+    for (turn, exact) in [(0.0, -0.296148174806), (4.02, 7.97), (30.0, 49.68), (55.98, 80.83), (60.0, 84.9091472051)] {
+        let linkage = Linkage([a, coupler, follower, frame]);
+        // The assembly of the design: with C left or right of BD, one of the two gives the follower's angle.
+        let near = [1.0, -1.0].map(|side| linkage.follower((86.0f64 + turn).to_radians(), side).to_degrees() - 24.0 - exact);
+        let off = near.map(|o| (o + 180.0).rem_euclid(360.0) - 180.0).into_iter().map(f64::abs).fold(f64::MAX, f64::min);
+        assert!(off < 1e-8, "{turn}: {off}");
+    }
+    let both = json!({"synthesis": "function", "pairs": pairs, "input": {"from": "86 deg"}, "relative": "input"});
+    assert!(self::design(&both).unwrap_err().contains("leave out"));
+}
+
+/// Precision points by Chebyshev's spacing, with the values and turns that belong to them.
+#[test]
+fn precision_points_are_told_with_their_turns() {
+    let told = |y: &str, [from, to]: [f64; 2], swings: [&str; 2]| {
+        let task = json!({"synthesis": "function", "function": {"y": y, "from": from, "to": to}, "points": 3,
+            "input": {"from": "86 deg", "swing": swings[0]}, "output": {"from": "24 deg", "swing": swings[1]}});
+        design(&task).unwrap()
+    };
+    let off = |design: &Design, name: &str, exact: f64, unit: f64| {
+        let value = design.numbers.iter().find(|n| n.name == name).unwrap_or_else(|| panic!("{name}")).value / unit;
+        assert!((value - exact).abs() < 1e-11 * exact.abs(), "{name}: {value}, {exact}");
+    };
+    let degree = 1f64.to_radians();
+    let ln = told("ln(x)", [1.0, 2.0], ["60 deg", "85 deg"]);
+    for (name, exact, unit) in [
+        ("x1", 1.06698729811, 1.0),
+        ("x2", 1.5, 1.0),
+        ("x3", 1.93301270189, 1.0),
+        ("alpha1", 4.01923788647, degree),
+        ("alpha2", 30.0, degree),
+        ("alpha3", 55.9807621135, degree),
+    ] {
+        off(&ln, name, exact, unit);
+    }
+    let power = told("x^1.5", [1.0, 4.0], ["90 deg", "90 deg"]);
+    let turns = [36.0288568297 - 30.0, 75.0 - 30.0, 113.971143170 - 30.0, 94.0643358218 - 90.0, 127.965176681 - 90.0, 172.346801968 - 90.0];
+    let names = ["alpha1", "alpha2", "alpha3", "phi1", "phi2", "phi3"];
+    for (name, exact, unit) in [
+        ("x1", 1.20096189432, 1.0),
+        ("x3", 3.79903810568, 1.0),
+        ("y1", 1.31611500836, 1.0),
+        ("y2", 3.95284707521, 1.0),
+        ("y3", 7.40475126421, 1.0),
+    ]
+    .into_iter()
+    .chain(names.into_iter().zip(turns).map(|(n, t)| (n, t, degree)))
+    {
+        off(&power, name, exact, unit);
+    }
 }
