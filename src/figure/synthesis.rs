@@ -19,6 +19,7 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::report::symbols::symbols;
 use crate::scene::Lang;
 use crate::synthesis::board::{Board, Stroke as Drawn, Weight};
+use crate::synthesis::candidate::letters;
 use crate::synthesis::{Candidate, Task, construct};
 use icu_segmenter::LineSegmenter;
 use icu_segmenter::options::LineBreakOptions;
@@ -196,11 +197,13 @@ fn sentences(candidate: &Candidate, board: &Board, Set { style, lang, .. }: Set)
     }
     let readings = board.readings.iter().filter_map(|r| {
         let formula = candidate.number(&r.name)?.abs();
+        let (word, index) = letters(&r.name);
+        let name = format!("{word}{index}");
         Some(match r.angle {
-            true => format!("{} = {}° ({}°)", r.name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
+            true => format!("{} = {}° ({}°)", name, significant(board.value(r).to_degrees(), 5), significant(formula.to_degrees(), 5)),
             false => format!(
                 "{} = {} mm × μ = {} mm ({} mm)",
-                r.name,
+                name,
                 significant(r.measured, 4),
                 significant(board.value(r) * 1e3, 5),
                 significant(formula * 1e3, 5)

@@ -27,6 +27,7 @@ use crate::scene::{self, Lang, Scene};
 use crate::sweep::follow::{Follower, Pose};
 use crate::sweep::station::position_now;
 use crate::synthesis::board::Board;
+use crate::synthesis::candidate::letters;
 use crate::synthesis::{Candidate, Task};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
@@ -191,6 +192,12 @@ fn moving(linkage: &Scaled, window: Rect, drawn: &mut Vec<Elements>) -> Result<S
     ))
 }
 
+/// A number's name in markup: φ with an index for `phi0`.
+fn name(name: &str) -> String {
+    let (word, index) = letters(name);
+    if index.is_empty() { escaped(&word) } else { format!("{}<sub>{index}</sub>", escaped(&word)) }
+}
+
 /// What is read off the paper beside the formula's numbers; else the numbers alone.
 fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
     let row = |cells: [String; 3], tag: &str| format!("<tr>{}</tr>", cells.map(|c| format!("<{tag}>{c}</{tag}>")).concat());
@@ -207,11 +214,11 @@ fn facts(candidate: &Candidate, board: Option<&Board>, lang: Lang) -> String {
                     significant(b.value(r) * 1e3, 5)
                 ),
             };
-            Some(row([escaped(&r.name), drawn, value(number)], "td"))
+            Some(row([name(&r.name), drawn, value(number)], "td"))
         })
         .collect();
     if rows.is_empty() {
-        let all = candidate.draft.numbers.iter().map(|n| row([escaped(&n.name), escaped(lang.of(&n.what)), value(n)], "td"));
+        let all = candidate.draft.numbers.iter().map(|n| row([name(&n.name), escaped(lang.of(&n.what)), value(n)], "td"));
         return format!("<table>{}</table>", all.collect::<String>());
     }
     format!("<table><tr><th colspan=\"3\">{}</th></tr>{rows}</table>", escaped(word("measured", lang)))

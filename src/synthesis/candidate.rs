@@ -147,6 +147,14 @@ impl Candidate {
     }
 }
 
+/// The letters of a number's name and its index: `phi0` → `φ`, `0`.
+pub fn letters(name: &str) -> (String, &str) {
+    const GREEK: [(&str, &str); 6] = [("theta", "θ"), ("psi", "ψ"), ("beta", "β"), ("alpha", "α"), ("phi", "φ"), ("gamma", "γ")];
+    let (word, index) = name.split_at(name.trim_end_matches(|c: char| c.is_ascii_digit()).len());
+    let word = word.trim_end_matches('_');
+    (GREEK.iter().find(|g| g.0 == word).map_or(word, |g| g.1).to_owned(), index)
+}
+
 /// A scene as a file: one key a line.
 pub fn scene_text(scene: &Json) -> String {
     let Json::Object(members) = scene else { return format!("{scene}\n") };

@@ -16,6 +16,7 @@ use crate::report::symbols::symbols;
 use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};
 use crate::synthesis::board::{Board, Reading};
+use crate::synthesis::candidate::letters;
 use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
 
 /// Rows of the table of a function; its ends are among them.
@@ -256,12 +257,10 @@ fn degrees(value_rad: f64, digits: usize) -> String {
 
 /// The symbol of a number: a length by its ends, the others by their letters.
 fn quantity(name: &str) -> String {
-    let greek = ["theta", "psi", "beta", "alpha", "phi", "gamma"].iter().find_map(|g| Some((g, name.strip_prefix(*g)?)));
-    match greek {
-        Some((g, "")) => format!("$\\{g}$"),
-        Some((g, index)) => format!("$\\{g}_{{{}}}$", index.trim_start_matches('_')),
-        None if name.len() > 1 && name.bytes().all(|b| b.is_ascii_uppercase()) => format!("$l_{{{name}}}$"),
-        None => format!("${name}$"),
+    match letters(name) {
+        (word, "") if word.len() > 1 && word.bytes().all(|b| b.is_ascii_uppercase()) => format!("$l_{{{word}}}$"),
+        (word, "") => format!("${word}$"),
+        (word, index) => format!("${word}_{{{index}}}$"),
     }
 }
 

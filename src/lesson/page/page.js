@@ -11,7 +11,7 @@
     $("laying").hidden = !predicting;
     const open = predicting && predicting.asking();
     document.body.classList.toggle("asking", !!open);
-    for (const id of ["less", "more", "give-up"]) $(id).disabled = !open;
+    for (const id of ["less", "more", "resign"]) $(id).disabled = !open;
     $("check").textContent = word(open ? "check" : "go_on");
     $("check").disabled = predicting && !open && step === steps.length;
   }
@@ -134,7 +134,7 @@
   $("check").addEventListener("click", () => predicting?.check());
   $("less").addEventListener("click", (event) => predicting?.nudge(0, -1, event.shiftKey));
   $("more").addEventListener("click", (event) => predicting?.nudge(0, 1, event.shiftKey));
-  $("give-up").addEventListener("click", () => predicting?.giveUp());
+  $("resign").addEventListener("click", () => predicting?.giveUp());
   $("reveal").addEventListener("click", () => panel("reveal", "results"));
   $("show").addEventListener("click", () => panel("show", "showing"));
   $("home").addEventListener("click", home);
