@@ -9,9 +9,11 @@ use crate::figure::font::own;
 use crate::figure::item::Figure;
 use crate::render::{pdf, png, svg};
 use crate::report::diagnostics;
+use std::collections::BTreeMap;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
 
 /// A scene is a page of text; what is larger than this is not one, and is not read into memory. The reader itself says so
 /// for files between its own limit and this one.
@@ -20,20 +22,35 @@ const LARGEST: u64 = 16 << 20;
 /// The name by which standard input is shown.
 pub const STDIN: &str = "standard input";
 
-/// Reads a scene, from standard input for `-`. Returns the name to show.
+/// Scenes that were read, by their paths: what a pipe or standard input gave is gone from there.
+static READ: Mutex<BTreeMap<String, Vec<u8>>> = Mutex::new(BTreeMap::new());
+
+/// Reads a scene, from standard input for `-`. Returns the name to show. Asked again, it gives the same bytes.
 pub fn scene(path: &str) -> Result<(String, Vec<u8>), Diagnostic> {
-    if path != "-" {
-        let help = both!(
-            "name a scene file; `hodograph new crank-rocker -o scene.json` writes one",
-            "请写机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
-        );
-        return Ok((path.to_owned(), bounded(Path::new(path), LARGEST, help)?));
+    let name = if path == "-" { STDIN } else { path }.to_owned();
+    let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(bytes) = read.get(path) {
+        return Ok((name, bytes.clone()));
     }
+    let bytes = if path == "-" { from_stdin()? } else { from_file(path)? };
+    read.insert(path.to_owned(), bytes.clone());
+    Ok((name, bytes))
+}
+
+fn from_file(path: &str) -> Result<Vec<u8>, Diagnostic> {
+    let help = both!(
+        "name a scene file; `hodograph new crank-rocker -o scene.json` writes one",
+        "请写机构文件；可用 `hodograph new crank-rocker -o scene.json` 生成一个"
+    );
+    bounded(Path::new(path), LARGEST, help)
+}
+
+fn from_stdin() -> Result<Vec<u8>, Diagnostic> {
     let mut bytes = Vec::new();
     // A shell may have put a file there: that one is not to be written over either.
     has_read(Path::new("/dev/stdin"));
     match io::stdin().lock().take(LARGEST).read_to_end(&mut bytes) {
-        Ok(_) => Ok((STDIN.to_owned(), bytes)),
+        Ok(_) => Ok(bytes),
         Err(e) => Err(Diagnostic::error("cannot-read", both!("{STDIN} cannot be read: {}", "不能读取标准输入：{}", reason(&e)))),
     }
 }

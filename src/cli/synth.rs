@@ -177,7 +177,7 @@ fn no_construction() -> Both {
 
 /// Whether a file that can be looked at is a synthesis file.
 pub fn is_task(path: &str) -> bool {
-    path != "-" && files::scene(path).is_ok_and(|(_, bytes)| synthesis::is_task(&bytes))
+    files::scene(path).is_ok_and(|(_, bytes)| synthesis::is_task(&bytes))
 }
 
 /// What a command on scenes says of a synthesis file.

@@ -72,3 +72,20 @@ fn ranges_of_lengths_are_told() {
     assert_eq!(told[3]["ranges"][0]["type"], "double crank (drag link)");
     hodograph().args(["limits", &super::templates_path("slider-crank"), "--ranges"]).assert().code(2);
 }
+
+/// A pipe gives its bytes once: a command that looks whether they are a scene or a synthesis does not lose them.
+#[test]
+fn what_comes_through_a_pipe_is_read_once() {
+    let folder = folder();
+    let text = |name: &str| hodograph().args(["new", name]).output().unwrap().stdout;
+    let pipes = if cfg!(unix) { &["-", "/dev/stdin"][..] } else { &["-"] };
+    for name in ["crank-rocker", "function"] {
+        for command in [["draw", "x/"], ["worksheet", "x.html"], ["lesson", "x.html"]] {
+            for pipe in pipes {
+                let mut run = hodograph();
+                run.current_dir(folder.path()).args([command[0], pipe, "-o", command[1]]);
+                run.write_stdin(text(name)).assert().success();
+            }
+        }
+    }
+}
