@@ -70,11 +70,7 @@ pub fn text(scene: &Scene, worked: &Worked, certified: &[Certified], digits: usi
         out.push_str(&format!(
             "{}\n",
             fill(
-                tr(
-                    lang,
-                    "drawing and analysis differ by at most {} of a value (of a thousandth of the largest of its kind, where that is more)",
-                    "图解与解析结果之差不超过该值的 {} 倍（该值小于同类最大值的千分之一时，以后者为准）",
-                ),
+                tr(lang, "greatest relative difference between drawing and analysis: {}", "图解法与解析法结果的最大相对差：{}"),
                 &[("", &significant(worst, 1))],
             )
         ));

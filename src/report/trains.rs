@@ -137,10 +137,11 @@ fn of_train(scene: &Scene, worked: &Worked, train: &Train, t: Turns, lang: Lang)
         lines.push(format!(
             "  {}",
             match lang {
-                Lang::En if drawn == "0" && solved == "0" => "polygon and analysis have the same rates".to_owned(),
+                Lang::En if drawn == "0" && solved == "0" => "polygon and analysis give the same angular velocities".to_owned(),
                 Lang::Zh if drawn == "0" && solved == "0" => "与速度多边形及解析结果一致".to_owned(),
-                Lang::En => format!("the polygon's rates differ by at most {drawn} of the largest, those of the analysis by {solved}"),
-                Lang::Zh => format!("与速度多边形所得角速度之差不超过最大值的 {drawn} 倍，与解析结果之差不超过 {solved} 倍"),
+                Lang::En =>
+                    format!("greatest relative difference of the angular velocities: {drawn} in the polygon, {solved} in the analysis"),
+                Lang::Zh => format!("角速度的最大相对差：速度多边形 {drawn}，解析法 {solved}"),
             }
         ));
     }
