@@ -258,6 +258,8 @@ fn the_course_design_of_ln_x() {
     }
     let both = json!({"synthesis": "function", "pairs": pairs, "input": {"from": "86 deg"}, "relative": "input"});
     assert!(self::design(&both).unwrap_err().contains("leave out"));
+    let count = json!({"synthesis": "function", "pairs": pairs, "points": 3});
+    assert!(self::design(&count).unwrap_err().contains("`points` has no meaning beside `pairs`"));
 }
 
 /// Precision points by Chebyshev's spacing, with the values and turns that belong to them.

@@ -21,9 +21,10 @@ use super::label::Label;
 use super::list::{Entry, Extras, Pages, Wanted};
 use super::place::LabelRequest;
 use super::polygon;
-use super::sheet::{Maker, Options, of_level};
+use super::sheet::{Maker, Options};
 use super::style::Style;
 use super::text::set;
+use crate::report::amount::of_level;
 
 /// Each wrong solution on a page.
 pub const ENTRY: Entry =

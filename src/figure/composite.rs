@@ -18,7 +18,8 @@ use super::label::Label;
 use super::list::{Entry, Pages, Wanted, page};
 use super::mechanism::{self, Composed, Vector};
 use super::place::LabelRequest;
-use super::sheet::{Maker, of_level};
+use super::sheet::Maker;
+use crate::report::amount::of_level;
 
 /// The parallelograms and the parts of the accelerations.
 pub const ENTRY: Entry = Entry {

@@ -22,8 +22,9 @@ use super::drawing::{Drawing, Part};
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Dash, Figure, Item, Shape};
 use super::label::Label;
-use super::sheet::{Maker, of_level, scale};
+use super::sheet::Maker;
 use super::symbols as sym;
+use crate::report::amount::{of_level, scale};
 
 /// Between the circles and the plan of velocities: the arrows of the plan and a name fit in.
 const APART_MM: f64 = 12.0;

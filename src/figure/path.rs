@@ -23,8 +23,9 @@ use super::item::{Anchor, Figure, Item};
 use super::label::Label;
 use super::mechanism::{Overlay, Track, overlaid};
 use super::plot::over;
-use super::results::{number, symbol};
-use super::sheet::{MARGIN_MM, Maker, Options, driver_symbol, of_level};
+use super::sheet::{MARGIN_MM, Maker, Options, driver_symbol};
+use crate::report::amount::of_level;
+use crate::report::amount::{number, symbol};
 use crate::sweep::follow::Follower;
 
 /// Positions that are numbered unless others are asked for: as many as the months, as in textbooks' course work.

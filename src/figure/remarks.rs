@@ -16,10 +16,11 @@ use crate::report::drafting;
 use crate::scene::Scene;
 use crate::worked::{Outcome, Worked};
 
-use super::results::{Answers, amount, number, sense, symbol};
+use super::results::Answers;
 use super::sheet::driver_symbol;
 use super::tables::constraint_line;
 use super::words::Words;
+use crate::report::amount::{amount, number, sense, symbol};
 
 /// The remarks, one a line.
 pub(crate) fn remarks(answers: &Answers) -> Vec<Phrase> {

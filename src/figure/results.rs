@@ -13,7 +13,7 @@ use crate::report::drafting::{self, Amount};
 use crate::scene::{Book, Find, Kind, Scene};
 use crate::worked::{Outcome, Worked};
 
-pub use crate::report::amount::{amount, number, sense, symbol};
+use crate::report::amount::{amount, number, sense, symbol};
 
 use super::drawing;
 use super::grid::{self, Cell, Row};

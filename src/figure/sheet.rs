@@ -14,7 +14,7 @@ use crate::report::given::Givens;
 use crate::scene::{Kind, Lang, Scene};
 use crate::worked::Worked;
 
-pub use crate::report::amount::{of_level, scale};
+use crate::report::amount::of_level;
 
 use super::arrange::{Pieces, Tree, arrange, arrange_in, column, put_together};
 use super::drawing::Part;

@@ -14,9 +14,10 @@ use super::drawing::Part;
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Item};
 use super::label::Label;
-use super::results::{DIGITS, number};
+use super::results::DIGITS;
 use super::style::Style;
 use super::words::{Words, words};
+use crate::report::amount::number;
 
 /// From a symbol's baseline to the row below it, and between rows.
 const ROW_MM: f64 = 7.2;

@@ -4,7 +4,7 @@
 //! Decided here: what the page holds. The construction is that of [`crate::figure::synthesis`], the motion that of
 //! [`crate::sweep::follow`]; nothing is drawn or solved anew. The page fetches nothing and holds both languages.
 
-use super::page::{filled, terse};
+use super::page::{BASE, filled, terse};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::figure::extent::Rect;
@@ -33,8 +33,7 @@ use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
 const PAGE: &str = include_str!("design.html");
-/// The look of all lessons, and what this page has beside it.
-const STYLE: [&str; 2] = [include_str!("design-page.css"), include_str!("design.css")];
+const STYLE: [&str; 2] = [BASE, include_str!("design.css")];
 const SCRIPT: &str = include_str!("design.js");
 /// Frames through a turn of the driver.
 const FRAMES: usize = 120;

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 use crate::construct::pencil::USUAL_MM;
 use crate::diag::Faults;
 use crate::figure::label::Label;
-use crate::figure::sheet;
 use crate::figure::words as figure_words;
 use crate::geom::Point;
 use crate::mechanism::Level;
@@ -15,6 +14,7 @@ use crate::plan::names::name_label;
 use crate::position::toggle::Toggle;
 use crate::render::escaped;
 use crate::render::svg::Elements;
+use crate::report::amount::of_level;
 use crate::report::math::mathml;
 use crate::report::statement::paragraphs;
 use crate::scene::driver_position;
@@ -34,8 +34,10 @@ use crate::sweep::follow::Sweep;
 /// The buttons of a drawing.
 const ZOOMS: &str = "<div class=\"zooms\"><button type=\"button\" class=\"whole\" data-title=\"whole\">⤢</button>\
     <button type=\"button\" class=\"farther\" data-title=\"farther\">−</button><button type=\"button\" class=\"nearer\" data-title=\"nearer\">+</button></div>\n";
+/// What all lessons look like; their pages add their own.
+pub const BASE: &str = include_str!("base.css");
 const PAGE: &str = include_str!("page/page.html");
-const STYLE: &str = include_str!("page/page.css");
+const STYLE: [&str; 2] = [BASE, include_str!("page/page.css")];
 /// The script, in the order of its rooms.
 const SCRIPT: [&str; 7] = [
     include_str!("page/read.js"),
@@ -109,7 +111,7 @@ pub fn page(scene: &Scene, options: &Options, sweep: &Sweep, frames: &Frames) ->
         &[
             ("lang", tag(options.lang)),
             ("title", &escaped(&title(options.lang))),
-            ("style", &terse(STYLE)),
+            ("style", &STYLE.map(terse).join("\n")),
             ("letters", &Elements::letters(drawings.iter().flat_map(|d| &d.layouts).map(|l| &l.track.elements_of))),
             ("mechanism", &mechanism),
             ("polygons", &polygons),
@@ -180,7 +182,7 @@ fn scale_formula(book: &Book, shows: Shows, mu: f64) -> String {
         Shows::Mechanism => Level::Position,
         Shows::Polygon(level) => level,
     };
-    sheet::of_level(book, level, mu)
+    of_level(book, level, mu)
 }
 
 /// A drawing with its caption, as it is first seen.

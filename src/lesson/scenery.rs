@@ -230,7 +230,7 @@ impl<'a> Studio<'a> {
             }
             Shows::Polygon(_) => {
                 let (w, p) = polygon_of(frame, self.shows, self.notation)?;
-                let drawing = polygon::drawing(&self.style, &w, &zoom::polygon(p, mu), self.full);
+                let drawing = polygon::drawing(&self.style, &w, &p.to_scale(mu), self.full);
                 // What is too long for the window has room around it.
                 let lines = drawing.bounds();
                 let room = if window.union(lines) == window { window } else { with_names(lines, self.label_mm()).union(window) };

@@ -6,12 +6,13 @@ use rayon::prelude::*;
 
 use crate::certified::ladder::Certified;
 use crate::certified::{Steps, certify, steps as certified_steps};
-use crate::figure::results::{DIGITS, amount, sense, symbol};
+use crate::figure::results::DIGITS;
 use crate::figure::words::words;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, Piece};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
+use crate::report::amount::{amount, sense, symbol};
 use crate::report::construction::sentences;
 use crate::scene::{Lang, driver_position};
 

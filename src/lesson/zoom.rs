@@ -7,7 +7,6 @@
 //! large on the screen.
 
 use crate::construct::scale::{self, Boxes, extent};
-use crate::construct::{Action, Polygon};
 use crate::figure::extent::Rect;
 use crate::figure::series::{Scales, ends, size};
 use crate::geom::{Point, Vec2};
@@ -125,34 +124,6 @@ fn middle(points: &[Point]) -> Point {
         0.5 * (low + high)
     };
     Point::new(axis(|p| p.x), axis(|p| p.y))
-}
-
-/// The polygon to another scale.
-pub fn polygon(p: &Polygon, mu: f64) -> Polygon {
-    let mut p = p.clone();
-    let k = p.mu / mu;
-    let moved = |q: &mut Point| *q = (q.to_vec2() * k).to_point();
-    p.images.iter_mut().flatten().for_each(moved);
-    for e in &mut p.edges {
-        moved(&mut e.from.1);
-        moved(&mut e.to.1);
-    }
-    for a in &mut p.actions {
-        match a {
-            Action::Nothing { at, .. } => moved(at),
-            Action::Line { through, .. } => moved(through),
-            Action::LayOff(_)
-            | Action::Cross { .. }
-            | Action::Reach(_)
-            | Action::Copy { .. }
-            | Action::Same { .. }
-            | Action::Join(_)
-            | Action::Perpendicular { .. }
-            | Action::Rate(_) => {}
-        }
-    }
-    p.mu = mu;
-    p
 }
 
 /// The pose with its diagram drawn so many times as large, about the diagram's origin.

@@ -3,10 +3,10 @@
 use super::{Block, Maker};
 use crate::figure::fit::to_part;
 use crate::figure::mechanism::Overlay;
-use crate::figure::results::symbol;
 use crate::figure::sheet::problem_diagram;
 use crate::paper::phrase::Phrase;
 use crate::plan::text::point_label;
+use crate::report::amount::symbol;
 use crate::report::given::Givens;
 use crate::report::statement::paragraphs;
 use crate::scene::quantity::{Frame, Meaning, Of};

@@ -3,14 +3,15 @@
 use super::{Block, Maker, Table, TableKind};
 use crate::construct::Polygon;
 use crate::figure::label::Label;
-use crate::figure::results::number;
-use crate::figure::sheet::{drawing, of_level};
+use crate::figure::sheet::drawing;
 use crate::figure::tables::special_line;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, fill};
 use crate::plan::names::name_label;
 use crate::plan::text::Column;
 use crate::plan::{Body, GroupSteps, Method, Rate, Spot, Step};
+use crate::report::amount::number;
+use crate::report::amount::of_level;
 use crate::report::construction::sentences;
 use crate::report::equation::{Written, written};
 use crate::report::math::Math;

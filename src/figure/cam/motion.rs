@@ -5,7 +5,6 @@ use super::super::item::{Anchor, Colour, Dash, Figure, Shape};
 use super::super::label::Label;
 use super::super::place::LabelRequest;
 use super::super::plot::{Axis, Plot, over};
-use super::super::results::number;
 use super::super::style::Style;
 use super::super::text;
 use super::super::words::words;
@@ -13,6 +12,7 @@ use super::{heading, words_at};
 use crate::cam::{Follower, Shock, Side, in_turn, round};
 use crate::geom::{Point, Vec2};
 use crate::paper::phrase::tr;
+use crate::report::amount::number;
 use crate::report::cam::Report;
 use crate::scene::{Book, Kind, Lang};
 

@@ -1,8 +1,8 @@
 //! What a line diagram shows: the answers of a sweep as panels of curves, with their extremes.
 
-use crate::figure::results::symbol;
 use crate::figure::sheet::driver_symbol;
 use crate::plan::notation::Notation;
+use crate::report::amount::symbol;
 use crate::scene::quantity::{Level, Of};
 use crate::scene::{Asked, Kind, Scene};
 use crate::sweep::{Placed, Table, zoom};

@@ -12,11 +12,11 @@ use super::item::{Anchor, Colour, Dash, Figure, Item, Shape};
 use super::label::Label;
 use super::place::LabelRequest;
 use super::plot::{Axis, Plot, over};
-use super::results::number;
 use super::style::Style;
 use super::words::words;
 use crate::geom::{Point, Vec2};
 use crate::paper::phrase::tr;
+use crate::report::amount::number;
 use crate::scene::{Lang, Scene};
 use diagram::DEGREE;
 

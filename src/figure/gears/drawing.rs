@@ -7,12 +7,12 @@ use crate::figure::drawing::{Drawing, Part};
 use crate::figure::item::{Dash, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::place::LabelRequest;
-use crate::figure::sheet::scale;
 use crate::figure::symbols as sym;
 use crate::gears::{Gear, Mate};
 use crate::geom::{Point, Vec2};
 use crate::paper::phrase::tr;
 use crate::plan::names::{name_label, point_label};
+use crate::report::amount::scale;
 use crate::scene::{Kind, Lang};
 
 use super::Drawn;

@@ -6,9 +6,10 @@ use crate::figure::arrange::{Tree, put_together};
 use crate::figure::drawing::Part;
 use crate::figure::label::Label;
 use crate::figure::polygon::plates;
-use crate::figure::sheet::{Maker, of_level};
+use crate::figure::sheet::Maker;
 use crate::mechanism::Level;
 use crate::paper::phrase::tr;
+use crate::report::amount::of_level;
 use crate::report::plan::group_words;
 
 use super::{Entry, Pages, Wanted};

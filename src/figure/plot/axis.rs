@@ -1,6 +1,6 @@
 //! An axis, linear or of powers of ten: its range, its ticks and their names.
 
-use crate::figure::results::number;
+use crate::report::amount::number;
 
 /// Steps between the ticks of an axis that people read without thinking, of a power of ten; for degrees their own.
 const STEPS: [f64; 4] = [1.0, 2.0, 2.5, 5.0];

@@ -4,9 +4,9 @@ use crate::construct::scale;
 use crate::figure::drawing::Drawing;
 use crate::figure::item::{Anchor, Colour, Shape};
 use crate::figure::label::Label;
-use crate::figure::sheet::of_level;
 use crate::figure::style::Style;
 use crate::geom::{Point, Vec2};
+use crate::report::amount::of_level;
 
 use super::names::Shown;
 use super::{Draft, SAME_MM, ZERO_MM, middle};

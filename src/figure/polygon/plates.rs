@@ -56,7 +56,7 @@ fn plate(style: &Style, w: &Writer, p: &Polygon, mine: &dyn Fn(usize) -> bool) -
         all.clone().fold(f64::NEG_INFINITY, f64::max) - all.fold(f64::INFINITY, f64::min)
     };
     let mu = scale::choose_in(w.scene.book.size(p.level.kind()), [over(|q| q.x) * p.mu, over(|q| q.y) * p.mu], ROOM_MM);
-    let own = to_scale(p, mu);
+    let own = p.to_scale(mu);
     let draft = Draft::of(w, &own).only(mine)?;
     let (drawing, names) = draft.draw(style, &[]);
     let part = drawing.finish();
@@ -96,31 +96,6 @@ fn groups_of_actions(w: &Writer, p: &Polygon) -> Vec<Option<usize>> {
         before = out[k].or(before);
     }
     out
-}
-
-/// The same polygon to another scale.
-fn to_scale(p: &Polygon, mu: f64) -> Polygon {
-    let k = p.mu / mu;
-    let at = |q: Point| (q.to_vec2() * k).to_point();
-    let mut own = Polygon { mu, ..p.clone() };
-    own.images.iter_mut().flatten().for_each(|q| *q = at(*q));
-    for e in &mut own.edges {
-        (e.from.1, e.to.1) = (at(e.from.1), at(e.to.1));
-    }
-    for action in &mut own.actions {
-        match action {
-            Action::Nothing { at: place, .. } | Action::Line { through: place, .. } => *place = at(*place),
-            Action::LayOff(_)
-            | Action::Cross { .. }
-            | Action::Reach(_)
-            | Action::Copy { .. }
-            | Action::Same { .. }
-            | Action::Join(_)
-            | Action::Perpendicular { .. }
-            | Action::Rate(_) => {}
-        }
-    }
-    own
 }
 
 impl Draft<'_> {

@@ -9,10 +9,11 @@ use crate::figure::item::{Anchor, Figure, Item, Shape, Stroke};
 use crate::figure::label::Label;
 use crate::figure::path::turned;
 use crate::figure::plot::over;
-use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol, of_level};
+use crate::figure::sheet::{MARGIN_MM, Maker, driver_symbol};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::paper::phrase::{fill, formula, tr};
+use crate::report::amount::of_level;
 use crate::scene::Kind;
 
 /// Air around a drawing in its cell.

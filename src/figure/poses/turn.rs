@@ -8,9 +8,10 @@ use super::{Poses, Table, Wanted, text};
 use crate::diag::{Faults, Warned};
 use crate::figure::item::{Anchor, Figure, Item};
 use crate::figure::label::Label;
-use crate::figure::sheet::{MARGIN_MM, Maker, Options, driver_symbol, of_level};
+use crate::figure::sheet::{MARGIN_MM, Maker, Options, driver_symbol};
 use crate::geom::Point;
 use crate::mechanism::Level;
+use crate::report::amount::of_level;
 use crate::scene::Scene;
 use crate::worked::Worked;
 

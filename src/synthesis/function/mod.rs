@@ -67,6 +67,12 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let fit = if form.has("fit") { form.choice("fit", &["points", "minimax"])? } else { "points" };
     let frame = if form.has("frame") { Some(form.size("frame")?) } else { None };
     let crank = if form.has("crank") { Some(form.size("crank")?) } else { None };
+    for (key, with) in [("points", "pairs"), ("relative", "function")] {
+        if form.has(key) && form.has(with) {
+            let message = both!("`{key}` has no meaning beside `{with}`", "`{key}` 与 `{with}` 不能同时给出");
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span(key)).help(both!("leave it out", "请去掉它")));
+        }
+    }
     let (target, steps, start) = match (form.has("function"), form.has("pairs")) {
         (true, false) => of_curve(form)?,
         (false, true) => of_pairs(form)?,

@@ -214,6 +214,32 @@ impl Polygon {
         self.images.iter().flatten().map(|p| p.to_vec2().norm()).fold(0.0, f64::max) * self.mu
     }
 
+    /// The same polygon to another scale.
+    pub fn to_scale(&self, mu: f64) -> Polygon {
+        let k = self.mu / mu;
+        let moved = |at: &mut Point| *at = (at.to_vec2() * k).to_point();
+        let mut own = Polygon { mu, ..self.clone() };
+        own.images.iter_mut().flatten().for_each(moved);
+        for e in &mut own.edges {
+            moved(&mut e.from.1);
+            moved(&mut e.to.1);
+        }
+        for action in &mut own.actions {
+            match action {
+                Action::Nothing { at, .. } | Action::Line { through: at, .. } => moved(at),
+                Action::LayOff(_)
+                | Action::Cross { .. }
+                | Action::Reach(_)
+                | Action::Copy { .. }
+                | Action::Same { .. }
+                | Action::Join(_)
+                | Action::Perpendicular { .. }
+                | Action::Rate(_) => {}
+            }
+        }
+        own
+    }
+
     /// Whether it is a single point: all its vectors are zero.
     pub fn is_empty(&self) -> bool {
         self.extent() == [0.0, 0.0]

@@ -127,40 +127,26 @@ impl Assembly<'_, f64> {
                     (at.distance(centre) - given).abs()
                 }
             };
+            let beside = || {
+                both!(
+                    "pin {} lies {} beside its guide on link {}",
+                    "销 {} 偏离构件 {2} 上的导路 {1}",
+                    self.scene.point_name(p),
+                    self.scene.length_words(off),
+                    self.scene.link_name(guide.on)
+                )
+            };
             if off > same_place(extent, at) {
-                self.faults.push(
-                    Diagnostic::error(
-                        "pin-off-guide",
-                        both!(
-                            "pin {} lies {} beside its guide on link {}",
-                            "销 {} 偏离构件 {2} 上的导路 {1}",
-                            self.scene.point_name(p),
-                            self.scene.length_words(off),
-                            self.scene.link_name(guide.on)
-                        ),
-                    )
-                    .at(guide.span)
-                    .help(both!(
-                        "correct its coordinates or the guide, or leave out what can be derived",
-                        "请改正其坐标或导路，或去掉可推出的数据"
-                    )),
-                );
+                self.faults.push(Diagnostic::error("pin-off-guide", beside()).at(guide.span).help(both!(
+                    "correct its coordinates or the guide, or leave out what can be derived",
+                    "请改正其坐标或导路，或去掉可推出的数据"
+                )));
             } else if off > told_apart(extent, at) {
                 let what = match guide.path {
                     GuidePath::Arc { .. } => both!("the radius is what they make it", "半径由坐标确定"),
                     GuidePath::Line { .. } => both!("the guide runs through them", "导路通过该处"),
                 };
-                self.notes.push(given_twice(
-                    both!(
-                        "pin {} lies {} beside its guide on link {}",
-                        "销 {} 偏离构件 {2} 上的导路 {1}",
-                        self.scene.point_name(p),
-                        self.scene.length_words(off),
-                        self.scene.link_name(guide.on)
-                    ),
-                    what,
-                    guide.span,
-                ));
+                self.notes.push(given_twice(beside(), what, guide.span));
             }
         }
         self.check_rolling(c);

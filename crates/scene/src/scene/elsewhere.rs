@@ -25,7 +25,7 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
         DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => {
             *x = Given { value: position, radius, text: format!("({position:?}) m"), span: x.span };
         }
-        _ => {}
+        DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. } => {}
     }
     scene.set_followers(driver, None);
     scene
