@@ -311,7 +311,7 @@ pub struct Curves {
     pub range: Range,
     #[command(flatten)]
     pub look: Look,
-    /// The file, ending in .svg, .png or .pdf
+    /// The file, ending in .svg or .png (all panels over one another) or .pdf (pages of A4)
     #[arg(short, long, value_name = "FILE")]
     pub output: String,
 }

@@ -5,7 +5,7 @@ use super::draw::style_of;
 use super::sweep::{STEPS, ask, driver_of, stations, within};
 use super::{Failure, Input, Run, choices, files};
 use crate::diag::{Diagnostic, Faults, both};
-use crate::figure::curves::{Diagram, figure};
+use crate::figure::curves::{self, Diagram};
 use crate::mechanism::Mechanism;
 use crate::position::Path;
 use crate::scene::quantity::Meaning;
@@ -45,7 +45,9 @@ pub fn run(a: Curves) -> Run {
     }
     let (lang, notation) = choices(&input.scene, &a.common);
     let diagram = Diagram::of(&placed, driver, &table, &style.marks.over(&notation));
-    input.notes.extend(files::figure(&figure(&input.scene, &diagram, &style, lang), &a.output)?);
+    let (one, pages) = (|| curves::figure(&input.scene, &diagram, &style, lang), || curves::pages(&input.scene, &diagram, &style, lang));
+    let notes = files::figure_or_pages(one, pages, &a.output)?;
+    input.notes.extend(notes);
     files::print_names(&format!("{}\n", a.output))?;
     input.notes.extend(table.notes);
     input.say_notes();

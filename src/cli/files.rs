@@ -184,6 +184,11 @@ const DPI: f64 = 200.0;
 
 /// Writes one figure to a file ending in .svg, .png or .pdf. Returns the notes.
 pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
+    figure_or_pages(|| figure.clone(), || vec![figure.clone()], path)
+}
+
+/// Writes what makes one figure, and pages in a document of pages. Returns the notes.
+pub fn figure_or_pages(one: impl Fn() -> Figure, pages: impl Fn() -> Vec<Figure>, path: &str) -> Result<Vec<Diagnostic>, Failure> {
     let Some(format) = ending(path).and_then(|e| Format::of(&e)) else {
         let d = Diagnostic::error(
             "output",
@@ -195,7 +200,11 @@ pub fn figure(figure: &Figure, path: &str) -> Result<Vec<Diagnostic>, Failure> {
             d.help(both!("write -o figure.svg, -o figure.png or -o figure.pdf", "请写 -o figure.svg、-o figure.png 或 -o figure.pdf")),
         ));
     };
-    let Warned { value, notes } = bytes(figure, format, Text::Outlines, DPI).map_err(|f| Failure::input(f, "", ""))?;
+    let made = match format {
+        Format::Pdf => pdf::pdf(&pages()),
+        Format::Svg | Format::Png => bytes(&one(), format, Text::Outlines, DPI),
+    };
+    let Warned { value, notes } = made.map_err(|f| Failure::input(f, "", ""))?;
     write(Path::new(path), &value)?;
     Ok(notes)
 }

@@ -1,6 +1,7 @@
-//! What is given, as a list: lengths, fixed points, guides, gears and wheels ([`rolling`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
+//! What is given, as a list: lengths, fixed points, guides ([`guide`]), gears and wheels ([`rolling`]), cams ([`cams`]), drivers. Numbers as the scene writes them.
 
 mod cams;
+mod guide;
 mod rolling;
 
 use super::amount::{number, scale};
@@ -9,7 +10,7 @@ use crate::paper::phrase::{Phrase, tr};
 use crate::paper::words::{Words, words};
 use crate::plan::names::name_label;
 use crate::plan::text::point_label;
-use crate::scene::{Angle, Book, Direction, DriverKind, Given, Guide, GuidePath, Kind, Lang, LinkId, Place, PointId, Scene, Through, Told};
+use crate::scene::{Angle, Book, DriverKind, Given, Kind, Lang, LinkId, Place, PointId, Scene, Told};
 
 /// Digits of a given number that is not written as such but computed by the scene, as in `2*r`.
 const DIGITS: usize = 6;
@@ -101,11 +102,12 @@ impl Givens<'_> {
             Place::Unknown => return None,
             Place::At([x, y]) => format!("${symbol} = ({}, {})$", self.length(x), self.length(y)),
             Place::InLink { base: (a, b), xy: [x, y] } => {
+                let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
                 let (a, b) = (self.point(*a), self.point(*b));
                 let back = x.value < 0.0;
                 let along = match self.lang() {
                     Lang::En => format!("${symbol}$ is ${}$ from {a} {} {b}", self.unsigned(x), if back { "away from" } else { "toward" }),
-                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {a}{b} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
+                    Lang::Zh => format!("${symbol}$ 自 {a} 沿 {line} {} ${}$", if back { "的反方向" } else { "方向" }, self.unsigned(x)),
                 };
                 let left = y.value > 0.0;
                 match self.lang() {
@@ -123,65 +125,6 @@ impl Givens<'_> {
                 }
             }
         })
-    }
-
-    fn guide(&self, g: &Guide) -> String {
-        let on = self.link(g.on);
-        let runner = match (g.pin, g.slider, self.lang()) {
-            (Some(p), Some(s), Lang::En) => format!("slider {} (pin {})", self.link(s), self.point(p)),
-            (Some(p), Some(s), Lang::Zh) => format!("滑块 {}（销 {}）", self.link(s), self.point(p)),
-            (Some(p), None, Lang::En) => format!("pin {}", self.point(p)),
-            (Some(p), None, Lang::Zh) => format!("销 {}", self.point(p)),
-            (None, Some(s), Lang::En) => format!("link {}", self.link(s)),
-            (None, Some(s), Lang::Zh) => format!("构件 {}", self.link(s)),
-            (None, None, _) => String::new(),
-        };
-        let path = self.path(&g.path);
-        match self.lang() {
-            Lang::En => format!("{runner} slides in a guide of link {on}{path}"),
-            Lang::Zh => format!("{runner} 沿构件 {on} 上的导路滑动{path}"),
-        }
-    }
-
-    fn path(&self, path: &GuidePath) -> String {
-        let en = self.lang() == Lang::En;
-        match path {
-            GuidePath::Arc { centre, radius } => {
-                let r = radius.as_ref().map(|r| format!("{}$\\rho = {}$", self.words().comma, self.length(r))).unwrap_or_default();
-                let centre = self.point(*centre);
-                if en { format!(" along an arc about {centre}{r}") } else { format!("，圆弧槽，圆心 {centre}{r}") }
-            }
-            GuidePath::Line { through, direction, offset } => {
-                let mut out = match direction {
-                    Direction::Along(a, b, turn) => {
-                        let line = format!("${}{}$", point_label(self.name(*a)), point_label(self.name(*b)));
-                        let turned = turn.as_ref().map(|t| format!("${}$", self.angle(t)));
-                        match (turned, en) {
-                            (None, true) => format!(" along {line}"),
-                            (None, false) => format!("，沿 {line}"),
-                            (Some(t), true) => format!(" in the direction of {line} turned by {t}"),
-                            (Some(t), false) => format!("，方向由 {line} 转过 {t}"),
-                        }
-                    }
-                    Direction::Instant(a) => match en {
-                        true => format!(" at ${}$ to the horizontal", self.angle(a)),
-                        false => format!("，与水平线成 ${}$", self.angle(a)),
-                    },
-                    Direction::Own => String::new(),
-                };
-                out += &match through {
-                    Through::Pin => String::new(),
-                    Through::Point(p) if matches!(direction, Direction::Along(a, b, None) if a == p || b == p) => String::new(),
-                    Through::Point(p) => format!("{}{}", self.tr(" through ", "，过 "), self.point(*p)),
-                    Through::At([x, y]) => format!("{}$({}, {})$", self.tr(" through ", "，过点 "), self.length(x), self.length(y)),
-                };
-                if let Some(o) = offset {
-                    let by = self.length(o);
-                    out += &if en { format!(", offset ${by}$ to the left") } else { format!("，向左偏距 ${by}$") };
-                }
-                out
-            }
-        }
     }
 
     fn driver(&self, d: usize) -> String {

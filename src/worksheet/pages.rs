@@ -3,22 +3,19 @@
 //! Decided here: where pages break (a heading stays with what follows, a table or drawing is never cut, a drawing that
 //! does not fit goes to the top of the next page while the text flows on), and page numbers. Drawings keep their
 //! millimetres, because their scales are true; one that is larger than the page's text has a page as large as itself.
+//! [`blocks`] makes the boxes that are put on them.
+
+mod blocks;
 
 use std::collections::VecDeque;
 
-use super::display::built;
-use super::{Block, Document, Table, TableKind};
-use crate::figure::extent::{bounds, translate};
+use super::{Block, Document};
+use crate::figure::extent::translate;
 use crate::figure::font::own::Fonts;
-use crate::figure::grid::{self, Cell, Row};
-use crate::figure::item::{Anchor, Colour, Figure, Item, Shape, Stroke};
+use crate::figure::item::{Anchor, Colour, Item, Shape};
 use crate::figure::label::Label;
-use crate::figure::lines::wrapped;
-use crate::figure::text;
 use crate::geom::{Point, Vec2};
-use crate::paper::phrase::Phrase;
 use crate::render::pages::{Kind, Page, Part};
-use crate::report::math::Math;
 
 /// A4.
 const PAPER_MM: [f64; 2] = [210.0, 297.0];
@@ -35,40 +32,14 @@ const FULL_MM: f64 = PAPER_MM[0] - 2.0 * SIDE_MM;
 const BESIDE_PART: f64 = 0.42;
 /// The same for a side that else runs over its page: the text keeps 45 mm, some twenty letters.
 const WIDE_BESIDE_PART: f64 = 0.69;
-/// A formula beside the table it is solved from begins here, so that those of a page stand one below another; and at least so far
-/// from its table.
-const FORMULA_MM: f64 = 105.0;
-const FORMULA_GAP_MM: f64 = 10.0;
 /// Between such a drawing and the text.
 const BESIDE_GAP_MM: f64 = 8.0;
-/// Room worth filling with text when a drawing does not fit in it.
-const FLOW_MM: f64 = 70.0;
-/// The same where pages are filled to the end: three lines.
-const LINES_MM: f64 = 18.0;
 /// Size of the type: 11 point.
 const TEXT_MM: f64 = 3.9;
-/// Sizes of the headings, title first.
-const HEADINGS_MM: [f64; 4] = [6.2, 5.2, 4.5, 4.1];
 /// Distance of baselines, in em: formulas in the line have scripts above and below.
 const LINE_EM: f64 = 1.6;
 /// The same where the text is set closer: less, and the scripts of two lines touch.
 const CLOSE_LINE_EM: f64 = 1.4;
-/// Air above headings, and between blocks, in em of the text.
-const HEADING_AIR_EM: [f64; 4] = [0.0, 1.6, 1.2, 0.8];
-const BLOCK_AIR_EM: f64 = 0.6;
-/// From the margin to the text of a list's member.
-const INDENT_MM: f64 = 7.5;
-/// A list of fewer members does not stand in columns.
-const COLUMNS_MIN: usize = 4;
-/// Between the columns of tables; an equation's are nearer than a table's.
-const EQUATION_GAP_MM: f64 = 2.2;
-const VALUES_GAP_MM: f64 = 5.0;
-/// Rows of a table that fit on a page below a heading.
-const ROWS_MAX: usize = 34;
-/// Of a table that is cut no part is shorter, its head not counted.
-const ROWS_MIN: usize = 3;
-/// A table that is too wide is set smaller, down to this part of the text's size: 2.2 mm is the smallest that prints.
-const SMALLEST: f64 = 0.6;
 
 /// How a side is set.
 #[derive(Clone, Copy)]
@@ -277,239 +248,6 @@ impl Setter {
             self.break_page();
         }
         self.pages.append(&mut self.large);
-    }
-
-    fn heading(&mut self, level: usize, words: &str) {
-        // No section begins before the drawings of the one before it are shown.
-        if !self.drawings.is_empty() && level <= 2 {
-            self.break_page();
-            while !self.drawings.is_empty() {
-                self.break_page();
-            }
-        }
-        let size = HEADINGS_MM[level.min(HEADINGS_MM.len() - 1)];
-        let air = HEADING_AIR_EM[level.min(HEADING_AIR_EM.len() - 1)] * self.air();
-        let width = self.width();
-        for (k, label) in wrapped(&Phrase::new(&words.replace('$', "")), width, size, &self.fonts).into_iter().enumerate() {
-            let title = if k == 0 { words.to_owned() } else { label.plain() };
-            let (anchor, x) = if level == 0 { (Anchor::Middle, width / 2.0) } else { (Anchor::Start, 0.0) };
-            let height_mm = size * 1.35;
-            let item = line(&label, Point::new(x, -size), size, anchor);
-            let kind = if k == 0 { Kind::Heading { level: level as u16 + 1, title } } else { Kind::Paragraph };
-            self.waiting.push(Chunk { kind, items: vec![item], height_mm, air_mm: if k == 0 { air } else { 0.0 } });
-        }
-    }
-
-    fn paragraph(&mut self, phrase: &Phrase) {
-        let air_mm = BLOCK_AIR_EM * self.air();
-        if !phrase.plain().trim_end().ends_with([':', '：']) {
-            return self.lines(phrase, 0.0, None, air_mm, false);
-        }
-        // What announces a table or a formula stays with it.
-        let step = self.setting.line_em * TEXT_MM;
-        for (k, label) in wrapped(phrase, self.width(), TEXT_MM, &self.fonts).iter().enumerate() {
-            let items = vec![line(label, Point::new(0.0, -TEXT_MM * 1.1), TEXT_MM, Anchor::Start)];
-            let air_mm = if k == 0 { air_mm } else { 0.0 };
-            self.waiting.push(Chunk { kind: Kind::Paragraph, items, height_mm: step, air_mm });
-        }
-    }
-
-    fn list(&mut self, numbered: bool, members: &[Phrase]) {
-        if self.setting.columns && !numbered && self.columns(members) {
-            return;
-        }
-        for (k, m) in members.iter().enumerate() {
-            let mark = if numbered { format!("{}.", k + 1) } else { "–".to_owned() };
-            let air = if k == 0 { BLOCK_AIR_EM / 2.0 } else { 0.12 } * self.air();
-            // No member stands alone at the end of a page or at its beginning.
-            let wait = k + 1 < members.len() && (k == 0 || k + 2 == members.len());
-            self.lines(m, INDENT_MM, Some(mark), air, wait);
-        }
-    }
-
-    /// A list in two columns, one below another in each: halves of the text where its members are no longer; false where they do not
-    /// stand beside one another at all.
-    fn columns(&mut self, members: &[Phrase]) -> bool {
-        let (width, step) = (self.width(), self.setting.line_em * TEXT_MM);
-        let rows = members.len().div_ceil(2);
-        let labels: Vec<Label> = members.iter().map(|m| m.label().in_fonts(&self.fonts)).collect();
-        let wide = |some: &[Label]| INDENT_MM + some.iter().map(|l| text::set(l).width_em * TEXT_MM).fold(0.0, f64::max);
-        let [first, second] = [wide(&labels[..rows]), wide(&labels[rows..])];
-        let column = if first.max(second) <= width / 2.0 { width / 2.0 } else { first + VALUES_GAP_MM };
-        if labels.len() < COLUMNS_MIN || column + second > width {
-            return false;
-        }
-        let mut items = Vec::new();
-        for (k, label) in labels.iter().enumerate() {
-            let at = Point::new((k / rows) as f64 * column + INDENT_MM, -((k % rows) as f64) * step - TEXT_MM * 1.1);
-            items.push(line(&Label::text("–").in_fonts(&self.fonts), at - Vec2::new(1.8, 0.0), TEXT_MM, Anchor::End));
-            items.push(line(label, at, TEXT_MM, Anchor::Start));
-        }
-        let air_mm = BLOCK_AIR_EM / 2.0 * self.air();
-        self.put(Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm });
-        true
-    }
-
-    /// Lines of text; the first two and the last two stay together. Those that wait stay with what follows them.
-    fn lines(&mut self, phrase: &Phrase, indent: f64, mark: Option<String>, air_mm: f64, wait: bool) {
-        let labels = wrapped(phrase, self.width() - indent, TEXT_MM, &self.fonts);
-        let count = labels.len();
-        let step = self.setting.line_em * TEXT_MM;
-        let mut group: Vec<Item> = Vec::new();
-        let (mut rows, mut first) = (0, true);
-        for (k, label) in labels.iter().enumerate() {
-            let y = -(rows as f64) * step - TEXT_MM * 1.1;
-            if let (0, Some(mark)) = (k, &mark) {
-                group.push(line(&Label::text(mark.clone()).in_fonts(&self.fonts), Point::new(indent - 1.8, y), TEXT_MM, Anchor::End));
-            }
-            group.push(line(label, Point::new(indent, y), TEXT_MM, Anchor::Start));
-            rows += 1;
-            let held = k == 0 && count > 1 || k + 2 == count;
-            if !held {
-                let air_mm = if first { air_mm } else { 0.0 };
-                let items = std::mem::take(&mut group);
-                let chunk = Chunk { kind: Kind::Paragraph, items, height_mm: rows as f64 * step, air_mm };
-                if wait && k + 1 == count {
-                    self.waiting.push(chunk);
-                } else {
-                    self.put(chunk);
-                }
-                (rows, first) = (0, false);
-            }
-        }
-    }
-
-    /// A table; one longer than a page goes on under its head again.
-    fn table(&mut self, table: &Table) {
-        if let Some((head, rows)) = table.rows.split_first()
-            && rows.len() > ROWS_MAX
-        {
-            for some in rows.chunks(ROWS_MAX) {
-                let rows = std::iter::once(head).chain(some).cloned().collect();
-                self.table(&Table { kind: table.kind, rows });
-            }
-            return;
-        }
-        if let Some(fit) = self.fitting(table).filter(|_| self.setting.filled) {
-            let (here, there) = table.rows.split_at(fit);
-            let rest = table.rows[..1].iter().chain(there).cloned().collect();
-            self.table(&Table { kind: table.kind, rows: here.to_vec() });
-            self.break_page();
-            return self.table(&Table { kind: table.kind, rows: rest });
-        }
-        let gap = if table.kind == TableKind::Equation { EQUATION_GAP_MM } else { VALUES_GAP_MM };
-        let set = |scale: f64| {
-            let rows: Vec<Row> = table.rows.iter().enumerate().map(|(r, row)| self.cells(table.kind, r, row, TEXT_MM * scale)).collect();
-            grid::set(&rows, gap * scale)
-        };
-        let mut items = set(1.0);
-        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
-        let room = self.width();
-        let scale = (room / wide).clamp(SMALLEST, 1.0);
-        if scale < 1.0 {
-            items = set(scale);
-        }
-        let step = self.setting.line_em * TEXT_MM * scale;
-        if table.kind == TableKind::Values {
-            let y = -step * 1.15;
-            let to = bounds(&items).map_or(0.0, |b| b.max.x);
-            let shape = Shape::Line { from: Point::new(0.0, y), to: Point::new(to, y), stroke: Stroke::new(0.2) };
-            items.push(Item::new("rule", shape));
-        } else if wide * scale < room - INDENT_MM {
-            translate(&mut items, Vec2::new(INDENT_MM, 0.0));
-        }
-        let cell = |c: &Phrase| c.plain();
-        let words = table.rows.iter().map(|r| r.iter().map(cell).collect::<Vec<_>>().join(" ")).collect::<Vec<_>>().join("; ");
-        let height_mm = table.rows.len() as f64 * step + 0.5 * step;
-        let right = bounds(&items).map_or(0.0, |b| b.max.x);
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
-        let middle = self.y + height_mm - (table.rows.len() + 1) as f64 / 2.0 * step;
-        self.table = (table.kind == TableKind::Equation).then_some([room, right, middle]);
-    }
-
-    /// How many rows of a table of values fit on the rest of this page, if they are not all but enough to cut it.
-    fn fitting(&self, table: &Table) -> Option<usize> {
-        let above: f64 = self.waiting.iter().map(|c| c.air_mm + c.height_mm).sum();
-        let step = self.setting.line_em * TEXT_MM;
-        // The head, and the air around the table, take the room of two rows.
-        let fit = ((self.room() - above - BLOCK_AIR_EM * self.air()) / step) as usize;
-        let (fit, all) = (fit.saturating_sub(1), table.rows.len());
-        let enough = table.kind == TableKind::Values && fit > ROWS_MIN && fit + ROWS_MIN <= all && all <= ROWS_MAX;
-        (enough && !self.fresh()).then_some(fit)
-    }
-
-    /// A row of a table.
-    fn cells(&self, kind: TableKind, r: usize, row: &[Phrase], size_mm: f64) -> Row {
-        let cell = |(c, phrase): (usize, &Phrase)| {
-            let anchor = match kind {
-                TableKind::Equation if c > 0 => Anchor::Middle,
-                _ => Anchor::Start,
-            };
-            let label = phrase.label().in_fonts(&self.fonts);
-            (!phrase.pieces().is_empty()).then(|| Cell { label, size_mm, anchor, class: "cell".into(), id: String::new() })
-        };
-        // The second row stands off the rule below the head.
-        let air = if kind == TableKind::Values && r == 1 { 1.2 } else { 1.0 };
-        let height = if r == 0 { 0.9 } else { air };
-        Row { cells: row.iter().enumerate().map(cell).collect(), height_mm: height * self.setting.line_em * size_mm }
-    }
-
-    /// A formula: beside the table that it is solved from where there is room, else on a line of its own.
-    fn formula(&mut self, parts: &[Math]) {
-        let built = built(parts, TEXT_MM, &self.fonts);
-        let mut items = built.items;
-        let words = parts.iter().map(Math::plain).collect::<Vec<_>>().join(" ");
-        let wide = bounds(&items).map_or(0.0, |b| b.max.x);
-        if let Some([room, right, y]) = self.table.take() {
-            let x = FORMULA_MM.max(right + FORMULA_GAP_MM);
-            if self.waiting.is_empty() && x + wide <= room && y - built.below >= self.y {
-                translate(&mut items, Vec2::new(SIDE_MM + x, y));
-                self.parts.push(Part { kind: Kind::Formula(words), items });
-                return;
-            }
-        }
-        translate(&mut items, Vec2::new(INDENT_MM * 2.0, -built.above));
-        let height_mm = built.above + built.below + BLOCK_AIR_EM / 2.0 * TEXT_MM;
-        self.put(Chunk { kind: Kind::Formula(words), items, height_mm, air_mm: BLOCK_AIR_EM * self.air() });
-    }
-
-    fn figure(&mut self, figure: &Figure) {
-        let mut items = figure.items.clone();
-        // White is the paper itself.
-        if figure.paper != Colour::WHITE {
-            let corners = [(0.0, 0.0), (figure.width_mm, 0.0), (figure.width_mm, figure.height_mm), (0.0, figure.height_mm)];
-            let points = corners.map(|(x, y)| Point::new(x, y)).to_vec();
-            items.insert(0, Item::new("paper", Shape::Polyline { points, closed: true, stroke: None, fill: Some(figure.paper) }));
-        }
-        let Some(ink) = bounds(&items) else { return };
-        let (wide, high) = (ink.width_mm(), ink.height_mm());
-        let kind = Kind::Figure(figure.desc.clone());
-        if wide > FULL_MM || high > PAPER_MM[1] - TOP_MM - BOTTOM_MM {
-            // Below it there is room for the page number.
-            translate(&mut items, Vec2::new(0.0, FOOT_MM));
-            let parts = vec![Part { kind, items }];
-            self.large.push(Page { width_mm: figure.width_mm, height_mm: figure.height_mm + FOOT_MM, parts });
-            return;
-        }
-        let air_mm = BLOCK_AIR_EM * 1.5 * self.air();
-        self.clear();
-        if wide <= self.setting.beside_part * FULL_MM && self.waiting.is_empty() && air_mm + high <= self.room() {
-            translate(&mut items, Vec2::new(SIDE_MM + FULL_MM - ink.max.x, self.y - air_mm - ink.max.y));
-            self.parts.push(Part { kind, items });
-            self.beside = Some([wide, self.y - air_mm - high]);
-            return;
-        }
-        translate(&mut items, Vec2::new((FULL_MM - wide) / 2.0 - ink.min.x, -ink.max.y));
-        let chunk = Chunk { kind, items, height_mm: high + air_mm, air_mm };
-        let mut together: Vec<&Chunk> = self.waiting.iter().collect();
-        together.push(&chunk);
-        // With little room left, heading and drawing go on together; with much, the text flows on before the drawing.
-        let worth = if self.setting.filled { LINES_MM } else { FLOW_MM };
-        if self.need(&together) > self.room() && !self.fresh() && self.room() > worth {
-            self.drawings.push_back(chunk);
-        } else {
-            self.put(chunk);
-        }
     }
 }
 

@@ -114,6 +114,7 @@ impl Maker<'_> {
         }
         match (what.of(), self.lang()) {
             (Of::Point(p), Lang::En) => format!("{name} of {}", spot(&p)),
+            (Of::Point(p), Lang::Zh) if p.link.is_some() => format!("{}的{name}", spot(&p)),
             (Of::Point(p), Lang::Zh) => format!("{} 的{name}", spot(&p)),
             (Of::Points(a, b), Lang::En) if a.point == b.point => {
                 format!("{name} at {}, of {} relative to {}", self.point(a.point), of_link(&a), of_link(&b))

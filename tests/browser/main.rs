@@ -1,9 +1,11 @@
-//! The lesson in a real Chromium: what is dragged and stepped through must show what the library computes.
+//! Lessons and sheets in a real Chromium: what is dragged and stepped through must show what the library computes, ink must stand where the
+//! checks of sheets take it to be ([`ink`]).
 //!
 //! The browser is `$CHROMIUM`, `chromium`, `chromium-browser` or `google-chrome`; without one these tests say that they were
 //! skipped. (Debian and Ubuntu: `apt-get install chromium`.)
 
 mod chromium;
+mod ink;
 mod predict;
 mod stage;
 

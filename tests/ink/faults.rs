@@ -34,7 +34,7 @@ const NAMES: [&str; 8] = [
 const FORBIDDEN: [usize; 4] = [0, 2, 3, 4];
 /// Kinds of which there is one in so many sheets at most: where vectors are many and short there is no place without them.
 const RARE: [usize; 3] = [1, 5, 6];
-const ONE_IN: usize = 12;
+const ONE_IN: usize = 20;
 
 impl Faults {
     pub fn add(&mut self, other: Faults) {

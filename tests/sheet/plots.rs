@@ -56,6 +56,10 @@ fn plots_stay_on_the_paper_and_their_names_apart() {
             assert!(named("10^{−10}") >= 2 && named("1") >= 2, "both vertical axes have their powers of ten");
             faults.extend(faults_of(&figure, &format!("accuracy {} {lang:?}", style.name)));
             let diagram = Diagram::of(&placed, 0, &table, &Notation::of_language(lang));
+            for (k, page) in curves::pages(&scene, &diagram, &style, lang).iter().enumerate() {
+                assert_eq!((page.width_mm, page.height_mm), (210.0, 297.0));
+                faults.extend(faults_of(page, &format!("curves {} {lang:?} page {k}", style.name)));
+            }
             let figure = curves::figure(&scene, &diagram, &style, lang);
             // More lines than kinds of dashes are told apart all the same.
             let mut strokes: Vec<String> = Vec::new();

@@ -20,7 +20,7 @@ use crate::report::amount::number;
 use crate::scene::{Lang, Scene};
 use diagram::DEGREE;
 
-/// A panel's plot, in mm: three stand over one another on A4 upright.
+/// A panel's plot, in mm.
 const PLOT_MM: [f64; 2] = [150.0, 62.0];
 /// Room for the numbers of the vertical axis, and right of the plot for names.
 const LEFT_MM: f64 = 30.0;
@@ -36,11 +36,25 @@ const ZERO_NEAR: f64 = 0.5;
 /// Digits of the extremes: more than can be read off a diagram, and fewer than a sweep in `f64` has.
 const DIGITS: usize = 4;
 
-/// Draws a diagram.
+/// A4 upright, and how many panels stand on it.
+const A4_MM: [f64; 2] = [210.0, 297.0];
+const ON_A4: usize = 3;
+
+/// Draws a diagram as one figure, all panels over one another.
 pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Figure {
     let n = diagram.panels.len().max(1) as f64;
-    let width_mm = LEFT_MM + PLOT_MM[0] + RIGHT_MM;
-    let height_mm = ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM;
+    let size_mm = [LEFT_MM + PLOT_MM[0] + RIGHT_MM, ABOVE_MM + n * PLOT_MM[1] + (n - 1.0) * BETWEEN_MM + BELOW_MM];
+    page(scene, diagram, &diagram.panels, size_mm, style, lang)
+}
+
+/// Draws a diagram as pages of A4, three panels on each.
+pub fn pages(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Vec<Figure> {
+    diagram.panels.chunks(ON_A4).map(|panels| page(scene, diagram, panels, A4_MM, style, lang)).collect()
+}
+
+/// Some panels of a diagram over one another, below a title.
+fn page(scene: &Scene, diagram: &Diagram, panels: &[Panel], [width_mm, height_mm]: [f64; 2], style: &Style, lang: Lang) -> Figure {
+    let left_mm = LEFT_MM + (width_mm - LEFT_MM - PLOT_MM[0] - RIGHT_MM) / 2.0;
     let x = Axis::of(&diagram.places, diagram.driver[1] == DEGREE, 12);
     let title = scene.title.get(lang);
     let heading = if title.is_empty() { tr(lang, "Motion", "运动线图").to_owned() } else { title.to_owned() };
@@ -54,9 +68,9 @@ pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Fi
     };
     items.push(Item::new("title", title));
     let mut said = Vec::new();
-    for (k, panel) in diagram.panels.iter().enumerate() {
+    for (k, panel) in panels.iter().enumerate() {
         let top = height_mm - ABOVE_MM - k as f64 * (PLOT_MM[1] + BETWEEN_MM);
-        let frame = Rect::new(Point::new(LEFT_MM, top - PLOT_MM[1]), Point::new(LEFT_MM + PLOT_MM[0], top));
+        let frame = Rect::new(Point::new(left_mm, top - PLOT_MM[1]), Point::new(left_mm + PLOT_MM[0], top));
         let mut values: Vec<f64> = panel.curves.iter().flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
         let (lo, hi) = values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
         // Zero belongs to the diagram where it is near: only then is seen what changes its sense. From afar it would press the lines flat.
@@ -65,7 +79,7 @@ pub fn figure(scene: &Scene, diagram: &Diagram, style: &Style, lang: Lang) -> Fi
         }
         let y = Axis::of(&values, panel.unit == DEGREE, 6);
         let mut plot = Plot::new(format!("panel-{k}"), style, frame, [x.clone(), y]);
-        let last = k + 1 == diagram.panels.len();
+        let last = k + 1 == panels.len();
         let [driver, unit] = &diagram.driver;
         plot.axes(last.then(|| Label::math(over(driver, unit))), Label::math(panel.unit.as_str()));
         curves(&mut plot, panel, diagram, &mut said);

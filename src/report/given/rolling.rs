@@ -1,6 +1,7 @@
 //! Gears, racks and wheels among what is given.
 
 use super::Givens;
+use super::guide::Lay;
 use crate::scene::{Contours, Direction, Flanks, GuidePath, Lang, Rolling, Sizes};
 
 impl Givens<'_> {
@@ -41,10 +42,16 @@ impl Givens<'_> {
                 let (ring, inner) = if *i == 0 { (a, b) } else { (b, a) };
                 if en { format!("gear {inner} in the ring gear {ring}: ") } else { format!("齿轮 {inner} 与内齿轮 {ring}：") }
             }
-            (Contours::Track { .. }, true) if en => format!("gear {b} on the rack of {on}{}: ", self.along(pair)),
-            (Contours::Track { .. }, true) => format!("齿轮 {b} 与{on}上的齿条啮合{}：", self.along(pair)),
-            (Contours::Track { .. }, false) if en => format!("wheel {b} rolls on a straight track of {on}{}: ", self.along(pair)),
-            (Contours::Track { .. }, false) => format!("轮 {b} 沿{on}上的直线轨道滚动{}：", self.along(pair)),
+            (Contours::Track { .. }, toothed) => {
+                // The guide of the wheel's centre stands off the track by its radius, which is told as such.
+                let Lay { attribute, course, name, .. } = self.track(pair);
+                match (toothed, en) {
+                    (true, true) => format!("gear {b} on the {attribute}rack of {on}{course}: "),
+                    (true, false) => format!("齿轮 {b} 与{on}上{course}{attribute}齿条{name}啮合："),
+                    (false, true) => format!("wheel {b} rolls on a {attribute}straight track of {on}{course}: "),
+                    (false, false) => format!("轮 {b} 沿{on}上{course}{attribute}直线轨道{name}滚动："),
+                }
+            }
             (Contours::Circles { centres, hollow, .. }, false) => {
                 let centre = self.point(centres[0]);
                 match (hollow.is_some(), en) {
@@ -57,14 +64,14 @@ impl Givens<'_> {
         }
     }
 
-    /// The direction of a straight track.
-    fn along(&self, pair: &Rolling) -> String {
+    /// How a straight track lies.
+    fn track(&self, pair: &Rolling) -> Lay {
         let path = pair.guide.map(|g| &self.scene.guides[g.0].path);
         match path {
-            Some(GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => {
-                path.map(|p| self.path(p)).unwrap_or_default()
+            Some(path @ GuidePath::Line { direction: Direction::Along(..) | Direction::Instant(_), .. }) => self.lay(path),
+            Some(GuidePath::Line { direction: Direction::Own, .. } | GuidePath::Arc { .. }) | None => {
+                Lay { course: self.tr("", "的").to_owned(), ..Lay::default() }
             }
-            Some(GuidePath::Line { direction: Direction::Own, .. } | GuidePath::Arc { .. }) | None => String::new(),
         }
     }
 
@@ -116,7 +123,7 @@ mod tests {
             for part in wanted {
                 assert!(all.contains(part), "{part} is not in\n{all}");
             }
-            let slides = if lang == Lang::En { "slides in a guide" } else { "上的导路滑动" };
+            let slides = if lang == Lang::En { "slides in a horizontal guide" } else { "的水平导路滑动" };
             assert_eq!(all.matches(slides).count(), 1, "{all}");
         }
     }

@@ -15,6 +15,8 @@ use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
 const LABEL_ROOM_MM: f64 = 20.0;
+/// Air between a line and a label that is wider than that room.
+const LABEL_AIR_MM: f64 = 3.0;
 
 /// A finished part: items in coordinates of its own, and the box around them.
 #[derive(Clone, Debug, PartialEq)]
@@ -199,7 +201,8 @@ impl Drawing {
     /// Places the labels of a drawing of a series: each where it stood before, if it can; `habits` then says where it stands
     /// now.
     pub fn finish_after(self, habits: &mut Habits) -> Part {
-        let room = self.bounds().grown(LABEL_ROOM_MM);
+        let widest = self.wanted.iter().map(|w| w.request.width_mm()).fold(0.0, f64::max);
+        let room = self.bounds().grown(LABEL_ROOM_MM.max(widest + LABEL_AIR_MM));
         self.finish_within(habits, room)
     }
 

@@ -46,6 +46,8 @@ const PREFER_COST: f64 = 2.4;
 const DEFAULT_COST: f64 = 0.5;
 /// Lengths of a leader line, and what it costs: more than any nearness, less than covering a line's width.
 const LEADERS: [(f64, f64); 3] = [(5.0, 3.5), (8.0, 4.2), (12.0, 5.0)];
+/// The same where none of these ends at a clear place.
+const LONG_LEADERS: [(f64, f64); 2] = [(17.0, 5.8), (22.0, 6.6)];
 
 /// 48 places around a point, 28 along a segment or an arc.
 pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
@@ -100,13 +102,22 @@ pub(super) fn near(wanted: &Wanted) -> Vec<Candidate> {
 
 /// Places farther off, with a leader line.
 pub(super) fn far(wanted: &Wanted) -> Vec<Candidate> {
+    led(wanted, &LEADERS)
+}
+
+/// Places so far off that one has to look for the end of the leader line.
+pub(super) fn farthest(wanted: &Wanted) -> Vec<Candidate> {
+    led(wanted, &LONG_LEADERS)
+}
+
+fn led(wanted: &Wanted, leaders: &[(f64, f64)]) -> Vec<Candidate> {
     let (at, clear_mm) = match wanted.target {
         Target::Point { at, clear_mm } => (at, clear_mm),
         Target::Segment { from, to, .. } => (from + (to - from) * 0.5, 0.0),
         Target::Arc { centre, radius_mm, from_rad, to_rad, .. } => (on_circle(centre, radius_mm, (from_rad + to_rad) / 2.0), 0.0),
     };
-    let mut all = Vec::with_capacity(DIRECTIONS * LEADERS.len());
-    for (length, base) in LEADERS {
+    let mut all = Vec::with_capacity(DIRECTIONS * leaders.len());
+    for &(length, base) in leaders {
         for u in directions() {
             let t = reach(u, wanted, clear_mm + length);
             let rect = wanted.rect(at + u * t);

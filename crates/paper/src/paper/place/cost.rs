@@ -30,7 +30,7 @@ const NEARER_MARGIN_MM: f64 = 0.8;
 const NEARER_MAX: f64 = 4.0;
 /// A foreign place nearer than the own one, or a line as thick as the own one nearer than that: less than touching, but poor, so that a
 /// leader line is tried.
-const STRAYS: f64 = 6.0;
+const STRAYS: f64 = 7.5;
 /// Letters within this of one place are those of one mark.
 const ONE_MARK_MM: f64 = 0.15;
 /// A leader line across a line, or across a label.
@@ -213,7 +213,7 @@ pub(super) fn pair(a: &Candidate, b: &Candidate) -> f64 {
 fn across([a, b]: [&Candidate; 2], [ra, rb]: [Rect; 2]) -> f64 {
     let mut cost = 0.0;
     for (leader, rect) in [(a.leader, rb), (b.leader, ra)] {
-        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && clipped_mm(p, q, rect) > 0.0) {
+        if leader.is_some_and(|(p, q)| touch(rect, Rect::new(p, q)) && inside(p, q, rect).is_some()) {
             cost += OVERLAP;
         }
     }

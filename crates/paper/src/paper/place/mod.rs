@@ -95,6 +95,11 @@ impl LabelRequest {
         LabelRequest { label, size_mm, target, owner: None, prefer: None, optional: false }
     }
 
+    /// How wide its ink is.
+    pub fn width_mm(&self) -> f64 {
+        text::set(&self.label).width_em * self.size_mm
+    }
+
     /// The point that it names, if it names one.
     pub fn point(&self) -> Option<Point> {
         match self.target {

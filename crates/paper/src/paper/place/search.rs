@@ -18,35 +18,47 @@ const POOR: f64 = 5.5;
 /// anything, more than any nearness, so that it stays beside its thing until something comes in its way.
 pub(super) const LEAVE: f64 = 6.0;
 
+/// Places from near the thing to far off: without a leader line, with one, with a long one.
+const RINGS: [fn(&Wanted) -> Vec<Candidate>; 3] = [candidate::near, candidate::far, candidate::farthest];
+
 /// The places that a label may take and what each costs by itself, found when first asked for: the same label is often searched
 /// for again without some of its neighbours, which changes nothing of this.
 pub(super) struct Offer<'a> {
     wanted: &'a Wanted,
     obstacles: &'a Obstacles,
     paper: Rect,
-    /// Those near its thing, from the first search that needs them on also those with a leader line.
+    /// Those near its thing, from the first search that needs them on also those of a further ring.
     places: Vec<Candidate>,
-    /// How many are near.
-    near: usize,
+    /// How many there are up to the end of each ring found so far.
+    ends: Vec<usize>,
     costs: Vec<Option<f64>>,
-    /// What is drawn around those near, and around those far off.
-    around: [Option<Around<'a>>; 2],
+    /// What is drawn around those of each ring.
+    around: [Option<Around<'a>>; RINGS.len()],
 }
 
 impl<'a> Offer<'a> {
     /// Of a label among all that is drawn.
     pub(super) fn new(wanted: &'a Wanted, obstacles: &'a Obstacles, paper: Rect) -> Offer<'a> {
-        let places = candidate::near(wanted);
-        Offer { wanted, obstacles, paper, near: places.len(), costs: vec![None; places.len()], places, around: [None, None] }
+        let around = std::array::from_fn(|_| None);
+        let mut offer = Offer { wanted, obstacles, paper, places: Vec::new(), ends: Vec::new(), costs: Vec::new(), around };
+        offer.up_to(0);
+        offer
     }
 
-    /// All places, those far off included.
-    fn all(&mut self) -> usize {
-        if self.places.len() == self.near {
-            self.places.extend(candidate::far(self.wanted));
-            self.costs.resize(self.places.len(), None);
+    /// How many places there are up to the end of a ring.
+    fn up_to(&mut self, ring: usize) -> usize {
+        for further in &RINGS[self.ends.len().min(ring + 1)..=ring] {
+            self.places.extend(further(self.wanted));
+            self.ends.push(self.places.len());
         }
-        self.places.len()
+        self.costs.resize(self.places.len(), None);
+        self.ends[ring]
+    }
+
+    /// In which ring a place is, and the places of that ring.
+    fn ring(&self, k: usize) -> (usize, std::ops::Range<usize>) {
+        let ring = self.ends.partition_point(|end| *end <= k);
+        (ring, if ring == 0 { 0 } else { self.ends[ring - 1] }..self.ends[ring])
     }
 
     /// The cost of a place, of which most others will be asked too.
@@ -54,8 +66,9 @@ impl<'a> Offer<'a> {
         if let Some(cost) = self.costs[k] {
             return cost;
         }
-        let (far, alike) = if k < self.near { (0, &self.places[..self.near]) } else { (1, &self.places[self.near..]) };
-        let around = self.around[far].get_or_insert_with(|| Around::new(alike, self.wanted, self.obstacles, self.paper));
+        let (ring, alike) = self.ring(k);
+        let alike = &self.places[alike];
+        let around = self.around[ring].get_or_insert_with(|| Around::new(alike, self.wanted, self.obstacles, self.paper));
         let cost = around.fixed(&self.places[k]);
         self.costs[k] = Some(cost);
         cost
@@ -93,7 +106,13 @@ fn around(places: &[Candidate]) -> Rect {
 
 impl<'c, 'a> Choice<'c, 'a> {
     fn new(offer: &'c mut Offer<'a>, before: Option<usize>) -> Choice<'c, 'a> {
-        let count = if before.is_some_and(|b| b >= offer.near) { offer.all() } else { offer.near };
+        // As many rings as hold the place of the figure before.
+        let mut count = offer.up_to(0);
+        for ring in 1..RINGS.len() {
+            if before.is_some_and(|b| b >= count) {
+                count = offer.up_to(ring);
+            }
+        }
         let before = before.filter(|b| *b < count);
         let reach = around(&offer.places[..count]);
         let (fixed, known) = (vec![f64::INFINITY; count], vec![true; count]);
@@ -128,9 +147,9 @@ impl<'c, 'a> Choice<'c, 'a> {
         }
     }
 
-    /// Takes the places far off as well.
-    fn look_far(&mut self) {
-        for k in self.count()..self.offer.all() {
+    /// Takes the places up to the end of a ring as well.
+    fn look_far(&mut self, ring: usize) {
+        for k in self.count()..self.offer.up_to(ring) {
             self.fixed.push(self.offer.places[k].base + self.leave(k));
             self.known.push(false);
         }
@@ -196,11 +215,13 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>]) 
         others.into_iter().for_each(|i| choices[i].open());
         settle(&mut choices, rounds);
     }
-    let is_poor = |i: &usize| choices[*i].open && total(&choices, *i, choices[*i].picked) > POOR;
-    let poor: Vec<usize> = (0..choices.len()).filter(is_poor).collect();
-    if !poor.is_empty() {
-        poor.into_iter().for_each(|i| choices[i].look_far());
-        settle(&mut choices, rounds);
+    for (ring, enough) in [(1, POOR), (2, CROWDED)] {
+        let is_poor = |i: &usize| choices[*i].open && total(&choices, *i, choices[*i].picked) > enough;
+        let poor: Vec<usize> = (0..choices.len()).filter(is_poor).collect();
+        if !poor.is_empty() {
+            poor.into_iter().for_each(|i| choices[i].look_far(ring));
+            settle(&mut choices, rounds);
+        }
     }
     let picked = |i: usize| choices[i].picked;
     (0..choices.len()).map(|i| (*choices[i].place(), total(&choices, i, picked(i)) - choices[i].leave(picked(i)), picked(i))).collect()
