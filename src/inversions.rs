@@ -19,7 +19,7 @@ use crate::sweep::extreme::{self, Limits};
 use crate::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
 
-/// More links than this are refused: nobody compares so many figures.
+/// Scenes with more links are refused: each link makes a figure.
 pub const MOST_LINKS: usize = 24;
 
 /// One link as ground.

@@ -52,7 +52,7 @@ pub fn crossing<T>(plan: &Plan, level: Level, found: impl Fn(VertexId, &[Chain])
     })
 }
 
-/// Puts a step in the place of the crossing that finds a vertex. The turnings that were measured on the crossing's edges are measured on a
+/// Replaces the crossing that finds a vertex by another step. The turnings that were measured on the crossing's edges are measured on a
 /// perpendicular instead.
 pub fn replace_crossing(plan: &mut Plan, level: Level, target: VertexId, by: &Step) {
     for group in steps(plan, level) {

@@ -103,7 +103,7 @@ pub fn centres(scene: &Scene) -> Result<Warned<Centres>, Faults> {
     }
     let (asking, at_rest) = asking_all(scene);
     let Warned { value: worked, mut notes } = work(&asking, Scope::Figure)?;
-    // What the pose keeps from being answered is told once, as a remark: here nobody asked for it.
+    // Why the pose leaves a value undefined is reported once, as a remark; these values are not questions of the scene.
     notes.iter_mut().for_each(|d| d.severity = d.severity.min(Severity::Warning));
     let closure = rounds::closure(&asking, asking.drivers.len());
     let velocities = Velocities::of(&asking, &worked);

@@ -1,8 +1,8 @@
 //! The command `batch`: parameters varied, many mechanisms, into one file, block by block.
 //!
 //! The rows go to a part file beside the output ([`Part`]). When all are written it takes its name; a run that is interrupted leaves the
-//! part, and the same command goes on from there. A file that cannot be written in full is removed: whoever finds the output
-//! finds all of it.
+//! part, and the same command goes on from there. A file that cannot be written in full is removed: an output
+//! file is always complete.
 
 use super::args::Batch as Args;
 use super::part::Part;

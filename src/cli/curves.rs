@@ -26,7 +26,7 @@ pub fn run(a: Curves) -> Run {
     };
     ask(&mut input, Some(&find))?;
     input.over_a_turn();
-    // What has been put beside the scene's questions was asked by nobody: there is no place to show.
+    // Displacements were added to the scene's questions: they have no place in a file to point at.
     input.asked = a.range.find.clone();
     let mechanism = Mechanism::new(&input.scene).map_err(|f| input.failed(f))?.value;
     let driver = driver_of(&input.scene, a.range.over.as_deref())?;

@@ -130,7 +130,7 @@ pub fn print_with(fill: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result
     }
 }
 
-/// Says something on standard error. Where that cannot be written nobody listens; the exit code tells the rest.
+/// Writes to standard error. A failure to write is ignored: the exit code still tells the outcome.
 pub fn say(text: &str) {
     let _ = io::stderr().lock().write_all(diagnostics::visible(text).as_bytes());
 }

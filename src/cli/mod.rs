@@ -188,7 +188,7 @@ struct Input {
     notes: Vec<Diagnostic>,
     /// The author's fonts that its figures are set in.
     fonts: Fonts,
-    /// The questions that the command line asks in the place of the scene's.
+    /// The questions of the command line, which replace those of the scene.
     asked: Option<String>,
 }
 

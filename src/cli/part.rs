@@ -73,7 +73,7 @@ impl Part {
                     text = journal::MARK.to_vec();
                 }
                 let file = created(&path)?;
-                // Before the first byte: what nobody else may read is not to be read on its way either.
+                // Permissions are set before the first byte, so that a protected file is never readable while it is written.
                 as_before(&file, out)?;
                 file
             }

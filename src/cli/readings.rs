@@ -23,7 +23,7 @@ pub fn run(a: args::Readings) -> Run {
         };
         match read() {
             Ok(read) => all.push(read),
-            // Their places are in a text that nobody wrote: the reading is named instead.
+            // Their places are in a generated text: the reading is named instead.
             Err(f) => faults.list.extend(f.list.into_iter().map(|mut d| {
                 d.message = both!("reading `{}`: {}", "读法 `{}`：{}", reading.name, d.message);
                 d.span = None;

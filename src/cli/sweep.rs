@@ -97,7 +97,7 @@ pub fn driver_of(scene: &Scene, over: Option<&str>) -> Result<usize, Failure> {
     })
 }
 
-/// Puts other questions in the place of the scene's: those of `--find`, whose faults are shown there.
+/// Replaces the scene's questions by those of `--find`; faults point at the argument.
 pub fn ask(input: &mut Input, find: Option<&str>) -> Result<(), Failure> {
     let Some(find) = find else { return Ok(()) };
     input.asked = Some(find.to_owned());

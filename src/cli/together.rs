@@ -1,4 +1,4 @@
-//! Files that appear together or not at all: each is written beside its place under a name that nobody else uses, and when all are
+//! Files that appear together or not at all: each is written beside its place under a unique temporary name, and when all are
 //! whole they are renamed, one right after the other.
 //!
 //! A name under way is `.hodograph-`, twelve letters or digits, `.tmp`, and its writer holds a lock on it. What a run that was killed
@@ -56,7 +56,7 @@ impl Together {
                 let folder = folder_of(&place);
                 self.clear(folder);
                 let temporary = temporary(folder).map_err(fail)?;
-                // Before the first byte: what nobody else may read is not to be read on its way either.
+                // Permissions are set before the first byte, so that a protected file is never readable while it is written.
                 as_before(temporary.as_file(), &place).map_err(fail)?;
                 unless_stopped(path, filled(temporary.as_file(), folder))?;
                 self.files.push(Staged { temporary, place, name: path.to_owned() });
@@ -161,7 +161,7 @@ fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
         match file.as_file().try_lock() {
             Ok(()) if stands_at(file.as_file(), file.path()) => return Ok(file),
             Ok(()) | Err(std::fs::TryLockError::WouldBlock) => {}
-            // Without locks nobody clears either.
+            // A file system without locks has no stale files to clear.
             Err(std::fs::TryLockError::Error(_)) => return Ok(file),
         }
     }
@@ -216,7 +216,7 @@ impl Out {
         tempfile::tempfile_in(&self.folder)
     }
 
-    /// Puts other bytes in the place of the first `old` ones; what stands behind them moves.
+    /// Replaces the first `old` bytes; those behind them move.
     pub fn replace_beginning(&mut self, old: u64, new: &[u8]) -> io::Result<()> {
         self.file.flush()?;
         if new.len() as u64 != old {

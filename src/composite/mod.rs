@@ -58,7 +58,7 @@ pub struct Choice {
     pub path: RelativePath,
 }
 
-/// More choices than this are not listed: nobody reads them.
+/// Most choices that are listed.
 const MOST: usize = 500;
 
 /// What speaks for and against a moving point and a frame.

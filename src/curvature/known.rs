@@ -66,7 +66,7 @@ impl Known {
     }
 }
 
-/// Links that are drawn before one another at most: farther than this nobody follows.
+/// Longest chain of links whose centres of curvature depend on one another.
 const DEPTH: usize = 4;
 /// Rays that cross under less than this (sine) find no pole on paper.
 const CROSSING: f64 = 1e-6;

@@ -16,7 +16,7 @@ use super::frames::Frame;
 /// For each action of a level: its kind (`l` a vector laid off, `d` a direction, `x` a crossing, `c` a copied image, `j` two marks joined,
 /// `p` a perpendicular; empty where nothing is drawn), the links, then of its first term: vertex and the one from which it is
 /// seen (of a crossing or an image the vertex found, and −1), what sets its sense (`t` a turning, `n` a centre, `k` a turning and a
-/// sliding, `s` a sliding), and the formulas of symbol, direction, line and turning; −1 for what there is not.
+/// sliding, `s` a sliding), and the formulas of symbol, direction, line and turning; −1 where there is none.
 pub fn acts(frame: &Frame, level: Level, notation: &Notation, formulas: &mut Formulas) -> Vec<Value> {
     let (scene, paper) = (&frame.scene, &frame.worked.construction);
     let Some(p) = paper.polygon(level) else { return Vec::new() };

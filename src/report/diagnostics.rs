@@ -17,7 +17,7 @@ const WIDTH: usize = 100;
 /// Longer lines are not shown: a scene written in one line of a megabyte would be printed whole for every fault in it.
 const MAX_LINE: usize = 400;
 
-/// More diagnostics are only counted: nobody reads on, and each of them copies the source for its printer.
+/// Further diagnostics are only counted: each of them copies the source for its printer.
 const MAX_SHOWN: usize = 100;
 
 /// All diagnostics (beyond the hundredth only their number), one after the other, without colours. `source` is the text that their spans count in.
@@ -60,7 +60,7 @@ pub fn render_in(faults: &Faults, source_name: &str, source: &str, lang: Lang) -
     out
 }
 
-/// A text with a sign in the place of each character that a terminal would obey or that would turn what follows around: `␛` for the
+/// Replaces each control character and each bidirectional override by a visible sign: `␛` for the
 /// escape character, `�` where Unicode has no such sign. Line breaks and tabs stay.
 ///
 /// ```

@@ -180,7 +180,7 @@ impl Reporter<'_> {
         let mut out = Vec::new();
         for g in self.w.plan.steps(level) {
             let before = number;
-            // An alternative stands in the place of the first, and has its numbers.
+            // An alternative replaces the first solution and takes over its numbering.
             let alternatives: Vec<Vec<Json>> = g.alternatives.iter().map(|steps| self.steps(level, steps, before)).collect();
             number += g.alternatives.first().map_or(0, count);
             let further = self.steps(level, &g.further, number);

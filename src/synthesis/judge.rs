@@ -65,7 +65,7 @@ pub fn judge(draft: Draft, gamma: f64) -> Result<Candidate, Faults> {
     judged.size_m = walk.size_m;
     let drivers = positions(&draft, &walk, &mut judged);
     if draft.ordered {
-        // What is not reached is met at its own angle all the same, by whoever opens the linkage and closes it again.
+        // A position on another circuit is still met at its own angle once the linkage is reassembled.
         let at = |i: usize, angle: f64| drivers.iter().find(|d| d.0 == i).map_or_else(|| walk.nearest(angle), |d| d.1);
         let all: Vec<(usize, f64)> = draft.wanted.iter().enumerate().map(|(i, w)| (i, at(i, w.driver))).collect();
         judged.defects.extend(order::defect(&all, judged.rotates));

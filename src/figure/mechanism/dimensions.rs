@@ -2,7 +2,7 @@
 //! on no body.
 //!
 //! Decided here: on which side of its points and how far off each dimension stands: the first place where its number covers nothing and
-//! its lines cross least. One for which there is no such place is not drawn; whoever lists what is given names it there.
+//! its lines cross least. A dimension without such a place is not drawn; the list of given values names it instead.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,11 +1,11 @@
-//! Questions without an answer: what stands in the place of the number, and why.
+//! Questions without an answer: the words printed instead of the number, and the reason.
 
 use crate::analytic::{Refused, Why as Refusal};
 use crate::paper::phrase::tr;
 use crate::scene::{Lang, Scene};
 use crate::worked::{NoAnswer, Unanswered};
 
-/// What stands in the place of an answer that there is not.
+/// The words printed instead of a missing answer.
 pub fn verdict(u: &Unanswered, lang: Lang) -> &'static str {
     match &u.why {
         NoAnswer::NoValue(_) => tr(lang, "not defined", "无定义"),

@@ -49,7 +49,7 @@ impl Parquet {
         });
         let fields = fields.collect::<ParquetResult<Vec<_>>>()?;
         let root = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Answers hardly repeat: looking each up in a dictionary would cost more than writing it. And their bounds tell nobody where to look:
+        // Answers hardly repeat: a dictionary would cost more than it saves. Nor do column statistics help a reader to skip pages:
         // of the mechanisms in a row group some are always fast and some slow.
         let mut properties = WriterProperties::builder()
             .set_dictionary_enabled(false)

@@ -97,7 +97,7 @@ impl Label {
         Label { source, row, faults: Vec::new(), fonts: Fonts::default(), kept: Kept::default() }
     }
 
-    /// The same set in these fonts of the author's: whoever draws a label gives it those of the style, as it gives it a size.
+    /// The same label set in the author's fonts; the figure passes those of its style, together with the size.
     pub fn in_fonts(mut self, fonts: &Fonts) -> Label {
         if self.fonts != *fonts {
             self.fonts = fonts.clone();

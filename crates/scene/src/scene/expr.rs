@@ -7,7 +7,7 @@ use super::units::{UNITS, Unit, unit_named};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::json::fields::suggest;
 
-/// Longer expressions are refused: nobody writes them by hand, and the tree's depth is bounded by the length.
+/// Longer expressions are refused: the depth of the syntax tree is bounded by the length.
 pub const MAX_LENGTH: usize = 400;
 
 /// Deeper parentheses are refused: the parser recurses.

@@ -97,7 +97,7 @@ pub struct Limits {
     pub seen: u64,
 }
 
-/// Most turns whose extremes are told: of those of a hundred nobody reads the list.
+/// Most turns whose extremes are listed.
 pub(super) const MOST_TURNS: u64 = 12;
 
 /// Samples over the whole motion, between which a rate changes its sign at most once.

@@ -6,7 +6,7 @@
 //!
 //! # Source
 //! Greedy placement on a bitmap of what is occupied: I. Mote, *Fast point-feature label placement for dynamic visualizations*,
-//! Information Visualization 6 (2007), with a raster in the place of his trellis.
+//! Information Visualization 6 (2007), with a raster instead of his trellis.
 
 use crate::geom::Point;
 use crate::paper::extent::Rect;

@@ -61,7 +61,7 @@ const SECTIONS: &[(&str, &str, &[Length])] =
 const KEYS: &[&str] = &["name", "base", "lines", "heads", "symbols", "text", "fonts", "colours", "notation"];
 const COLOURS: &[&str] = &["paper", "ink", "plate", "links"];
 const MARKS: &[&str] = &["pole", "coriolis", "sliding", "known", "unknown"];
-/// More colours than this nobody tells apart; the bound keeps a file from filling the memory.
+/// Most colours of a list: more cannot be told apart, and the bound limits the memory that a file can take.
 const LINKS_MAX: usize = 64;
 
 /// What reads the file that a style names so: fonts stand beside the style, and this room opens no files.
