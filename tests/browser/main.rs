@@ -8,6 +8,7 @@ mod chromium;
 mod ink;
 mod predict;
 mod stage;
+mod touch;
 
 use chromium::Browser;
 use hodograph::accuracy::toggle;
