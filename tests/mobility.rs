@@ -220,11 +220,7 @@ fn counts_are_those_of_brute_force() {
         for choice in &survey.choices {
             with_groups += 1;
             for g in &choice.mechanism.groups {
-                let taken: usize = g
-                    .constraints
-                    .iter()
-                    .map(|c| if matches!(choice.mechanism.constraints[*c], hodograph::mechanism::Constraint::Pinned(..)) { 2 } else { 1 })
-                    .sum();
+                let taken: usize = g.constraints.iter().map(|c| choice.mechanism.constraints[*c].form().equations()).sum();
                 assert_eq!(3 * g.links.len() + 2 * g.pins.len(), taken, "{round}: {g:?}\n{text}");
             }
         }

@@ -8,7 +8,7 @@ use super::answers::diagnostic;
 use super::plan::{between_words, effect_words, group_words, method_words, rate_words, reason_words};
 use crate::diag::Diagnostic;
 use crate::effort::{Motion, Work};
-use crate::mechanism::{Constraint, Demand, Level, Mechanism};
+use crate::mechanism::{Demand, Level, Mechanism};
 use crate::paper::phrase::formula;
 use crate::plan::text::{Column, Writer, vertex_name};
 use crate::plan::{Between, Body, By, Chain, Effect, GroupSteps, Method, Rate, Reason, Spot, Step, Term, TermKind, VertexId};
@@ -105,10 +105,7 @@ impl Reporter<'_> {
     fn groups(&self) -> Vec<Json> {
         let mut numbers = 1..;
         let group = |(i, g): (usize, &crate::mechanism::Group)| {
-            let driver = |c: &usize| match self.m.constraints[*c] {
-                Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
-            };
+            let driver = |c: &usize| self.m.constraints[*c].form().driver();
             let number = if g.is_carried() { None } else { numbers.next() };
             json!({
                 "number": number,

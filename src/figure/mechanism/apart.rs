@@ -6,9 +6,9 @@ use super::form::Form;
 use super::{Course, Draft};
 use crate::figure::drawing::Drawing;
 use crate::figure::style::Style;
-use crate::mechanism::{Constraint, Group, Opened, Passive};
+use crate::mechanism::{Group, Opened, Passive};
 use crate::plan::notation::Notation;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 /// What is shown of a mechanism.
@@ -77,17 +77,9 @@ impl Only {
             let guide = &scene.guides[guide.0];
             self.links[l] |= g.links.contains(&guide.on) || guide.pin.is_some_and(|p| g.pins.contains(&p));
         }
-        for c in g.constraints.iter().map(|c| m.constraints[*c]) {
-            if let Constraint::Cylinder(d) = c
-                && let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind
-            {
-                self.pins.extend([a, b]);
-            }
-            let driver = match c {
-                Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
-            };
-            driver.into_iter().for_each(|d| self.drivers[d] = true);
+        for d in g.constraints.iter().filter_map(|c| m.constraints[*c].form().driver()) {
+            self.pins.extend(scene.drivers[d].kind.ends().into_iter().flatten());
+            self.drivers[d] = true;
         }
     }
 }

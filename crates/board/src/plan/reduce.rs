@@ -9,8 +9,8 @@
 
 use super::build::Builder;
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
-use crate::mechanism::{Constraint, Hold, Level, Strut};
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use crate::mechanism::{Form, Hold, Level, Runner, Strut};
+use crate::scene::{LinkId, PointId, Scene};
 
 /// A link of the group that is no mere bar from a known pin.
 struct Member {
@@ -194,18 +194,17 @@ fn special_line(line: &Line) -> SpecialLine {
 /// member and a known body, and no pin between members.
 fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
-    let constraints: Vec<Constraint> = group.constraints.iter().map(|&c| m.constraints[c]).collect();
+    let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
     let on = |l: LinkId| -> Vec<PointId> {
-        constraints.iter().filter_map(|c| if let Constraint::Pinned(p, k) = c { (*k == l).then_some(*p) } else { None }).collect()
+        forms.iter().filter_map(|f| if let Form::Meet { pin, link } = f { (*link == l).then_some(*pin) } else { None }).collect()
     };
     let inner = |p: &PointId| group.pins.contains(p);
     // A bar from a known pin that nothing else holds is a leg of the link at its other end.
     let alone = |l: LinkId| {
-        !constraints.iter().any(|c| match *c {
-            Constraint::Slot(_, guide) => scene.guides[guide.0].on == l,
-            Constraint::Roll(r) => scene.rolling[r.0].links.contains(&l),
-            Constraint::Pinned(..) | Constraint::Cylinder(_) => false,
-            Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Turn(_) | Constraint::Slide(..) => true,
+        !forms.iter().any(|form| match form {
+            Form::OnPath { runner: Runner::Pin(_), .. } | Form::Rolls { .. } => form.joins(l),
+            Form::Meet { .. } | Form::Distance { .. } => false,
+            Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => true,
         })
     };
     let bar = |l: LinkId| match on(l)[..] {
@@ -226,11 +225,12 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
     for &(link, near, far) in &bars {
         add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Bar(link) })?;
     }
-    for c in &constraints {
-        match *c {
-            Constraint::Pinned(..) => {}
-            Constraint::Slot(pin, guide) => {
-                let on = scene.guides[guide.0].on;
+    // Of two ends that of the group, and the known one.
+    let ends = |[a, b]: [bool; 2]| if a == b { None } else { Some(usize::from(b)) };
+    for form in &forms {
+        match *form {
+            Form::Meet { .. } => {}
+            Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if inner(&pin) && !group.links.contains(&on) {
                     add(*holder(pin).first()?, Hold::Guide { pin, guide, driver: None })?;
                 } else if !inner(&pin) && cores.contains(&on) {
@@ -239,26 +239,17 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
                     return None;
                 }
             }
-            Constraint::Cylinder(d) => {
-                let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind else { return None };
-                let (near, far) = match (inner(&a), inner(&b)) {
-                    (true, false) => (a, b),
-                    (false, true) => (b, a),
-                    _ => return None,
-                };
-                add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(d) })?;
+            Form::Distance { from, to, driver } => {
+                let pins = [from, to];
+                let own = ends(pins.map(|p| inner(&p)))?;
+                let (near, far) = (pins[own], pins[1 - own]);
+                add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
-            Constraint::Roll(r) => {
-                let pair = &scene.rolling[r.0];
-                let [a, b] = pair.links;
-                let (core, other) = match (group.links.contains(&a), group.links.contains(&b)) {
-                    (true, false) => (a, b),
-                    (false, true) => (b, a),
-                    _ => return None,
-                };
-                add(core, Hold::Rolls { pair: r, other, at: pair.at })?;
+            Form::Rolls { pair, links } => {
+                let own = ends(links.map(|l| group.links.contains(&l)))?;
+                add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at })?;
             }
-            Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Turn(_) | Constraint::Slide(..) => return None,
+            Form::Angles { .. } | Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } => return None,
         }
     }
     for member in &mut members {

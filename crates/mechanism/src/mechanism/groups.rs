@@ -9,8 +9,8 @@
 
 use super::leg::{Entry, Leg};
 use super::mobility::Assignment;
-use super::{Constraint, Mechanism, Node, Passive, ends};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use super::{Form, Mechanism, Node, Passive, Runner};
+use crate::scene::{GuideId, LinkId, PointId, Scene};
 use std::cmp::Reverse;
 use std::collections::{BTreeSet, BinaryHeap, HashMap};
 
@@ -199,9 +199,9 @@ fn topological(parts: &[Vec<usize>], part_of: &[usize], graph: &petgraph::graph:
 }
 
 fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], constraints: &[usize]) -> Core {
-    let cs: Vec<Constraint> = constraints.iter().map(|&i| m.constraints[i]).collect();
+    let cs: Vec<Form> = constraints.iter().map(|&i| m.constraints[i].form()).collect();
     if let [pin] = pins[..]
-        && let Some(legs) = legs_of_pin(scene, links, pin, &cs)
+        && let Some(legs) = legs_of_pin(links, pin, &cs)
     {
         return Core::Pin { pin, legs };
     }
@@ -214,31 +214,30 @@ fn find_core(scene: &Scene, m: &Mechanism, links: &[LinkId], pins: &[PointId], c
 }
 
 /// The driver that says where along a guide its runner is, if the group has one.
-fn slide_of(cs: &[Constraint], guide: GuideId) -> Option<usize> {
-    cs.iter().find_map(|c| if let Constraint::Slide(d, g) = c { (*g == guide).then_some(*d) } else { None })
+fn slide_of(cs: &[Form], guide: GuideId) -> Option<usize> {
+    cs.iter().find(|c| c.path() == Some(guide) && c.driver().is_some())?.driver()
+}
+
+/// The pins that forms put on a link.
+fn on_link<'a>(cs: impl IntoIterator<Item = &'a Form>, l: LinkId) -> impl Iterator<Item = PointId> {
+    cs.into_iter().filter_map(move |c| match *c {
+        Form::Meet { pin, link } => (link == l).then_some(pin),
+        Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+    })
 }
 
 /// The legs of a pin, if every link of the group is a bar from a known pin to it.
-fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint]) -> Option<Vec<Leg>> {
+fn legs_of_pin(links: &[LinkId], pin: PointId, cs: &[Form]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
     for &l in links {
-        let mine: Vec<&Constraint> = cs
-            .iter()
-            .filter(|c| {
-                let (a, b) = ends(scene, **c);
-                a == Node::Link(l) || b == Node::Link(l)
-            })
-            .collect();
-        let far = mine.iter().find_map(|c| match c {
-            Constraint::Pinned(p, k) if *k == l && *p != pin => Some(*p),
-            _ => None,
-        })?;
-        let near = mine.iter().any(|c| matches!(c, Constraint::Pinned(p, k) if *k == l && *p == pin));
+        let mine: Vec<&Form> = cs.iter().filter(|c| c.joins(l)).collect();
+        let far = on_link(mine.iter().copied(), l).find(|p| *p != pin)?;
+        let near = mine.contains(&&Form::Meet { pin, link: l });
         if near && mine.len() == 2 {
             legs.push(Leg::Bar { link: l, near: pin, far });
             used += 2;
-        } else if let Some(guide) = mine.iter().find_map(|c| if let Constraint::Slot(p, g) = c { (*p == pin).then_some(*g) } else { None })
+        } else if let Some(guide) = mine.iter().find_map(|c| c.path().filter(|_| c.driver().is_none() && c.ends().0 == Node::Pin(pin)))
             && let Some(driver) = slide_of(cs, guide)
             && mine.len() == 3
         {
@@ -250,11 +249,11 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
     }
     for c in cs {
         match *c {
-            Constraint::Pinned(p, l) if p == pin && !links.contains(&l) => {
-                legs.push(Leg::Carried { link: l });
+            Form::Meet { pin: p, link } if p == pin && !links.contains(&link) => {
+                legs.push(Leg::Carried { link });
                 used += 1;
             }
-            Constraint::Slot(p, guide) if p == pin && !links.contains(&scene.guides[guide.0].on) => {
+            Form::OnPath { runner: Runner::Pin(p), guide, on } if p == pin && !links.contains(&on) => {
                 if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::Driven { guide, driver, pin });
                     used += 2;
@@ -263,12 +262,13 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
                     used += 1;
                 }
             }
-            Constraint::Cylinder(driver) => {
-                let (Node::Pin(a), Node::Pin(b)) = ends(scene, *c) else { return None };
-                legs.push(Leg::Cylinder { driver, near: pin, far: if a == pin { b } else { a } });
+            Form::Distance { from, to, driver } => {
+                legs.push(Leg::Cylinder { driver, near: pin, far: if from == pin { to } else { from } });
                 used += 1;
             }
-            _ => {}
+            // Those of bars and rams are counted with them, a driver along a guide with its guide; the others are no leg of a pin, and
+            // what is left uncounted makes this no dyad of one pin.
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Angles { .. } | Form::Rolls { .. } => {}
         }
     }
     let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
@@ -276,24 +276,18 @@ fn legs_of_pin(scene: &Scene, links: &[LinkId], pin: PointId, cs: &[Constraint])
 }
 
 /// The legs of a link, if every other link of the group is a bar from a known pin to one of the core's pins.
-fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Constraint]) -> Option<Vec<Leg>> {
+fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId, cs: &[Form]) -> Option<Vec<Leg>> {
     let mut legs = Vec::new();
     let mut used = 0;
     // Every pin of the group must sit on the core.
-    for &p in pins {
-        if !cs.iter().any(|c| matches!(c, Constraint::Pinned(q, l) if *q == p && *l == core)) {
+    for &pin in pins {
+        if !cs.contains(&Form::Meet { pin, link: core }) {
             return None;
         }
         used += 1;
     }
     for &l in links.iter().filter(|l| **l != core) {
-        let on: Vec<PointId> = cs
-            .iter()
-            .filter_map(|c| match c {
-                Constraint::Pinned(p, k) if *k == l => Some(*p),
-                _ => None,
-            })
-            .collect();
+        let on: Vec<PointId> = on_link(cs, l).collect();
         let (near, far) = match on[..] {
             [a, b] if pins.contains(&a) && !pins.contains(&b) => (a, b),
             [a, b] if pins.contains(&b) && !pins.contains(&a) => (b, a),
@@ -302,14 +296,17 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
         legs.push(Leg::Bar { link: l, near, far });
         used += 2;
     }
+    // The other one of two links, if it is known.
+    let known = |a: LinkId, b: LinkId| Some(if a == core { b } else { a }).filter(|l| !links.contains(l));
     for c in cs {
         match *c {
-            Constraint::Pinned(pin, l) if l == core && !pins.contains(&pin) => {
+            Form::Meet { pin, link } if link == core && !pins.contains(&pin) => {
                 legs.push(Leg::Pinned { pin });
                 used += 1;
             }
-            Constraint::Slot(pin, guide) => {
-                let on = scene.guides[guide.0].on;
+            // Those of the core's own pins and of bars are counted; a driver along a guide is, with its guide.
+            Form::Meet { .. } | Form::AlongPath { .. } => {}
+            Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if slide_of(cs, guide).is_some() {
                     return None;
                 }
@@ -322,29 +319,18 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                 }
                 used += 1;
             }
-            Constraint::Lock(_) | Constraint::Turn(_) => {
-                let (Node::Link(a), Node::Link(b)) = ends(scene, *c) else { return None };
-                let of = if a == core { b } else { a };
-                if links.contains(&of) {
-                    return None;
-                }
-                legs.push(Leg::Angle { of, driver: if let Constraint::Turn(d) = c { Some(*d) } else { None } });
+            Form::Angles { of, against, driver } => {
+                legs.push(Leg::Angle { of: known(of, against)?, driver });
                 used += 1;
             }
-            Constraint::Roll(pair) => {
-                let other = scene.rolling[pair.0].other(core)?;
-                if links.contains(&other) {
-                    return None;
-                }
-                legs.push(Leg::Rolls { pair, other, at: scene.rolling[pair.0].at });
+            Form::Rolls { pair, .. } => {
+                let rolling = &scene.rolling[pair.0];
+                let other = rolling.other(core).filter(|l| !links.contains(l))?;
+                legs.push(Leg::Rolls { pair, other, at: rolling.at });
                 used += 1;
             }
-            Constraint::Glide(guide) => {
-                let (Node::Link(a), Node::Link(b)) = ends(scene, *c) else { return None };
-                let other = if a == core { b } else { a };
-                if links.contains(&other) {
-                    return None;
-                }
+            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
+                let other = known(slider, on)?;
                 if let Some(driver) = slide_of(cs, guide) {
                     legs.push(Leg::DrivenGlide { guide, other, driver });
                     used += 2;
@@ -353,17 +339,15 @@ fn legs_of_link(scene: &Scene, links: &[LinkId], pins: &[PointId], core: LinkId,
                     used += 1;
                 }
             }
-            Constraint::Cylinder(driver) => {
-                let (Node::Pin(a), Node::Pin(b)) = ends(scene, *c) else { return None };
-                let (near, far) = match (pins.contains(&a), pins.contains(&b)) {
-                    (true, false) => (a, b),
-                    (false, true) => (b, a),
-                    _ => return None,
+            Form::Distance { from, to, driver } => {
+                let (near, far) = match (pins.contains(&from), pins.contains(&to)) {
+                    (true, false) => (from, to),
+                    (false, true) => (to, from),
+                    (true, true) | (false, false) => return None,
                 };
                 legs.push(Leg::Cylinder { driver, near, far });
                 used += 1;
             }
-            _ => {}
         }
     }
     let freedoms: usize = legs.iter().map(Leg::freedoms).sum();
@@ -375,10 +359,7 @@ impl Mechanism {
     pub fn passive_carrier(&self, scene: &Scene, l: LinkId) -> Option<Vec<Node>> {
         Some(match self.passive[l.0]? {
             Passive::Block(g) => vec![Node::Link(scene.guides[g.0].on), Node::Pin(scene.guides[g.0].pin?)],
-            Passive::Cylinder(d) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => vec![Node::Pin(a), Node::Pin(b)],
-                _ => return None,
-            },
+            Passive::Cylinder(d) => scene.drivers[d].kind.ends()?.map(Node::Pin).to_vec(),
             Passive::Held(a, b) => vec![Node::Pin(a), Node::Pin(b)],
         })
     }

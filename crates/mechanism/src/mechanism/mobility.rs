@@ -1,9 +1,9 @@
 //! Do the pairs and drivers fix every link? Each equation is assigned to one of its two nodes, so that a link gets three
 //! and a pin two (a bipartite b-matching by augmenting paths). What stays free or finds no place is the diagnosis.
 
-use super::{Constraint, Node, Passive, ends, weight};
+use super::{Constraint, Item, Node, Passive};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 use std::collections::BTreeSet;
 
 /// Mobility F = 3n − 2P_L − P_H with its counts.
@@ -76,9 +76,9 @@ impl Matched {
         let units: Vec<(usize, Node, Node)> = constraints
             .iter()
             .enumerate()
-            .flat_map(|(i, &c)| {
-                let (a, b) = ends(scene, c);
-                std::iter::repeat_n((i, a, b), weight(c))
+            .flat_map(|(i, c)| {
+                let (a, b) = c.ends();
+                std::iter::repeat_n((i, a, b), c.form().equations())
             })
             .collect();
         let (owner, held) = (vec![None; units.len()], vec![Vec::new(); capacity.len()]);
@@ -276,11 +276,12 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
     let mut names: Vec<Both> = Vec::new();
     let mut span = None;
     for &u in homeless {
-        let (text, at) = constraint_words(scene, constraints[units[u].0]);
+        let c = &constraints[units[u].0];
+        let text = c.words(scene);
         if !names.contains(&text) {
             names.push(text);
         }
-        span = span.or(Some(at));
+        span = span.or(Some(c.span(scene)));
     }
     let d = Diagnostic::error(
         "too-many-constraints",
@@ -305,46 +306,6 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
     }
 }
 
-fn constraint_words(scene: &Scene, c: Constraint) -> (Both, crate::diag::Span) {
-    match c {
-        Constraint::Pinned(p, l) => {
-            (both!("pin {} on link {}", "构件 {1} 上的销 {0}", scene.point_name(p), scene.link_name(l)), scene.links[l.0].span)
-        }
-        Constraint::Slot(p, g) => (
-            both!("pin {} in the guide on link {}", "构件 {1} 导路中的销 {0}", scene.point_name(p), scene.link_name(scene.guides[g.0].on)),
-            scene.guides[g.0].span,
-        ),
-        Constraint::Lock(g) | Constraint::Glide(g) => {
-            let guide = &scene.guides[g.0];
-            let slider = guide.slider.map(|s| scene.link_name(s)).unwrap_or_default();
-            (both!("slider {slider} on link {}", "构件 {} 上的滑块 {slider}", scene.link_name(guide.on)), guide.span)
-        }
-        Constraint::Roll(r) => {
-            let pair = &scene.rolling[r.0];
-            let [a, b] = pair.links.map(|l| scene.link_name(l));
-            let what = if pair.toothed {
-                both!("the gear pair of links {a} and {b}", "构件 {a} 与 {b} 的齿轮副")
-            } else {
-                both!("the rolling of link {b} on link {a}", "构件 {b} 在构件 {a} 上的滚动")
-            };
-            (what, pair.span)
-        }
-        Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => {
-            let text = match &scene.drivers[d].kind {
-                DriverKind::Turn { link, .. } => both!("the driver of link {}", "构件 {} 的原动件", scene.link_name(*link)),
-                DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
-                    (Some(p), _) => both!("the sliding driver at {}", "{} 处的移动原动件", scene.point_name(p)),
-                    (None, s) => {
-                        both!("the sliding driver of link {}", "构件 {} 的移动原动件", s.map(|s| scene.link_name(s)).unwrap_or_default())
-                    }
-                },
-                DriverKind::Cylinder { a, b, .. } => both!("the cylinder {}{}", "液压缸 {}{}", scene.point_name(*a), scene.point_name(*b)),
-            };
-            (text, scene.drivers[d].span)
-        }
-    }
-}
-
 /// Counts links and pairs. Drivers do not count: they are what the freedoms are for. A cylinder counts as barrel, rod
 /// and sliding pair, so that its driver too has its freedom.
 ///
@@ -361,7 +322,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
     }
     let mut higher = 0;
     for d in &scene.drivers {
-        if let DriverKind::Cylinder { a, b, links, .. } = &d.kind {
+        if let (Some([a, b]), links) = (d.kind.ends(), d.kind.parts()) {
             // Unnumbered barrels and rods are links all the same.
             moving += 2 - links.len().min(2);
             lower += 1;
@@ -375,7 +336,7 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     for pair in &scene.rolling {
-        let own = pair.guide.filter(|g| constraints.iter().any(|c| matches!(c, Constraint::Slot(_, h) if h == g)));
+        let own = pair.guide.filter(|g| constraints.iter().any(|c| c.item() == Item::Guide(*g)));
         match (pair.toothed, own) {
             (false, _) => lower += 1,
             (true, own) => higher += 1 + usize::from(own.is_some()),

@@ -8,6 +8,7 @@ mod demand;
 mod groups;
 mod leg;
 mod mobility;
+mod pair;
 mod redundant;
 mod survey;
 
@@ -16,6 +17,7 @@ pub use demand::nodes_of;
 pub use groups::{Core, Group};
 pub use leg::{ConstraintLine, Entry, Gives, Hold, Leg, Strut};
 pub use mobility::Mobility;
+pub use pair::{Constraint, Form, Item, Runner, constraints_of};
 pub use redundant::{Opened, Redundant};
 pub use survey::{Counts, ForDrivers, Local, Survey};
 
@@ -24,7 +26,7 @@ use redundant::Opening;
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
+use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,27 +35,6 @@ pub enum Node {
     Link(LinkId),
     /// A pin: a point where links meet, that runs in a guide, or at which a cylinder ends.
     Pin(PointId),
-}
-
-/// One pair or driver, as a constraint between two nodes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Constraint {
-    /// The pin sits on the link: two equations.
-    Pinned(PointId, LinkId),
-    /// The pin runs in the guide: one equation, between the pin and the carrying link.
-    Slot(PointId, GuideId),
-    /// The slider keeps its direction against the link that carries its guide: one equation.
-    Lock(GuideId),
-    /// The slider keeps its distance from the guide (a yoke without a pin of its own): one equation.
-    Glide(GuideId),
-    /// A turning driver: one equation between the driven link and the one against which it turns.
-    Turn(usize),
-    /// A sliding driver along a guide.
-    Slide(usize, GuideId),
-    /// A cylinder: the distance of two pins.
-    Cylinder(usize),
-    /// Two links roll on one another without slip: one equation.
-    Roll(RollingId),
 }
 
 /// A numbered link whose motion follows from others and which constrains nothing: a block with one pin, the barrel or
@@ -134,16 +115,11 @@ impl Mechanism {
 
     /// Whether a guide holds: one between gears may only say what other pairs say.
     pub fn guide_holds(&self, guide: &Guide, id: GuideId) -> bool {
-        self.keeps(id) && (guide.rolling.is_none() || guide.pin.is_some_and(|p| self.constraints.contains(&Constraint::Slot(p, id))))
+        self.keeps(id) && (guide.rolling.is_none() || self.constraints.iter().any(|c| c.item() == Item::Guide(id)))
     }
 
     fn keeps(&self, guide: GuideId) -> bool {
         !self.is_opened(&Opened::Guide(guide))
-    }
-
-    /// The two nodes that a constraint joins.
-    pub fn ends(&self, scene: &Scene, c: Constraint) -> (Node, Node) {
-        ends(scene, c)
     }
 
     /// Whether a link is a part of a pair, a block, a barrel or a rod, and has no form of its own.
@@ -188,10 +164,7 @@ impl Mechanism {
     /// The two pins with whose line a link turns: the ends of its cylinder, or those by which it is known where it only repeats others.
     pub fn line_of(&self, scene: &Scene, l: LinkId) -> Option<(PointId, PointId)> {
         match (self.passive[l.0]?, self.held(l)) {
-            (Passive::Cylinder(d), _) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => Some((a, b)),
-                DriverKind::Turn { .. } | DriverKind::Slide { .. } => None,
-            },
+            (Passive::Cylinder(d), _) => scene.drivers[d].kind.ends().map(<(PointId, PointId)>::from),
             (Passive::Held(..) | Passive::Block(_), held) => held,
         }
     }
@@ -205,54 +178,11 @@ impl Mechanism {
     }
 }
 
-pub(crate) fn ends(scene: &Scene, c: Constraint) -> (Node, Node) {
-    match c {
-        Constraint::Pinned(p, l) => (Node::Pin(p), Node::Link(l)),
-        Constraint::Slot(p, g) => (Node::Pin(p), Node::Link(scene.guides[g.0].on)),
-        Constraint::Lock(g) | Constraint::Glide(g) => {
-            let guide = &scene.guides[g.0];
-            let slider = guide.slider.expect("lock and glide are made for sliders only");
-            (Node::Link(slider), Node::Link(guide.on))
-        }
-        Constraint::Turn(d) => match scene.drivers[d].kind {
-            DriverKind::Turn { link, against, .. } => (Node::Link(link), Node::Link(against)),
-            _ => unreachable!("a turn constraint is made from a turning driver"),
-        },
-        Constraint::Slide(_, g) => {
-            let guide = &scene.guides[g.0];
-            let runner = match (guide.pin, guide.slider) {
-                (Some(p), _) => Node::Pin(p),
-                (None, Some(s)) => Node::Link(s),
-                (None, None) => unreachable!("a guide has a pin or a slider"),
-            };
-            (runner, Node::Link(guide.on))
-        }
-        Constraint::Cylinder(d) => match scene.drivers[d].kind {
-            DriverKind::Cylinder { a, b, .. } => (Node::Pin(a), Node::Pin(b)),
-            _ => unreachable!("a cylinder constraint is made from a cylinder"),
-        },
-        Constraint::Roll(r) => {
-            let [a, b] = scene.rolling[r.0].links;
-            (Node::Link(a), Node::Link(b))
-        }
-    }
-}
-
-/// How many equations a constraint stands for.
-pub(crate) fn weight(c: Constraint) -> usize {
-    match c {
-        Constraint::Pinned(..) => 2,
-        _ => 1,
-    }
-}
-
 fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
     let mut passive = vec![None; scene.links.len()];
     for (d, driver) in scene.drivers.iter().enumerate() {
-        if let DriverKind::Cylinder { links, .. } = &driver.kind {
-            for l in links {
-                passive[l.0] = Some(Passive::Cylinder(d));
-            }
+        for l in driver.kind.parts() {
+            passive[l.0] = Some(Passive::Cylinder(d));
         }
     }
     for (i, link) in scene.links.iter().enumerate() {
@@ -262,7 +192,7 @@ fn find_passive(scene: &Scene) -> Vec<Option<Passive>> {
         }
         let as_slider: Vec<usize> = (0..scene.guides.len()).filter(|&g| scene.guides[g].slider == Some(id)).collect();
         let carries = scene.guides.iter().any(|g| g.on == id);
-        let turned = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == id || against == id));
+        let turned = scene.drivers.iter().any(|d| d.kind.turns_link(id));
         if let [g] = as_slider[..]
             && scene.guides[g].pin == Some(link.points[0])
             && !carries
@@ -307,10 +237,7 @@ fn curved_sliders(scene: &Scene, passive: &[Option<Passive>]) -> Faults {
 fn cylinder_parts(scene: &Scene, passive: &[Option<Passive>], faults: &mut Faults) {
     let part = |l: LinkId| matches!(passive[l.0], Some(Passive::Cylinder(_)));
     let guides = scene.guides.iter().map(|g| ([Some(g.on), g.slider], g.span));
-    let turns = scene.drivers.iter().filter_map(|d| match d.kind {
-        DriverKind::Turn { link, against, .. } => Some(([Some(link), Some(against)], d.span)),
-        _ => None,
-    });
+    let turns = scene.drivers.iter().filter_map(|d| d.kind.turned().map(|(link, against)| ([Some(link), Some(against)], d.span)));
     for (links, span) in guides.chain(turns) {
         for l in links.into_iter().flatten().filter(|l| part(*l)) {
             let message = both!(
@@ -339,51 +266,22 @@ fn find_pins(scene: &Scene, opening: &Opening) -> Vec<PointId> {
         }
     }
     for d in &scene.drivers {
-        if let DriverKind::Cylinder { a, b, .. } = d.kind {
-            is_pin[a.0] = true;
-            is_pin[b.0] = true;
+        for p in d.kind.ends().into_iter().flatten() {
+            is_pin[p.0] = true;
         }
     }
     (0..scene.points.len()).filter(|&p| is_pin[p]).map(PointId).collect()
 }
 
+/// The constraints of all items that stay closed. What joins a passive link is none: the link only follows.
 fn find_constraints(scene: &Scene, opening: &Opening, pins: &[PointId]) -> Vec<Constraint> {
-    let passive = &opening.passive;
-    let mut out = Vec::new();
-    for &p in pins {
-        for l in scene.carriers(p).filter(|l| passive[l.0].is_none() && opening.keeps(&Opened::Pin(p, *l))) {
-            out.push(Constraint::Pinned(p, l));
-        }
-    }
-    for (i, g) in scene.guides.iter().enumerate() {
-        let id = GuideId(i);
-        if !opening.keeps(&Opened::Guide(id)) {
-            continue;
-        }
-        if let Some(p) = g.pin
-            && !is_optional(scene, g)
-        {
-            out.push(Constraint::Slot(p, id));
-        }
-        if let Some(s) = g.slider
-            && passive[s.0] != Some(Passive::Block(id))
-        {
-            out.push(Constraint::Lock(id));
-            if g.pin.is_none() {
-                out.push(Constraint::Glide(id));
-            }
-        }
-    }
-    for (d, driver) in scene.drivers.iter().enumerate() {
-        out.push(match driver.kind {
-            DriverKind::Turn { .. } => Constraint::Turn(d),
-            DriverKind::Slide { guide, .. } => Constraint::Slide(d, guide),
-            DriverKind::Cylinder { .. } => Constraint::Cylinder(d),
-        });
-    }
-    let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| opening.keeps(&Opened::Rolling(*r)));
-    out.extend(rolling.map(Constraint::Roll));
-    out
+    let on_links = pins.iter().flat_map(|&p| scene.carriers(p).map(move |l| Item::Pin(p, l)));
+    let guides = scene.guides.iter().enumerate().filter(|(_, g)| !is_optional(scene, g)).map(|(i, _)| Item::Guide(GuideId(i)));
+    let drivers = (0..scene.drivers.len()).map(Item::Driver);
+    let rolling = (0..scene.rolling.len()).map(|r| Item::Rolling(RollingId(r)));
+    let kept = on_links.chain(guides).chain(drivers).chain(rolling).filter(|item| opening.keeps_item(*item));
+    let follows = |n: Node| matches!(n, Node::Link(l) if opening.passive[l.0].is_some());
+    kept.flat_map(|item| constraints_of(scene, item)).filter(|c| !follows(c.ends().0) && !follows(c.ends().1)).collect()
 }
 
 /// Whether a guide keeps two gears in touch that other pairs may keep in touch already: their teeth touch on both sides, but the distance
@@ -395,11 +293,11 @@ fn is_optional(scene: &Scene, guide: &Guide) -> bool {
 /// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
-    for (g, guide) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
-        let Some(pin) = guide.pin else { continue };
-        constraints.push(Constraint::Slot(pin, GuideId(g)));
+    for (g, _) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
+        let closed = constraints.len();
+        constraints.extend(constraints_of(scene, Item::Guide(GuideId(g))));
         if !mobility::all_have_a_home(scene, passive, pins, &constraints) {
-            constraints.pop();
+            constraints.truncate(closed);
         }
     }
     constraints

@@ -8,9 +8,9 @@
 //! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
 
 use super::mobility::Matched;
-use super::{Constraint, Core, Mechanism, Passive, find_constraints, find_pins, touching};
+use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -47,6 +47,16 @@ impl Opening {
     /// Whether a pair stays closed.
     pub fn keeps(&self, what: &Opened) -> bool {
         self.redundant.iter().all(|r| r.opened != *what)
+    }
+
+    /// Whether an item's pair stays closed.
+    pub fn keeps_item(&self, item: Item) -> bool {
+        match item {
+            Item::Pin(p, l) => self.keeps(&Opened::Pin(p, l)),
+            Item::Guide(g) => self.keeps(&Opened::Guide(g)),
+            Item::Rolling(r) => self.keeps(&Opened::Rolling(r)),
+            Item::Driver(_) => true,
+        }
     }
 
     pub fn pins_and_constraints(&self, scene: &Scene) -> (Vec<PointId>, Vec<Constraint>) {
@@ -92,7 +102,7 @@ const MOST_OPENED: usize = 4;
 pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     let matched = closed.matched(scene);
     let (pins, constraints) = closed.pins_and_constraints(scene);
-    let drives = |c: &usize| matches!(constraints[*c], Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_));
+    let drives = |c: &usize| constraints[*c].form().driver().is_some();
     let many = |c: BTreeSet<usize>| c.into_iter().filter(drives).count() > 1;
     let moves = super::mobility::count(scene, &constraints).freedom > 0;
     if matched.free() > 0 || moves && matched.circuits().any(many) {
@@ -159,7 +169,7 @@ fn rank(m: &Mechanism) -> (usize, usize) {
 fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidate> {
     let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
-    let driven = |g: usize| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide.0 == g));
+    let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
     for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && guide.rolling.is_none()) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
@@ -188,7 +198,7 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
 /// A link that may be left to follow two of its pins: nothing but pins holds it, and nothing drives it.
 fn as_follower(scene: &Scene, pins: &[PointId], l: LinkId) -> Option<Candidate> {
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
-    let driven = scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == l || against == l));
+    let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l));
     let own: Vec<PointId> = scene.links[l.0].points.iter().copied().filter(|p| pins.contains(p)).collect();
     // Two equations for each pin, and three freedoms go with the link.
     let equations = (2 * own.len()).checked_sub(3).filter(|_| own.len() >= 2 && !slides && !driven)?;

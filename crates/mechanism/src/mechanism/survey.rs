@@ -150,8 +150,8 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
     // `count` takes the turning of such a pin for a pair more.
     let counts = Counts { moving: mobility.moving, lower: mobility.lower, higher: mobility.higher - local.len() };
     let joined = |p: PointId| {
-        let ends = scene.drivers.iter().filter(|d| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if a == p || b == p)).count();
-        let parts = |l: &LinkId| scene.drivers.iter().any(|d| matches!(&d.kind, DriverKind::Cylinder { links, .. } if links.contains(l)));
+        let ends = scene.drivers.iter().filter(|d| d.kind.ends().is_some_and(|ends| ends.contains(&p))).count();
+        let parts = |l: &LinkId| scene.drivers.iter().any(|d| d.kind.parts().contains(l));
         scene.carriers(p).filter(|l| !parts(l)).count() + ends
     };
     let compound = (0..scene.points.len()).map(PointId).map(|p| (p, joined(p))).filter(|(_, k)| *k > 2).collect();
@@ -163,11 +163,8 @@ fn counted(scene: &Scene) -> (Counts, Vec<(PointId, usize)>, Vec<Local>) {
 fn is_idle(scene: &Scene, l: LinkId) -> bool {
     let [pin] = scene.links[l.0].points[..] else { return false };
     let slides = scene.guides.iter().any(|g| g.on == l || g.slider == Some(l)) || scene.rolling.iter().any(|r| r.links.contains(&l));
-    let driven = scene.drivers.iter().any(|d| match &d.kind {
-        DriverKind::Turn { link, against, .. } => *link == l || *against == l,
-        DriverKind::Slide { .. } => false,
-        DriverKind::Cylinder { a, b, links, .. } => links.contains(&l) || [*a, *b].contains(&pin),
-    });
+    let ends_there = |kind: &DriverKind| kind.parts().contains(&l) || kind.ends().is_some_and(|ends| ends.contains(&pin));
+    let driven = scene.drivers.iter().any(|d| d.kind.turns_link(l) || ends_there(&d.kind));
     let grounded = scene.links[scene.ground.0].points.contains(&pin);
     l != scene.ground && !grounded && scene.carriers(pin).count() > 1 && !slides && !driven
 }

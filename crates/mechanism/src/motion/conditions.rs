@@ -1,7 +1,7 @@
 //! The conditions that pairs and drivers put on the motion of one group, and their solution.
 //!
-//! Three kinds are enough: two points keep a distance, a point moves at a given rate along a direction of a body, a body
-//! turns against another at a given rate. Each is differentiated twice by hand; the same coefficients serve velocities,
+//! The forms of pairs ([`Form`]) come down to three: two points keep a distance, a point moves at a given rate along a direction of a
+//! body, a body turns against another at a given rate. Each is differentiated twice by hand; the same coefficients serve velocities,
 //! accelerations, and the derivatives of the closure equations.
 //!
 //! Lengths are multiplied by a power of two near 1/(size of the group), so that the choice of pivots depends neither on the
@@ -9,12 +9,12 @@
 
 use super::{LinkMotion, Motion};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Constraint, Group, Mechanism, Node};
+use crate::mechanism::{Form, Group, Mechanism, Node, Runner};
 use crate::number::Real;
 use crate::position::kernel::power_of_two_scale;
 use crate::position::{Configuration, Path};
 use crate::scene::exact::Inputs;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 
 /// A point of a body: of one whose motion is known, or of an unknown of the group.
 #[derive(Clone, Copy)]
@@ -135,7 +135,6 @@ pub(crate) struct Conditions<N> {
 /// Builds the conditions of a group.
 struct Builder<'a, N> {
     scene: &'a Scene,
-    m: &'a Mechanism,
     at: &'a Configuration<N>,
     known: &'a Motion<N>,
     links: &'a [(LinkId, Point<N>)],
@@ -159,10 +158,10 @@ impl<N: Real> Conditions<N> {
         let links: Vec<(LinkId, Point<N>)> = group.links.iter().map(|&l| (l, own_point(scene, at, l))).collect();
         let pins = group.pins.clone();
         let scale = power_of_two_scale(extent(scene, m, at, group));
-        let b = Builder { scene, m, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
+        let b = Builder { scene, at, known, links: &links, pins: &pins, scale: N::from_f64(scale) };
         let mut list = Vec::new();
         for &c in &group.constraints {
-            b.push(m.constraints[c], inputs, &mut list);
+            b.push(m.constraints[c].form(), inputs, &mut list);
         }
         let unknowns = 3 * links.len() + 2 * pins.len();
         Conditions { links, pins, list, scale, unknowns }
@@ -208,7 +207,7 @@ impl<N: Real> Conditions<N> {
 fn extent<N: Real>(scene: &Scene, m: &Mechanism, at: &Configuration<N>, group: &Group) -> f64 {
     let of_links = group.links.iter().flat_map(|l| scene.links[l.0].points.iter().copied());
     let of_pairs = group.constraints.iter().flat_map(|c| {
-        let (a, b) = m.ends(scene, m.constraints[*c]);
+        let (a, b) = m.constraints[*c].ends();
         [a, b].into_iter().filter_map(|n| if let Node::Pin(p) = n { Some(p) } else { None })
     });
     let (mut lo, mut hi) = (Vec2::new(f64::INFINITY, f64::INFINITY), Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY));
@@ -250,13 +249,6 @@ impl<N: Real> Builder<'_, N> {
         LinkMotion { v: m.v * self.scale, a: m.a * self.scale, ..m }
     }
 
-    fn node(&self, n: Node, place: Point<N>) -> Handle<N> {
-        match n {
-            Node::Link(l) => self.body(l, place),
-            Node::Pin(p) => self.pin(p),
-        }
-    }
-
     /// Both components of v_P = v_Q.
     fn together(&self, p: Handle<N>, q: Handle<N>, list: &mut Vec<Condition<N>>) {
         let zero = N::from_f64(0.0);
@@ -267,33 +259,30 @@ impl<N: Real> Builder<'_, N> {
     }
 
     /// What runs in a guide, and where it is: its pin, or the slider itself.
-    fn runner(&self, g: GuideId) -> (Handle<N>, Point<N>) {
-        let guide = &self.scene.guides[g.0];
-        match (guide.pin, guide.slider) {
-            (Some(p), _) => (self.pin(p), self.at.point(p)),
-            (None, slider) => {
-                let s = slider.expect("a guide has a pin or a slider");
-                let place = own_point(self.scene, self.at, s);
-                (self.body(s, place), place)
+    fn runner(&self, runner: Runner) -> (Handle<N>, Point<N>) {
+        match runner {
+            Runner::Pin(p) => (self.pin(p), self.at.point(p)),
+            Runner::Link(slider) => {
+                let place = own_point(self.scene, self.at, slider);
+                (self.body(slider, place), place)
             }
         }
     }
 
-    fn push(&self, c: Constraint, inputs: &Inputs<N>, list: &mut Vec<Condition<N>>) {
+    fn push(&self, form: Form, inputs: &Inputs<N>, list: &mut Vec<Condition<N>>) {
         let zero = N::from_f64(0.0);
         let driven = |d: usize| {
             let driver = &self.scene.drivers[d];
             (inputs.number(&driver.rate), driver.acceleration.as_ref().map_or(zero, |a| inputs.number(a)))
         };
-        match c {
-            Constraint::Pinned(p, l) => {
-                let place = self.at.point(p);
-                self.together(self.body(l, place), self.pin(p), list);
+        match form {
+            Form::Meet { pin, link } => {
+                let place = self.at.point(pin);
+                self.together(self.body(link, place), self.pin(pin), list);
             }
-            Constraint::Slot(_, g) | Constraint::Glide(g) => {
-                let (p, place) = self.runner(g);
-                let on = self.scene.guides[g.0].on;
-                list.push(match self.at.guide(g) {
+            Form::OnPath { runner, guide, on } => {
+                let (p, place) = self.runner(runner);
+                list.push(match self.at.guide(guide) {
                     Path::Line { direction, .. } => {
                         Condition::Along { p, q: self.body(on, place), k: direction.perp(), rate: zero, acceleration: zero }
                     }
@@ -303,33 +292,31 @@ impl<N: Real> Builder<'_, N> {
                     }
                 });
             }
-            Constraint::Slide(d, g) => {
-                let (rate, acceleration) = driven(d);
-                let (p, place) = self.runner(g);
-                let q = self.body(self.scene.guides[g.0].on, place);
-                let k = self.at.guide(g).tangent_at(place);
+            Form::AlongPath { runner, guide, on, driver } => {
+                let (rate, acceleration) = driven(driver);
+                let (p, place) = self.runner(runner);
+                let q = self.body(on, place);
+                let k = self.at.guide(guide).tangent_at(place);
                 list.push(Condition::Along { p, q, k, rate: rate * self.scale, acceleration: acceleration * self.scale });
             }
-            Constraint::Roll(r) => {
+            Form::Rolls { pair, links } => {
                 // Both points at the contact have one velocity, and accelerations that differ along the normal only.
-                let pair = &self.scene.rolling[r.0];
-                let (place, n) = (self.at.point(pair.at), self.at.normal(self.scene, r).expect("a planned contact is placed"));
-                let [a, b] = pair.links.map(|l| self.body(l, place));
+                let (place, n) =
+                    (self.at.point(self.scene.rolling[pair.0].at), self.at.normal(self.scene, pair).expect("a planned contact is placed"));
+                let [a, b] = links.map(|l| self.body(l, place));
                 list.push(Condition::Along { p: b, q: a, k: n.perp(), rate: zero, acceleration: zero });
             }
-            Constraint::Lock(_) | Constraint::Turn(_) => {
-                let (rate, acceleration) = if let Constraint::Turn(d) = c { driven(d) } else { (zero, zero) };
-                let (a, b) = self.m.ends(self.scene, c);
+            Form::Angles { of, against, driver } => {
+                let (rate, acceleration) = driver.map_or((zero, zero), driven);
                 let anywhere = Point::origin();
-                list.push(Condition::Turning { p: self.node(a, anywhere), q: self.node(b, anywhere), rate, acceleration });
+                list.push(Condition::Turning { p: self.body(of, anywhere), q: self.body(against, anywhere), rate, acceleration });
             }
-            Constraint::Cylinder(d) => {
-                let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind else { return };
-                let (rate, acceleration) = driven(d);
+            Form::Distance { from, to, driver } => {
+                let (rate, acceleration) = driven(driver);
                 let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
-                let u = (self.at.point(b) - self.at.point(a)) * self.scale;
+                let u = (self.at.point(to) - self.at.point(from)) * self.scale;
                 let l = u.norm();
-                list.push(distance(self.pin(b), self.pin(a), u, l * rate, rate * rate + l * acceleration));
+                list.push(distance(self.pin(to), self.pin(from), u, l * rate, rate * rate + l * acceleration));
             }
         }
     }

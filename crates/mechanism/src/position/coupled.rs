@@ -9,9 +9,9 @@ use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Constraint, Group, Node};
+use crate::mechanism::{Form, Group, Runner};
 use crate::number::Real;
-use crate::scene::{DriverKind, LinkId, PointId};
+use crate::scene::{LinkId, PointId};
 
 /// Poses of the group's links and places of its pins.
 #[derive(Clone)]
@@ -24,7 +24,7 @@ struct Coupled<'a, N> {
     assembly: &'a Assembly<'a, N>,
     links: &'a [LinkId],
     pins: &'a [PointId],
-    constraints: Vec<Constraint>,
+    forms: Vec<Form>,
     scale: f64,
     aside: Option<Aside>,
 }
@@ -60,9 +60,9 @@ impl<N: Real> Assembly<'_, N> {
         for p in &group.pins {
             start.pins.push(meant.points[p.0].ok_or_else(|| unproven(Unproven::NoRoot))?.lift());
         }
-        let constraints = group.constraints.iter().map(|&c| self.m.constraints[c]).collect();
+        let forms = group.constraints.iter().map(|&c| self.m.constraints[c].form()).collect();
         let scale = meant.extent();
-        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, constraints, scale, aside };
+        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside };
         let root = if N::refines() {
             if system.equations(&start).is_none() {
                 return Err(unproven(Unproven::NotWritten));
@@ -114,6 +114,25 @@ impl<N: Real> Coupled<'_, N> {
         }
     }
 
+    fn runner(&self, at: &State<N>, runner: Runner) -> Option<Point<N>> {
+        match runner {
+            Runner::Pin(p) => self.point(at, p),
+            Runner::Link(l) => Some(self.pose(at, l)?.origin),
+        }
+    }
+
+    /// Adds ±k·(motion of a runner).
+    fn add_runner(&self, at: &State<N>, row: &mut [N], runner: Runner, k: Vec2<N>) {
+        match runner {
+            Runner::Pin(p) => self.add_pin(row, p, k),
+            Runner::Link(l) => {
+                if let Some(i) = self.links.iter().position(|q| *q == l) {
+                    self.add_link(at, row, l, at.poses[i].origin, k);
+                }
+            }
+        }
+    }
+
     /// Adds the turning of a link, in the length by which its step is counted.
     fn add_turn(&self, row: &mut [N], l: LinkId, k: N) {
         if let Some(i) = self.links.iter().position(|q| *q == l) {
@@ -126,26 +145,40 @@ impl<N: Real> Coupled<'_, N> {
         N::from_f64(self.aside.filter(|a| a.driver == driver).map_or(0.0, |a| a.by))
     }
 
-    /// What a driver held at the instant and how much more it holds now, where it is one that stands elsewhere.
-    fn held_aside(&self, c: Constraint) -> Option<N> {
+    /// What a driver held at the instant and how much more it holds now, where it is one that stands elsewhere; else what the scene says.
+    fn held(&self, form: Form) -> Option<N> {
         let a = self.assembly;
-        let then = a.instant.filter(|_| self.aside.is_some())?;
-        match c {
-            Constraint::Slide(d, g) => {
-                let guide = &a.scene.guides[g.0];
-                let Path::Line { through, direction } = a.guides[g.0]?.to_world(&then.poses[guide.on.0]?) else { return None };
-                Some(direction.dot(then.points[guide.pin?.0]? - through) + self.by(d))
+        let Some(then) = a.instant.filter(|_| self.aside.is_some()) else {
+            let driver = &a.scene.drivers[form.driver()?];
+            return Some(a.inputs.driven(driver, driver.kind.length()?));
+        };
+        match form {
+            Form::AlongPath { runner, guide, on, driver } => {
+                let Path::Line { through, direction } = a.guides[guide.0]?.to_world(&then.poses[on.0]?) else { return None };
+                let place = match runner {
+                    Runner::Pin(p) => then.points[p.0]?,
+                    Runner::Link(l) => then.poses[l.0]?.origin,
+                };
+                Some(direction.dot(place - through) + self.by(driver))
             }
-            Constraint::Cylinder(d) => {
-                let DriverKind::Cylinder { a: from, b: to, .. } = a.scene.drivers[d].kind else { return None };
-                Some(then.points[from.0]?.distance(then.points[to.0]?) + self.by(d))
+            Form::Distance { from, to, driver } => Some(then.points[from.0]?.distance(then.points[to.0]?) + self.by(driver)),
+            Form::Meet { .. } | Form::OnPath { .. } | Form::Angles { .. } | Form::Rolls { .. } => None,
+        }
+    }
+
+    /// The direction that a link is to have, in the plane.
+    fn target(&self, at: &State<N>, of: LinkId, against: LinkId, driver: Option<usize>) -> Option<Vec2<N>> {
+        let a = self.assembly;
+        let stood = |then: &Configuration<N>| Some(then.poses[of.0]?.axis.divide_by(then.poses[against.0]?.axis));
+        match (driver, a.instant) {
+            // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
+            (None, None) => Some(Vec2::unit_x()),
+            (None, Some(then)) => Some(stood(then)?.rotate_by(self.pose(at, against)?.axis)),
+            (Some(d), Some(then)) if self.aside.is_some() => {
+                Some(stood(then)?.rotate_by(Vec2::from_angle(self.by(d))).rotate_by(self.pose(at, against)?.axis))
             }
-            Constraint::Pinned(..)
-            | Constraint::Slot(..)
-            | Constraint::Lock(_)
-            | Constraint::Glide(_)
-            | Constraint::Turn(_)
-            | Constraint::Roll(_) => None,
+            (Some(_), _) if self.links.contains(&against) => None,
+            (Some(d), _) => a.axis_of(of, against, Some(d)).ok(),
         }
     }
 
@@ -153,118 +186,66 @@ impl<N: Real> Coupled<'_, N> {
     fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
         let a = self.assembly;
         let mut list = Vec::new();
-        for &c in &self.constraints {
-            match c {
-                Constraint::Pinned(p, l) => {
-                    let (place, pose) = (self.point(at, p)?, self.pose(at, l)?);
-                    let own = pose.to_world(a.shapes[l.0].local(p)?);
+        for &form in &self.forms {
+            match form {
+                Form::Meet { pin, link } => {
+                    let (place, pose) = (self.point(at, pin)?, self.pose(at, link)?);
+                    let own = pose.to_world(a.shapes[link.0].local(pin)?);
                     let off = place - own;
                     for (off, k) in [(off.x, Vec2::unit_x()), (off.y, Vec2::unit_x().perp())] {
                         let mut row = self.zeros();
-                        self.add_pin(&mut row, p, k);
-                        self.add_link(at, &mut row, l, own, -k);
+                        self.add_pin(&mut row, pin, k);
+                        self.add_link(at, &mut row, link, own, -k);
                         list.push(Equation { off, row });
                     }
                 }
-                Constraint::Slot(p, g) => {
-                    let on = a.scene.guides[g.0].on;
-                    let place = self.point(at, p)?;
+                Form::OnPath { runner, guide, on } => {
+                    // How far the origin of a link lies beside the guide is nobody's concern: at the instant it lies on it, and stays there.
+                    let place = self.runner(at, runner)?;
                     let mut row = self.zeros();
-                    let off = match a.guides[g.0]?.to_world(&self.pose(at, on)?) {
-                        Path::Line { through, direction } => {
-                            self.add_pin(&mut row, p, direction.perp());
-                            self.add_link(at, &mut row, on, place, -direction.perp());
-                            direction.cross(place - through)
-                        }
+                    let (off, k, foot) = match a.guides[guide.0]?.to_world(&self.pose(at, on)?) {
+                        Path::Line { through, direction } => (direction.cross(place - through), direction.perp(), place),
                         Path::Arc { centre, radius } => {
                             let u = place - centre;
                             let l = u.norm();
-                            let u = u * (N::from_f64(1.0) / l);
-                            self.add_pin(&mut row, p, u);
-                            self.add_link(at, &mut row, on, centre, -u);
-                            l - radius
+                            (l - radius, u * (N::from_f64(1.0) / l), centre)
                         }
                     };
+                    self.add_runner(at, &mut row, runner, k);
+                    self.add_link(at, &mut row, on, foot, -k);
                     list.push(Equation { off, row });
                 }
-                Constraint::Slide(d, g) => {
-                    let guide = &a.scene.guides[g.0];
-                    let held = match (self.held_aside(c), &a.scene.drivers[d].kind) {
-                        (Some(held), _) => held,
-                        (None, DriverKind::Slide { position: Some(s), .. }) => a.inputs.driven(&a.scene.drivers[d], s),
-                        (None, _) => return None,
-                    };
-                    let Path::Line { through, direction } = a.guides[g.0]?.to_world(&self.pose(at, guide.on)?) else { return None };
-                    let p = guide.pin?;
-                    let place = self.point(at, p)?;
+                Form::AlongPath { runner, guide, on, .. } => {
+                    let held = self.held(form)?;
+                    let Path::Line { through, direction } = a.guides[guide.0]?.to_world(&self.pose(at, on)?) else { return None };
+                    let place = self.runner(at, runner)?;
                     let mut row = self.zeros();
-                    self.add_pin(&mut row, p, direction);
-                    self.add_link(at, &mut row, guide.on, place, -direction);
+                    self.add_runner(at, &mut row, runner, direction);
+                    self.add_link(at, &mut row, on, place, -direction);
                     list.push(Equation { off: direction.dot(place - through) - held, row });
                 }
-                Constraint::Cylinder(d) => {
-                    let DriverKind::Cylinder { a: from, b: to, length, .. } = &a.scene.drivers[d].kind else { return None };
-                    let held = match (self.held_aside(c), length) {
-                        (Some(held), _) => held,
-                        (None, Some(length)) => a.inputs.driven(&a.scene.drivers[d], length),
-                        (None, None) => return None,
-                    };
-                    let u = self.point(at, *to)? - self.point(at, *from)?;
+                Form::Distance { from, to, .. } => {
+                    let held = self.held(form)?;
+                    let u = self.point(at, to)? - self.point(at, from)?;
                     let l = u.norm();
                     let u = u * (N::from_f64(1.0) / l);
                     let mut row = self.zeros();
-                    self.add_pin(&mut row, *to, u);
-                    self.add_pin(&mut row, *from, -u);
+                    self.add_pin(&mut row, to, u);
+                    self.add_pin(&mut row, from, -u);
                     list.push(Equation { off: l - held, row });
                 }
-                Constraint::Turn(d) => {
-                    let (Node::Link(link), Node::Link(against)) = a.m.ends(a.scene, c) else { return None };
-                    let i = self.links.iter().position(|l| *l == link)?;
-                    let axis = at.poses[i].axis;
+                Form::Angles { of, against, driver } => {
+                    let axis = self.pose(at, of)?.axis;
+                    let target = self.target(at, of, against, driver)?;
                     let mut row = self.zeros();
-                    let target = match a.instant.filter(|_| self.aside.is_some()) {
-                        Some(then) => {
-                            let stood = then.poses[link.0]?.axis.divide_by(then.poses[against.0]?.axis);
-                            stood.rotate_by(Vec2::from_angle(self.by(d))).rotate_by(self.pose(at, against)?.axis)
-                        }
-                        None if self.links.contains(&against) => return None,
-                        None => a.axis_of(link, against, Some(d)).ok()?,
-                    };
-                    self.add_turn(&mut row, against, -target.dot(axis));
-                    self.add_turn(&mut row, link, target.dot(axis));
+                    if a.instant.is_some() {
+                        self.add_turn(&mut row, against, -target.dot(axis));
+                    }
+                    self.add_turn(&mut row, of, target.dot(axis));
                     list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
                 }
                 // Lengths and drivers do not tell how far one link has rolled on the other.
-                Constraint::Roll(_) => return None,
-                Constraint::Lock(g) => {
-                    let guide = &a.scene.guides[g.0];
-                    let slider = guide.slider?;
-                    let own = self.pose(at, slider)?.axis;
-                    let mut row = self.zeros();
-                    // At the instant its frame lies as the plane's; later it stands against the other link as it stood then.
-                    let target = match a.instant {
-                        None => Vec2::unit_x(),
-                        Some(then) => {
-                            let stood = then.poses[slider.0]?.axis.divide_by(then.poses[guide.on.0]?.axis);
-                            let target = stood.rotate_by(self.pose(at, guide.on)?.axis);
-                            self.add_turn(&mut row, guide.on, -target.dot(own));
-                            target
-                        }
-                    };
-                    self.add_turn(&mut row, slider, target.dot(own));
-                    list.push(Equation { off: target.cross(own) * N::from_f64(self.scale), row });
-                }
-                Constraint::Glide(g) => {
-                    let guide = &a.scene.guides[g.0];
-                    let slider = guide.slider?;
-                    let Path::Line { through, direction } = a.guides[g.0]?.to_world(&self.pose(at, guide.on)?) else { return None };
-                    // How far its origin lies beside the guide is nobody's concern: at the instant it lies on it, and stays there.
-                    let origin = self.pose(at, slider)?.origin;
-                    let mut row = self.zeros();
-                    self.add_link(at, &mut row, slider, origin, direction.perp());
-                    self.add_link(at, &mut row, guide.on, origin, -direction.perp());
-                    list.push(Equation { off: direction.cross(origin - through), row });
-                }
+                Form::Rolls { .. } => return None,
             }
         }
         (list.len() == self.zeros().len()).then_some(list)
@@ -304,20 +285,21 @@ mod tests {
     use super::*;
     use crate::mechanism::{Demand, Mechanism};
     use crate::position::{configure, newton};
-    use crate::scene::{self, templates};
+    use crate::scene::{self, GuideId, templates};
     use std::collections::BTreeSet;
 
-    fn kind(a: &Assembly<f64>, c: Constraint) -> &'static str {
-        match c {
-            Constraint::Pinned(..) => "pinned",
-            Constraint::Slot(_, g) if matches!(a.guides[g.0], Some(Path::Arc { .. })) => "slot along an arc",
-            Constraint::Slot(..) => "slot along a line",
-            Constraint::Slide(..) => "slide",
-            Constraint::Cylinder(_) => "cylinder",
-            Constraint::Turn(_) => "turn",
-            Constraint::Roll(_) => "roll",
-            Constraint::Lock(_) => "lock",
-            Constraint::Glide(_) => "glide",
+    fn kind(a: &Assembly<f64>, form: Form) -> &'static str {
+        let arc = |g: GuideId| matches!(a.guides[g.0], Some(Path::Arc { .. }));
+        match form {
+            Form::Meet { .. } => "meet",
+            Form::OnPath { runner: Runner::Pin(_), guide, .. } if arc(guide) => "pin on an arc",
+            Form::OnPath { runner: Runner::Pin(_), .. } => "pin on a line",
+            Form::OnPath { runner: Runner::Link(_), .. } => "link on a line",
+            Form::AlongPath { .. } => "along a line",
+            Form::Distance { .. } => "distance",
+            Form::Angles { driver: Some(_), .. } => "driven angle",
+            Form::Angles { driver: None, .. } => "kept angle",
+            Form::Rolls { .. } => "rolls",
         }
     }
 
@@ -332,11 +314,11 @@ mod tests {
         let groups: Vec<&Group> = newton::placed(&m, &at).into_iter().map(|g| &m.groups[g]).collect();
         let links: Vec<LinkId> = groups.iter().flat_map(|g| g.links.clone()).collect();
         let pins: Vec<PointId> = groups.iter().flat_map(|g| g.pins.clone()).collect();
-        let constraints: Vec<Constraint> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c]).collect();
+        let forms: Vec<Form> = groups.iter().flat_map(|g| &g.constraints).map(|&c| m.constraints[c].form()).collect();
         let scale = at.extent();
         for aside in [None, Some(Aside { driver: 0, by: 0.01 })] {
             assembly.instant = aside.map(|_| &at);
-            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, constraints: constraints.clone(), scale, aside };
+            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside };
             let state = State {
                 poses: links.iter().map(|l| at.poses[l.0].expect("placed")).collect(),
                 pins: pins.iter().map(|p| at.point(*p)).collect(),
@@ -365,7 +347,7 @@ mod tests {
                     );
                 }
             }
-            seen.extend(constraints.iter().map(|c| (kind(&assembly, *c), aside.is_some())));
+            seen.extend(forms.iter().map(|f| (kind(&assembly, *f), aside.is_some())));
         }
     }
 
@@ -376,7 +358,7 @@ mod tests {
         for t in templates::list() {
             check(t.name, templates::get(t.name).expect("its name is of the list"), &mut seen);
         }
-        let all = ["pinned", "slot along an arc", "slot along a line", "slide", "cylinder", "turn", "lock", "glide"];
+        let all = ["meet", "pin on an arc", "pin on a line", "link on a line", "along a line", "distance", "driven angle", "kept angle"];
         for kind in all {
             for aside in [false, true] {
                 assert!(seen.contains(&(kind, aside)), "no template has {kind}, aside {aside}: {seen:?}");

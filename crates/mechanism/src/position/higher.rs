@@ -8,9 +8,9 @@ use super::shape::{Frame, given_at};
 use super::{Configuration, Pose, Shapes, newton};
 use crate::diag::{Both, Diagnostic, both};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Constraint, Group, Node};
+use crate::mechanism::{Form, Group, Node};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// A group for which only Newton's method from a sketch remains.
@@ -34,7 +34,7 @@ impl<N: Real> Assembly<'_, N> {
             start.points[p.0] =
                 Some(rough(p).ok_or_else(|| lacking(both!("{} is not sketched", "{} 没有大致位置", self.scene.point_name(p))))?);
         }
-        let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.locked(self.m.constraints[c])).collect();
+        let sliders: Vec<(LinkId, LinkId)> = group.constraints.iter().filter_map(|&c| self.locked(self.m.constraints[c].form())).collect();
         for &l in &group.links {
             if let Some((_, on)) = sliders.iter().find(|(s, _)| *s == l) {
                 // Its frame lies as the plane's, unless its own points tell it a direction that nothing puts in relation to the guide.
@@ -68,8 +68,9 @@ impl<N: Real> Assembly<'_, N> {
             }
         }
         let drivers = self.driver_values(&start);
-        if let Some(c) = group.constraints.iter().find(|c| self.lays(self.m.constraints[**c]).is_some_and(|g| self.guides[g.0].is_none())) {
-            let on = self.m.ends(self.scene, self.m.constraints[*c]).1;
+        let unlaid = |form: &Form| form.path().is_some_and(|g| self.guides[g.0].is_none());
+        if let Some(form) = group.constraints.iter().map(|c| self.m.constraints[*c].form()).find(unlaid) {
+            let on = form.ends().1;
             return Err(lacking(both!(
                 "a guide on {} is given at the instant only, which does not fix it in that link",
                 "{}上的导路只给定了该时刻的方向，并未在其中固定",
@@ -113,18 +114,15 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     /// A slider and the link against which it keeps its direction.
-    fn locked(&self, c: Constraint) -> Option<(LinkId, LinkId)> {
-        match (c, self.m.ends(self.scene, c)) {
-            (Constraint::Lock(_), (Node::Link(slider), Node::Link(on))) => Some((slider, on)),
-            _ => None,
-        }
-    }
-
-    /// The guide that a constraint needs to be laid in its link.
-    fn lays(&self, c: Constraint) -> Option<GuideId> {
-        match c {
-            Constraint::Slot(_, g) | Constraint::Glide(g) | Constraint::Slide(_, g) => Some(g),
-            _ => None,
+    fn locked(&self, form: Form) -> Option<(LinkId, LinkId)> {
+        match form {
+            Form::Angles { of, against, driver: None } => Some((of, against)),
+            Form::Angles { driver: Some(_), .. }
+            | Form::Meet { .. }
+            | Form::OnPath { .. }
+            | Form::AlongPath { .. }
+            | Form::Distance { .. }
+            | Form::Rolls { .. } => None,
         }
     }
 
@@ -138,15 +136,12 @@ impl<N: Real> Assembly<'_, N> {
     fn driver_values(&self, start: &Configuration) -> newton::DriverValues {
         let mut values = newton::driver_values(self.scene, start);
         for (d, driver) in self.scene.drivers.iter().enumerate() {
-            match &driver.kind {
-                DriverKind::Turn { link, against, .. } => {
-                    if let (Ok(axis), Some(base)) = (self.axis_of(*link, *against, Some(d)), self.poses[against.0]) {
-                        values.0[d] = axis.divide_by(base.axis).approx().angle();
-                    }
+            if let Some((link, against)) = driver.kind.turned() {
+                if let (Ok(axis), Some(base)) = (self.axis_of(link, against, Some(d)), self.poses[against.0]) {
+                    values.0[d] = axis.divide_by(base.axis).approx().angle();
                 }
-                DriverKind::Slide { position: Some(s), .. } => values.0[d] = s.value,
-                DriverKind::Cylinder { length: Some(l), .. } => values.0[d] = l.value,
-                _ => {}
+            } else if let Some(length) = driver.kind.length() {
+                values.0[d] = length.value;
             }
         }
         values

@@ -8,8 +8,8 @@
 use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Constraint, Group, Mechanism, Node};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::mechanism::{Form, Group, Item, Mechanism, Node, Runner, constraints_of};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
 /// Poses of all links and places of all points, as far as they are known.
@@ -20,25 +20,31 @@ pub type Solved = (Vec<Option<Pose>>, Vec<Option<Point>>);
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriverValues(pub Vec<f64>);
 
+/// What a form without a driver keeps.
+#[derive(Clone)]
+enum Rest {
+    /// Nothing that has to be looked up: see the form.
+    None,
+    /// The direction of the link stays that of the plane.
+    AsPlane,
+    /// The direction of one link in the frame of the other.
+    Turned(Vec2),
+    /// How far a link lies beside its guide (m).
+    Beside(f64),
+    /// How far a pair has rolled at the start.
+    Rolled(Box<Rolled>),
+}
+
 /// The system of equations of some links and pins.
 pub struct System<'a> {
     scene: &'a Scene,
-    mechanism: &'a Mechanism,
     shapes: &'a Shapes,
     links: Vec<LinkId>,
     pins: Vec<PointId>,
-    constraints: Vec<Constraint>,
+    forms: Vec<(Form, Rest)>,
     /// Poses and points outside the system, which stay.
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
-    /// Angle between the frames of the two links of each lock, as (cos, sin).
-    locks: Vec<(GuideId, Vec2)>,
-    /// Offset of each gliding link from its guide.
-    glides: Vec<(GuideId, f64)>,
-    /// How far each rolling pair has rolled at the start.
-    rolling: Vec<(RollingId, Rolled)>,
-    /// Whether the pose is that of the scene's instant: see [`System::at_instant`].
-    at_instant: bool,
     scale: f64,
 }
 
@@ -47,52 +53,59 @@ impl<'a> System<'a> {
     pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, shapes: &'a Shapes, start: &Configuration, groups: &[usize]) -> System<'a> {
         let mut links = Vec::new();
         let mut pins = Vec::new();
-        let mut constraints = Vec::new();
+        let mut forms = Vec::new();
         for &g in groups {
             links.extend(&mechanism.groups[g].links);
             pins.extend(&mechanism.groups[g].pins);
-            constraints.extend(mechanism.groups[g].constraints.iter().map(|&c| mechanism.constraints[c]));
+            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), Rest::None)));
         }
         let mut system = System {
             scene,
-            mechanism,
             shapes,
             links,
             pins,
-            constraints,
+            forms,
             poses: start.poses.clone(),
             points: start.points.clone(),
-            locks: Vec::new(),
-            glides: Vec::new(),
-            rolling: Vec::new(),
-            at_instant: false,
             scale: start.extent().max(f64::MIN_POSITIVE),
         };
-        for c in system.constraints.clone() {
-            let (Node::Link(a), Node::Link(b)) = mechanism.ends(scene, c) else { continue };
-            let (Some(pa), Some(pb)) = (system.pose(a), system.pose(b)) else { continue };
-            match c {
-                Constraint::Lock(g) => system.locks.push((g, pa.axis.divide_by(pb.axis))),
-                Constraint::Glide(g) => {
-                    let offset = system.glide_offset(g, &pa, &pb);
-                    system.glides.push((g, offset));
-                }
-                Constraint::Roll(r) => {
-                    // A rough start has no record: it is the instant itself.
-                    let begin = || system.seen(r, &start.poses, &start.points).map(Rolled::begin);
-                    let rolled = start.rolled.get(r.0).cloned().flatten().or_else(begin);
-                    system.rolling.extend(rolled.map(|s| (r, s)));
-                }
-                Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Turn(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => {}
-            }
+        for i in 0..system.forms.len() {
+            system.forms[i].1 = system.rest(system.forms[i].0, start).unwrap_or(Rest::None);
         }
         system
     }
 
     /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides,
     /// however roughly `start` shows them.
-    pub fn at_instant(self) -> System<'a> {
-        System { at_instant: true, ..self }
+    pub fn at_instant(mut self) -> System<'a> {
+        for (_, rest) in &mut self.forms {
+            match rest {
+                Rest::Turned(_) => *rest = Rest::AsPlane,
+                Rest::Beside(_) => *rest = Rest::Beside(0.0),
+                Rest::None | Rest::AsPlane | Rest::Rolled(_) => {}
+            }
+        }
+        self
+    }
+
+    /// What a form keeps of `start`; `None` where its links are not placed there.
+    fn rest(&self, form: Form, start: &Configuration) -> Option<Rest> {
+        Some(match form {
+            Form::Angles { of, against, driver: None } => Rest::Turned(self.pose(of)?.axis.divide_by(self.pose(against)?.axis)),
+            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
+                Rest::Beside(self.glide_offset(guide, &self.pose(slider)?, &self.pose(on)?))
+            }
+            Form::Rolls { pair, .. } => {
+                // A rough start has no record: it is the instant itself.
+                let begin = || self.seen(pair, &start.poses, &start.points).map(Rolled::begin);
+                Rest::Rolled(Box::new(start.rolled.get(pair.0).cloned().flatten().or_else(begin)?))
+            }
+            Form::Angles { driver: Some(_), .. }
+            | Form::OnPath { runner: Runner::Pin(_), .. }
+            | Form::Meet { .. }
+            | Form::AlongPath { .. }
+            | Form::Distance { .. } => Rest::None,
+        })
     }
 
     fn pose(&self, l: LinkId) -> Option<Pose> {
@@ -157,92 +170,71 @@ impl<'a> System<'a> {
 
     /// Residuals, each a length or an angle divided by the mechanism's size or one radian.
     pub(super) fn residuals(&self, at: &Solved, drivers: &DriverValues) -> DVector<f64> {
-        let mut r = Vec::with_capacity(2 * self.constraints.len());
-        self.constraints.iter().for_each(|c| self.residual(*c, at, drivers, |v| r.push(v)));
+        let mut r = Vec::with_capacity(2 * self.forms.len());
+        self.forms.iter().for_each(|f| self.residual(f, at, drivers, |v| r.push(v)));
         DVector::from_vec(r)
     }
 
-    /// Those of one constraint.
-    fn residual(&self, c: Constraint, (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
+    /// Those of one form.
+    fn residual(&self, (form, rest): &(Form, Rest), (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
         let pose = |l: LinkId| if l == self.scene.ground { Pose::GROUND } else { poses[l.0].expect("a link of the system has a pose") };
         let point = |p: PointId| points[p.0].expect("a pin of the system has a place");
+        let path = |g: GuideId| self.shapes.guides[g.0].expect("a guide of the system is laid");
         let s = 1.0 / self.scale;
-        match c {
-            Constraint::Pinned(p, l) => {
-                let local = self.shapes.local(l, p).expect("a link's points have local places");
-                let d = point(p) - pose(l).to_world(local);
+        match *form {
+            Form::Meet { pin, link } => {
+                let local = self.shapes.local(link, pin).expect("a link's points have local places");
+                let d = point(pin) - pose(link).to_world(local);
                 told(d.x * s);
                 told(d.y * s);
             }
-            Constraint::Slot(p, g) => {
-                let on = pose(self.scene.guides[g.0].on);
-                told(match self.shapes.guides[g.0].expect("a guide of the system is laid").to_world(&on) {
-                    Path::Line { through, direction } => direction.cross(point(p) - through) * s,
-                    Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
-                });
+            Form::OnPath { runner: Runner::Pin(p), guide, on } => told(match path(guide).to_world(&pose(on)) {
+                Path::Line { through, direction } => direction.cross(point(p) - through) * s,
+                Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
+            }),
+            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
+                let rest = if let Rest::Beside(rest) = rest { *rest } else { 0.0 };
+                told((self.glide_offset(guide, &pose(slider), &pose(on)) - rest) * s);
             }
-            Constraint::Lock(g) => {
-                let guide = &self.scene.guides[g.0];
-                let slider = pose(guide.slider.expect("a lock has a slider"));
-                if self.at_instant {
-                    return told(slider.axis.angle());
-                }
-                let rest = self.locks.iter().find(|(h, _)| *h == g).map_or(Vec2::new(1.0, 0.0), |l| l.1);
-                told(slider.axis.divide_by(pose(guide.on).axis.rotate_by(rest)).angle());
+            Form::Angles { of, against, driver: Some(d) } => {
+                told(pose(of).axis.divide_by(pose(against).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
             }
-            Constraint::Glide(g) => {
-                let guide = &self.scene.guides[g.0];
-                let rest = self.glides.iter().find(|(h, _)| *h == g && !self.at_instant).map_or(0.0, |l| l.1);
-                told((self.glide_offset(g, &pose(guide.slider.expect("a glide has a slider")), &pose(guide.on)) - rest) * s);
-            }
-            Constraint::Turn(d) => {
-                let (Node::Link(a), Node::Link(b)) = self.mechanism.ends(self.scene, c) else {
-                    unreachable!("a turning driver joins two links")
+            Form::Angles { of, against, driver: None } => told(match rest {
+                Rest::AsPlane => pose(of).axis.angle(),
+                Rest::Turned(rest) => pose(of).axis.divide_by(pose(against).axis.rotate_by(*rest)).angle(),
+                Rest::None | Rest::Beside(_) | Rest::Rolled(_) => pose(of).axis.divide_by(pose(against).axis).angle(),
+            }),
+            Form::AlongPath { runner, guide, on, driver } => {
+                let at = match runner {
+                    Runner::Pin(p) => point(p),
+                    Runner::Link(slider) => pose(slider).origin,
                 };
-                told(pose(a).axis.divide_by(pose(b).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
+                told((path(guide).coordinate_of(pose(on).to_local(at)) - drivers.0[driver]) * s);
             }
-            Constraint::Slide(d, g) => {
-                let guide = &self.scene.guides[g.0];
-                let on = pose(guide.on);
-                let runner = match guide.pin {
-                    Some(p) => point(p),
-                    None => pose(guide.slider.expect("a guide has a pin or a slider")).origin,
-                };
-                let path = self.shapes.guides[g.0].expect("a guide of the system is laid");
-                told((path.coordinate_of(on.to_local(runner)) - drivers.0[d]) * s);
-            }
-            Constraint::Roll(r) => {
-                let then = self.rolling.iter().find(|(q, _)| *q == r);
-                let now = self.seen(r, poses, points);
-                told(match (then, now) {
-                    (Some((_, then)), Some(now)) => then.slip(&self.scene.rolling[r.0], self.shapes.rolling[r.0], &now),
-                    (None, _) | (_, None) => 0.0,
-                });
-            }
-            Constraint::Cylinder(d) => {
-                if let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind {
-                    told((point(a).distance(point(b)) - drivers.0[d]) * s);
-                }
-            }
+            Form::Rolls { pair, .. } => told(match (rest, self.seen(pair, poses, points)) {
+                (Rest::Rolled(then), Some(now)) => then.slip(&self.scene.rolling[pair.0], self.shapes.rolling[pair.0], &now),
+                (_, _) => 0.0,
+            }),
+            Form::Distance { from, to, driver } => told((point(from).distance(point(to)) - drivers.0[driver]) * s),
         }
     }
 
-    /// For each body (see [`System::unknowns`]) the constraints that it is part of, with the first of their equations.
-    fn touching(&self, at: &Solved, drivers: &DriverValues) -> Vec<Vec<(Constraint, usize)>> {
+    /// For each body (see [`System::unknowns`]) the forms (index) that it is part of, with the first of their equations.
+    fn touching(&self) -> Vec<Vec<(usize, usize)>> {
         let mut touching = vec![Vec::new(); self.links.len() + self.pins.len()];
         let mut row = 0;
-        for &c in &self.constraints {
-            let (one, other) = self.mechanism.ends(self.scene, c);
+        for (i, (form, _)) in self.forms.iter().enumerate() {
+            let (one, other) = form.ends();
             for node in [one, other] {
                 let body = match node {
                     Node::Link(l) => self.links.iter().position(|m| *m == l),
                     Node::Pin(p) => self.pins.iter().position(|q| *q == p).map(|i| self.links.len() + i),
                 };
                 if let Some(body) = body {
-                    touching[body].push((c, row));
+                    touching[body].push((i, row));
                 }
             }
-            self.residual(c, at, drivers, |_| row += 1);
+            row += form.equations();
         }
         touching
     }
@@ -258,7 +250,7 @@ impl<'a> System<'a> {
     pub fn solve_to(&self, start: &Configuration, drivers: &DriverValues, tolerance: f64) -> Option<Solved> {
         let mut x = self.pack(start)?;
         let mut at = self.unpack(&x);
-        let touching = self.touching(&at, drivers);
+        let touching = self.touching();
         let mut last = f64::INFINITY;
         for _ in 0..60 {
             let r = self.residuals(&at, drivers);
@@ -286,17 +278,17 @@ impl<'a> System<'a> {
     /// Central differences with a step of 2^-17: the residuals are quadratic at worst near the solution, so that the
     /// error of the derivative (about 1e-11) only slows the last step of the iteration, never its end. `at` is where `x` puts
     /// everything.
-    fn jacobian(&self, x: &DVector<f64>, at: &mut Solved, touching: &[Vec<(Constraint, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
+    fn jacobian(&self, x: &DVector<f64>, at: &mut Solved, touching: &[Vec<(usize, usize)>], drivers: &DriverValues) -> DMatrix<f64> {
         const STEP: f64 = 1.0 / 131_072.0;
         let mut j = DMatrix::zeros(x.len(), x.len());
-        for (body, constraints) in touching.iter().enumerate() {
+        for (body, forms) in touching.iter().enumerate() {
             let (first, count) = self.unknowns(body);
             for k in first..first + count {
                 for (step, sign) in [(STEP, 1.0), (-STEP, -1.0)] {
                     self.put(body, |n| if n == k { x[n] + step } else { x[n] }, at);
-                    for &(c, row) in constraints {
+                    for &(form, row) in forms {
                         let mut row = row;
-                        self.residual(c, at, drivers, |v| {
+                        self.residual(&self.forms[form], at, drivers, |v| {
                             j[(row, k)] += sign * v;
                             row += 1;
                         });
@@ -335,20 +327,22 @@ pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVec
 /// The values that the drivers have in a configuration.
 pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
     let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
-    let value = |d: usize| -> Option<f64> {
-        match &scene.drivers[d].kind {
-            DriverKind::Turn { link, against, .. } => Some(pose(*link)?.axis.divide_by(pose(*against)?.axis).angle()),
-            DriverKind::Slide { guide, .. } => {
-                let g = &scene.guides[guide.0];
-                let runner = match g.pin {
-                    Some(p) => at.points[p.0]?,
-                    None => pose(g.slider?)?.origin,
+    let value = |form: Form| -> Option<f64> {
+        match form {
+            Form::Angles { of, against, .. } => Some(pose(of)?.axis.divide_by(pose(against)?.axis).angle()),
+            Form::AlongPath { runner, guide, on, .. } => {
+                let runner = match runner {
+                    Runner::Pin(p) => at.points[p.0]?,
+                    Runner::Link(slider) => pose(slider)?.origin,
                 };
-                Some(at.shapes.guides[guide.0]?.coordinate_of(pose(g.on)?.to_local(runner)))
+                Some(at.shapes.guides[guide.0]?.coordinate_of(pose(on)?.to_local(runner)))
             }
-            DriverKind::Cylinder { a, b, .. } => Some(at.points[a.0]?.distance(at.points[b.0]?)),
+            Form::Distance { from, to, .. } => Some(at.points[from.0]?.distance(at.points[to.0]?)),
+            // No driver's.
+            Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => None,
         }
     };
+    let value = |d: usize| constraints_of(scene, Item::Driver(d)).find_map(|c| value(c.form()));
     DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())
 }
 

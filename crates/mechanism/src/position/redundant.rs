@@ -14,9 +14,9 @@ use super::repeats::reason;
 pub use super::repeats::{Reason, opened_words};
 use super::{Configuration, Path, configure, recompute};
 use crate::diag::{Both, Diagnostic, Faults};
-use crate::mechanism::{Constraint, Core, Demand, Group, Level, Mechanism, Need, Opened};
+use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need, Opened};
 use crate::number::{Ball, Dd, Real};
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 
 /// What comes of an opened pair when the driver moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -246,20 +246,16 @@ struct Way<'a> {
 impl<'a> Way<'a> {
     fn new(scene: &'a Scene, m: &'a Mechanism, at: &'a Configuration) -> Way<'a> {
         let placed = newton::placed(m, at);
-        let constraints = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c]);
-        let driver = |c: Constraint| match c {
-            Constraint::Turn(d) | Constraint::Slide(d, _) | Constraint::Cylinder(d) => Some(d),
-            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Lock(_) | Constraint::Glide(_) | Constraint::Roll(_) => None,
-        };
-        let driver = constraints.into_iter().filter_map(driver).min();
+        let forms = placed.iter().flat_map(|g| &m.groups[*g].constraints).map(|c| m.constraints[*c].form());
+        let driver = forms.filter_map(|form| form.driver()).min();
         Way { scene, m, at, driver, held: newton::driver_values(scene, at) }
     }
 
     /// What the driver goes for each radian of a turning one.
     fn unit(&self) -> f64 {
-        match self.driver.map(|d| &self.scene.drivers[d].kind) {
-            Some(DriverKind::Slide { .. } | DriverKind::Cylinder { .. }) => SLIDE * self.at.extent(),
-            Some(DriverKind::Turn { .. }) | None => 1.0,
+        match self.driver.map(|d| self.scene.drivers[d].kind.turns()) {
+            Some(false) => SLIDE * self.at.extent(),
+            Some(true) | None => 1.0,
         }
     }
 

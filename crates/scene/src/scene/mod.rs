@@ -7,6 +7,7 @@ pub mod book;
 pub mod build;
 pub mod cams;
 mod decode;
+mod driver;
 pub mod edit;
 mod elsewhere;
 pub mod eval;
@@ -36,6 +37,7 @@ mod write;
 mod written;
 
 pub use book::{Book, Kind};
+pub use driver::Position;
 pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;
 pub use quantity::{Asked, Axis};

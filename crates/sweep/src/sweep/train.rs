@@ -5,9 +5,9 @@
 //! elimination, an arm and its planets at once: each is a [`Combination`] of angles that something else tells. Numbers of teeth are whole, and
 //! so are the ratios fractions of whole numbers: where a link stands after a thousand turns is known to the last digit.
 
-use crate::mechanism::{Constraint, Mechanism, Node};
+use crate::mechanism::{Form, Mechanism};
 use crate::position::Configuration;
-use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId, Scene, Sizes};
+use crate::scene::{Contours, LinkId, PointId, RollingId, Scene, Sizes};
 
 /// A ratio of angles: a fraction of whole numbers where it is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,7 +151,7 @@ impl Train {
         train.links[scene.ground.0] = Some(Vec::new());
         for (g, group) in m.groups.iter().enumerate() {
             let equations: Vec<Equation> =
-                group.constraints.iter().filter_map(|&c| train.equation(scene, m, at, g, m.constraints[c])).collect();
+                group.constraints.iter().filter_map(|&c| train.equation(scene, m, at, g, m.constraints[c].form())).collect();
             for (link, found) in group.links.iter().zip(solved(equations, group.links.len())) {
                 train.links[link.0] = found;
             }
@@ -189,21 +189,18 @@ impl Train {
         }
     }
 
-    fn equation(&self, scene: &Scene, m: &Mechanism, at: &Configuration, g: usize, c: Constraint) -> Option<Equation> {
+    fn equation(&self, scene: &Scene, m: &Mechanism, at: &Configuration, g: usize, form: Form) -> Option<Equation> {
         let mut e = Equation { factors: vec![Ratio::of(0, 1); m.groups[g].links.len()], sum: Vec::new() };
-        match c {
-            Constraint::Lock(_) | Constraint::Turn(_) => {
-                let (Node::Link(a), Node::Link(b)) = m.ends(scene, c) else { return None };
-                e.add(self.seen(m, g, a), Ratio::ONE);
-                e.add(self.seen(m, g, b), Ratio::of(-1, 1));
-                if let Constraint::Turn(d) = c {
-                    let DriverKind::Turn { link, .. } = scene.drivers[d].kind else { return None };
-                    e.add(Seen::Known(vec![(Source::Driver(d), Ratio::of(if link == a { -1 } else { 1 }, 1))]), Ratio::ONE);
+        match form {
+            Form::Angles { of, against, driver } => {
+                e.add(self.seen(m, g, of), Ratio::ONE);
+                e.add(self.seen(m, g, against), Ratio::of(-1, 1));
+                if let Some(d) = driver {
+                    e.add(Seen::Known(vec![(Source::Driver(d), Ratio::of(-1, 1))]), Ratio::ONE);
                 }
             }
-            Constraint::Roll(r) => {
+            Form::Rolls { pair: r, links: [a, b] } => {
                 let pair = &scene.rolling[r.0];
-                let [a, b] = pair.links;
                 match &pair.contours {
                     Contours::Circles { centres, sizes, hollow } => {
                         let sign = if hollow.is_some() { -1 } else { 1 };
@@ -233,9 +230,7 @@ impl Train {
                     }
                 }
             }
-            Constraint::Pinned(..) | Constraint::Slot(..) | Constraint::Glide(_) | Constraint::Slide(..) | Constraint::Cylinder(_) => {
-                return None;
-            }
+            Form::Meet { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } => return None,
         }
         Some(e)
     }

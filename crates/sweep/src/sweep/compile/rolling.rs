@@ -6,7 +6,7 @@
 use super::{Compiler, NoKernel, Spot};
 use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
-use crate::mechanism::{Constraint, Level};
+use crate::mechanism::{Form, Level};
 use crate::position::{Path, Pose};
 use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
@@ -85,14 +85,18 @@ impl Compiler<'_> {
     /// The links of a group of rolling ones with the pins at which they hang, each placed before; `None` where they hang otherwise.
     fn hung(&self, g: usize) -> Option<Vec<(LinkId, PointId)>> {
         let group = &self.m.groups[g];
-        let constraints = || group.constraints.iter().map(|&c| self.m.constraints[c]);
-        let pinned: Vec<(PointId, LinkId)> =
-            constraints().filter_map(|c| if let Constraint::Pinned(p, l) = c { Some((p, l)) } else { None }).collect();
-        let others =
-            constraints().all(|c| matches!(c, Constraint::Pinned(..) | Constraint::Roll(_) | Constraint::Lock(_) | Constraint::Turn(_)));
-        let rolls = constraints().any(|c| matches!(c, Constraint::Roll(_)));
+        let mut pinned: Vec<(PointId, LinkId)> = Vec::new();
+        let mut rolls = false;
+        for form in group.constraints.iter().map(|&c| self.m.constraints[c].form()) {
+            match form {
+                Form::Meet { pin, link } => pinned.push((pin, link)),
+                Form::Rolls { .. } => rolls = true,
+                Form::Angles { .. } => {}
+                Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } => return None,
+            }
+        }
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
-        if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
+        if !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
             return None;
         }
         let mut hung: Vec<(LinkId, PointId)> = Vec::new();

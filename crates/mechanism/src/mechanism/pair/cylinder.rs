@@ -1,0 +1,12 @@
+//! A cylinder: a driver of the distance of two pins. Barrel and rod follow it.
+
+use super::{Demands, Form, Kind};
+use crate::diag::both;
+
+pub(super) const CYLINDER: Kind = Kind {
+    form: Demands::OfDriver(|driver, kind, _| {
+        let [from, to] = kind.ends()?;
+        Some(Form::Distance { from, to, driver })
+    }),
+    words: |scene, from, to| both!("the cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene)),
+};

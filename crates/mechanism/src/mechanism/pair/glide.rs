@@ -1,0 +1,12 @@
+//! A slider without a pin of its own, such as a yoke, keeps its distance from its guide.
+
+use super::{Demands, Form, Kind, Runner, lock};
+
+pub(super) const GLIDE: Kind = Kind {
+    form: Demands::OfGuide(|guide, g| match (g.pin, g.slider) {
+        (None, Some(slider)) => Some(Form::OnPath { runner: Runner::Link(slider), guide, on: g.on }),
+        (Some(_), _) | (None, None) => None,
+    }),
+    // Lock and glide are one slider to a reader.
+    words: lock::LOCK.words,
+};

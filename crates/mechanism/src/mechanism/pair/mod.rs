@@ -1,0 +1,133 @@
+//! Pairs and drivers as values: one file a kind, and the list of them.
+//!
+//! Each kind says of which items of the scene it is, which [`Form`] it demands there, and how it is named. All else follows from the
+//! form: the nodes that a constraint joins and how many equations it is ([`form`]), the leg that it makes of a group
+//! ([`super::groups`]), its equations of position, motion and sweep. So a new pair is one file here, its line in [`KINDS`], the scene's
+//! reading of it and its symbol in the figure; only one that is none of the forms asks more of the solvers.
+
+mod cylinder;
+mod form;
+mod glide;
+mod lock;
+mod pin;
+mod rolling;
+mod sliding;
+mod slot;
+mod turning;
+
+pub use form::{Form, Runner};
+
+use super::Node;
+use crate::diag::{Both, Span};
+use crate::scene::{DriverKind, Guide, GuideId, LinkId, PointId, Rolling, RollingId, Scene};
+
+/// What of a scene constrains: a point on a link, a guide, a driver, a rolling pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Item {
+    /// A point at which something meets, on one of its links.
+    Pin(PointId, LinkId),
+    /// A guide.
+    Guide(GuideId),
+    /// A driver (index).
+    Driver(usize),
+    /// A rolling pair.
+    Rolling(RollingId),
+}
+
+/// A kind of pair or driver: the form that it demands of an item, if the item is of this kind, and its name in a message, from the two
+/// nodes that it joins.
+struct Kind {
+    form: Demands,
+    words: fn(&Scene, Node, Node) -> Both,
+}
+
+/// Of which items a kind is.
+enum Demands {
+    OfPin(fn(PointId, LinkId) -> Option<Form>),
+    OfGuide(fn(GuideId, &Guide) -> Option<Form>),
+    OfDriver(fn(usize, &DriverKind, &Scene) -> Option<Form>),
+    OfRolling(fn(RollingId, &Rolling) -> Option<Form>),
+}
+
+/// All kinds, in the order in which the constraints of one item come.
+const KINDS: &[Kind] = &[
+    pin::PIN,
+    slot::SLOT,
+    lock::LOCK,
+    glide::GLIDE,
+    turning::TURNING,
+    sliding::SLIDING,
+    cylinder::CYLINDER,
+    rolling::GEARS,
+    rolling::WHEEL,
+];
+
+/// One pair or driver, or a part of one, as a constraint between two nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Constraint {
+    kind: usize,
+    item: Item,
+    form: Form,
+}
+
+/// The constraints that an item of a scene stands for.
+pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constraint> {
+    let demanded = move |kind: &Kind| match (&kind.form, item) {
+        (Demands::OfPin(form), Item::Pin(p, l)) => form(p, l),
+        (Demands::OfGuide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
+        (Demands::OfDriver(form), Item::Driver(d)) => form(d, &scene.drivers[d].kind, scene),
+        (Demands::OfRolling(form), Item::Rolling(r)) => form(r, &scene.rolling[r.0]),
+        (Demands::OfPin(_) | Demands::OfGuide(_) | Demands::OfDriver(_) | Demands::OfRolling(_), _) => None,
+    };
+    KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
+}
+
+impl Constraint {
+    /// What it demands.
+    pub fn form(&self) -> Form {
+        self.form
+    }
+
+    /// The item of the scene that it comes from.
+    pub fn item(&self) -> Item {
+        self.item
+    }
+
+    /// The two nodes that it joins.
+    pub fn ends(&self) -> (Node, Node) {
+        self.form.ends()
+    }
+
+    /// Its name in a message.
+    pub fn words(&self, scene: &Scene) -> Both {
+        let (a, b) = self.ends();
+        (KINDS[self.kind].words)(scene, a, b)
+    }
+
+    /// Where the file says it.
+    pub fn span(&self, scene: &Scene) -> Span {
+        match self.item {
+            Item::Pin(_, l) => scene.links[l.0].span,
+            Item::Guide(g) => scene.guides[g.0].span,
+            Item::Driver(d) => scene.drivers[d].span,
+            Item::Rolling(r) => scene.rolling[r.0].span,
+        }
+    }
+}
+
+impl Node {
+    /// The name that the file gives it.
+    pub fn name(self, scene: &Scene) -> &str {
+        match self {
+            Node::Link(l) => scene.link_name(l),
+            Node::Pin(p) => scene.point_name(p),
+        }
+    }
+}
+
+impl Runner {
+    /// What runs in a guide: its pin, else its slider.
+    fn of(guide: &Guide) -> Option<Runner> {
+        guide.pin.map(Runner::Pin).or(guide.slider.map(Runner::Link))
+    }
+}

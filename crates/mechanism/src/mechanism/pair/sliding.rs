@@ -1,0 +1,15 @@
+//! A driver that slides a pin or a slider along its guide.
+
+use super::{Demands, Form, Kind, Node, Runner};
+use crate::diag::both;
+
+pub(super) const SLIDING: Kind = Kind {
+    form: Demands::OfDriver(|driver, kind, scene| {
+        let (guide, g) = kind.guide().map(|g| (g, &scene.guides[g.0]))?;
+        Some(Form::AlongPath { runner: Runner::of(g)?, guide, on: g.on, driver })
+    }),
+    words: |scene, runner, _| match runner {
+        Node::Pin(_) => both!("the sliding driver at {}", "{} 处的移动原动件", runner.name(scene)),
+        Node::Link(_) => both!("the sliding driver of link {}", "构件 {} 的移动原动件", runner.name(scene)),
+    },
+};
