@@ -14,7 +14,7 @@
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::position::{Configuration, Path};
-use crate::scene::{self, DriverKind, GuidePath, LinkId, PointId, Scene};
+use crate::scene::{self, GuidePath, LinkId, PointId, Scene};
 use crate::sweep::extreme::{self, Limits};
 use crate::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
@@ -110,8 +110,8 @@ fn other_pairs(scene: &Scene, faults: &mut Faults) {
         faults.push(Diagnostic::error("inversion-pairs", message).at(c.span).help(help));
     }
     for d in &scene.drivers {
-        if let DriverKind::Cylinder { a, b, .. } = d.kind {
-            let (a, b) = (scene.point_name(a), scene.point_name(b));
+        if let Some(ends) = d.kind.ends() {
+            let [a, b] = ends.map(|p| scene.point_name(p));
             let message = both!(
                 "the cylinder from {a} to {b} drives by its length: barrel and rod carry no points and cannot be the ground",
                 "油缸 {a}–{b} 以长度驱动：缸筒与活塞杆上没有其他点，不能作机架"
@@ -145,7 +145,7 @@ fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion
 }
 
 fn turns(scene: &Scene) -> bool {
-    scene.drivers.iter().all(|d| matches!(d.kind, DriverKind::Turn { .. }))
+    scene.drivers.iter().all(|d| d.kind.turns())
 }
 
 fn read(scene: &Scene, ground: LinkId, text: String, driver: String) -> Result<Inversion, Faults> {
@@ -163,15 +163,10 @@ fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
 
 /// What may drive: links pinned to the ground, as the scene lists them (its own driver first), then slides.
 fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
-    let rate = match scene.drivers[0].kind {
-        DriverKind::Turn { .. } if scene.drivers[0].rate.value != 0.0 => scene.drivers[0].rate.value,
-        DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => 1.0,
-    };
+    let own = &scene.drivers[0];
+    let rate = if own.kind.turns() && own.rate.value != 0.0 { own.rate.value } else { 1.0 };
+    let own_driver = own.kind.turned().map(|(link, _)| link);
     let own = points(scene, ground);
-    let own_driver = match scene.drivers[0].kind {
-        DriverKind::Turn { link, .. } => Some(link),
-        DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-    };
     let guided = |l: LinkId| scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
     let has_angle = |l: LinkId| scene.links[l.0].points.len() > 1 || guided(l);
     let mut links: Vec<LinkId> = (0..scene.links.len())

@@ -9,7 +9,7 @@
 //! R. Willis, *Principles of Mechanism*, 1841.
 
 use crate::scene::exact::Inputs;
-use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Contours, LinkId, PointId, RollingId, Scene};
 
 /// The gears of one arm that mesh with one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,11 +121,8 @@ impl Train {
 
 /// The rate of a link that the scene gives at once: of the ground, and of what a driver turns against it.
 pub fn given(scene: &Scene, link: LinkId) -> Option<f64> {
-    let driven = scene.drivers.iter().find_map(|d| match d.kind {
-        DriverKind::Turn { link: l, against, .. } if l == link && against == scene.ground => Some(d.rate.value),
-        DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-    });
-    if link == scene.ground { Some(0.0) } else { driven }
+    let driven = scene.drivers.iter().find(|d| d.kind.turned() == Some((link, scene.ground)));
+    if link == scene.ground { Some(0.0) } else { driven.map(|d| d.rate.value) }
 }
 
 /// A mesh between two circles of one arm.

@@ -421,10 +421,7 @@ fn scale_of(scene: &Scene, paper: &Construction, at: &Configuration, level: Leve
     // A driver that starts from rest has no speed yet; what it would have after turning by a radian measures it.
     let driven = |d: &crate::scene::Driver| {
         let (rate, a) = (d.rate.value.abs(), d.acceleration.as_ref().map_or(0.0, |a| a.value.abs()));
-        match d.kind {
-            crate::scene::DriverKind::Turn { .. } => rate.max(a.sqrt()) * extent,
-            _ => rate.max((a * extent).sqrt()),
-        }
+        if d.kind.turns() { rate.max(a.sqrt()) * extent } else { rate.max((a * extent).sqrt()) }
     };
     let largest = |level| paper.polygon(level).map_or(0.0, construct::Polygon::largest);
     let speed = scene.drivers.iter().map(driven).fold(largest(Level::Velocity), f64::max);

@@ -10,7 +10,6 @@ use crate::plan::text::{held_by, vertex_name};
 use crate::plan::{Spot, Step, VertexId};
 use crate::position::Configuration;
 use crate::position::newton::{driver_values, moved};
-use crate::scene::DriverKind;
 use std::collections::BTreeMap;
 
 /// Under this angle (degrees) a pencil error is more than five times magnified (1 / sin 10° = 5.8): the reader is told.
@@ -164,7 +163,7 @@ const SENSES: [f64; 2] = [1.0, -1.0];
 impl<'a> Search<'a> {
     fn new(drawn: &'a Drawn<'a>) -> Search<'a> {
         let was = crossings(drawn.construction, 0.0).into_iter().map(|c| ((c.level, c.target.0), c.sine)).collect();
-        let turning = |driver: &usize| matches!(drawn.scene.drivers[*driver].kind, DriverKind::Turn { .. });
+        let turning = |driver: &usize| drawn.scene.drivers[*driver].kind.turns();
         let steps = (SEARCH_DEG / SEARCH_STEP_DEG) as usize;
         let drivers = (0..drawn.scene.drivers.len()).filter(turning);
         let mut ahead: Vec<_> =
@@ -189,8 +188,7 @@ impl<'a> Search<'a> {
             if let Some(crossing_deg) = here.filter(|here| *here >= GOOD_DEG)
                 && crossings.iter().all(|c| c.angle_deg() >= BAD_DEG)
             {
-                let DriverKind::Turn { angle, .. } = &self.drawn.scene.drivers[*driver].kind else { return None };
-                let to_deg = angle.as_ref().map(|a| a.value.degrees() + turn_deg);
+                let to_deg = self.drawn.scene.drivers[*driver].kind.angle().map(|a| a.value.degrees() + turn_deg);
                 return Some(NearbyPose { driver: *driver, turn_deg: *turn_deg, to_deg, crossing_deg });
             }
             k += 1;

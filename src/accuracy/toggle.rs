@@ -2,7 +2,7 @@
 
 use crate::mechanism::{Demand, Mechanism};
 use crate::position;
-use crate::scene::{DriverKind, Scene, driver_position, with_driver_at};
+use crate::scene::{Scene, driver_position, with_driver_at};
 
 /// Steps of the search: a degree, or as fine a part of the mechanism's size.
 const STEPS: usize = 360;
@@ -16,10 +16,7 @@ pub fn limit(scene: &Scene, driver: usize, up: bool) -> Option<f64> {
     let m = Mechanism::new(scene).ok()?.value;
     let demand = Demand::of(scene, &m).with_all_positions();
     let extent = |at: f64| Some(position::configure(&with_driver_at(scene, driver, at), &m, &demand).ok()?.value.extent());
-    let reach = match scene.drivers[driver].kind {
-        DriverKind::Turn { .. } => std::f64::consts::TAU,
-        _ => 2.0 * extent(start)?,
-    };
+    let reach = if scene.drivers[driver].kind.turns() { std::f64::consts::TAU } else { 2.0 * extent(start)? };
     let step = if up { reach } else { -reach } / STEPS as f64;
     let mut inside = start;
     extent(inside)?;

@@ -5,7 +5,7 @@ use super::{Failure, Input, Run, Told, choices, files, tables};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
 use crate::mechanism::Mechanism;
 use crate::report::limits as report;
-use crate::scene::{self, Angle, DriverKind, Scene, edit};
+use crate::scene::{self, Angle, Scene, edit};
 use crate::sweep::extreme;
 use crate::sweep::long::Long;
 use crate::sweep::pieces::Pieces;
@@ -167,7 +167,7 @@ fn steps(input: &Input, placed: &Placed, driver: usize, range: &Range, steps: us
     let Some(d) = placed.scene.drivers.get(driver) else {
         return Err(input.failed(Diagnostic::error("no-driver", both!("the scene has no driver", "机构文件没有原动件")).into()));
     };
-    if let DriverKind::Turn { .. } = d.kind {
+    if d.kind.turns() {
         bounds(range, edit::angle)?;
         let (from, to) = (range.from.as_deref().unwrap_or("0"), range.to.as_deref().unwrap_or("360"));
         let [first, last] = edit::angles(from, to).map_err(|f| Failure::argument("--to", to, f))?;

@@ -8,7 +8,7 @@ use super::drawing::{Drawing, Rays, Rolled};
 use super::plane::{End, Line, meet};
 use crate::geom::Point;
 use crate::position::{Configuration, Path};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a centre of curvature is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -135,9 +135,7 @@ impl Places<'_> {
         let others = self.scene.carriers(p).filter(|l| *l != link && *l != self.against);
         let pivot = |l: LinkId| Some((l, self.scene.links[l.0].points.iter().copied().find(|q| *q != p && self.holds(self.against, *q))?));
         let (by, about) = others.filter_map(pivot).next()?;
-        let changes =
-            |d: &crate::scene::Driver| matches!(d.kind, DriverKind::Cylinder { a, b, .. } if [a, b] == [p, about] || [b, a] == [p, about]);
-        if self.scene.drivers.iter().any(changes) {
+        if self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends == [p, about] || ends == [about, p]) {
             return None;
         }
         Some(Known { moving: End::At(self.point(p)?), fixed: End::At(self.point(about)?), why: Why::Crank(p, about, by) })

@@ -16,7 +16,7 @@ use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::Level;
 use crate::number::{Ball, Big, Dd, Kept, Real, within};
 use crate::position::{Configuration, newton};
-use crate::scene::{DriverKind, Scene, driver_position, with_driver_at};
+use crate::scene::{Scene, driver_position, with_driver_at};
 use crate::worked::{Scope, Worked, work};
 use crate::{motion, position};
 use std::hint::black_box;
@@ -177,7 +177,7 @@ pub fn toward_toggle(scene: &Scene, watch: Watch) -> Result<Vec<Near>, Faults> {
             ))
             .into());
     };
-    let unit = if matches!(scene.drivers[0].kind, DriverKind::Turn { .. }) { 1.0 } else { (start - limit).abs() };
+    let unit = if scene.drivers[0].kind.turns() { 1.0 } else { (start - limit).abs() };
     let mut series = Vec::new();
     for k in 1..=12 {
         let distance = libm::exp10(f64::from(-k)) * unit;

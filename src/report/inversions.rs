@@ -59,10 +59,7 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
 fn turning(i: &Inversion) -> Vec<String> {
     let scene = &i.scene;
     let full = i.limits.range.full();
-    let driver = match scene.drivers[0].kind {
-        crate::scene::DriverKind::Turn { link, .. } if full => Some(link),
-        crate::scene::DriverKind::Turn { .. } | crate::scene::DriverKind::Slide { .. } | crate::scene::DriverKind::Cylinder { .. } => None,
-    };
+    let driver = scene.drivers[0].kind.turned().filter(|_| full).map(|(link, _)| link);
     // An output that turns with a driver that turns fully, and has no extremes, turns fully too.
     let outputs = i.limits.swings.iter().filter(|s| full && s.extremes.is_empty()).filter_map(|s| match s.output {
         Output::Turning(l) => Some(l),

@@ -100,10 +100,7 @@ pub(crate) fn links_with_blocks(scene: &Scene, m: &Mechanism, g: &crate::mechani
     // Barrel and rod belong to the group that the cylinder moves.
     if let Core::Pin { legs, .. } | Core::Link { legs, .. } = &g.core {
         let cylinders = legs.iter().filter_map(Leg::cylinder);
-        let parts = cylinders.flat_map(|d| match &scene.drivers[d].kind {
-            DriverKind::Cylinder { links, .. } => links.as_slice(),
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } => &[],
-        });
+        let parts = cylinders.flat_map(|d| scene.drivers[d].kind.parts());
         for l in parts {
             if !links.contains(l) {
                 links.push(*l);

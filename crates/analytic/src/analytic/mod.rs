@@ -32,7 +32,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::position::Configuration;
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 use pose::Pose;
 use singular::Blocks;
@@ -360,11 +360,10 @@ fn taking_part(scene: &Scene, m: &Mechanism, at: &Configuration, demand: &Demand
                 let pin = guide.pin.is_some_and(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level)));
                 pin && (guide.on == scene.ground || reached(guide.on))
             }
-            Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
-                _ => false,
-            },
-            Some(Passive::Held(a, b)) => [a, b].iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))),
+            Some(Passive::Cylinder(_) | Passive::Held(..)) => {
+                let ends = m.line_of(scene, l).map(<[PointId; 2]>::from);
+                ends.is_some_and(|ends| ends.iter().all(|p| m.group_of_pin[p.0].is_some_and(|g| demand.wants(g, level))))
+            }
         })
         .collect()
 }

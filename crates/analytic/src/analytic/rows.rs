@@ -6,9 +6,9 @@
 use super::relation::{Handle, Pair, Relation, Row};
 use super::{LinkMotion, Solution};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Demand, Level, Mechanism, Opened};
+use crate::mechanism::{Demand, Form, Item, Level, Mechanism, Opened, Runner, constraints_of};
 use crate::position::{Configuration, Path};
-use crate::scene::{Contours, DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Contours, GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::DVector;
 
 /// How a point of a link is held by the other links there.
@@ -128,15 +128,50 @@ impl Layout {
     pub fn rows(&self, scene: &Scene, at: &Configuration) -> Vec<Row> {
         let mut rows = Vec::new();
         self.revolutes(scene, at, &mut rows);
+        let demanded = |item: Item, of: Pair| constraints_of(scene, item).map(move |c| (c.form(), of));
         for g in (0..scene.guides.len()).map(GuideId).filter(|g| self.holds[g.0]) {
-            self.guide(scene, at, g, &mut rows);
+            let (turning, places): (Vec<_>, Vec<_>) =
+                demanded(Item::Guide(g), Pair::Guide(g)).partition(|(form, _)| matches!(form, Form::Angles { .. }));
+            turning.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
+            self.block_on_arc(scene, at, g, &mut rows);
+            places.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
         }
         let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| self.keeps(&Opened::Rolling(*r)));
-        rows.extend(rolling.filter_map(|r| self.rolling(scene, at, r)));
+        let rolling = rolling.flat_map(|r| demanded(Item::Rolling(r), Pair::Rolling(r)));
+        rolling.for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
         for d in 0..scene.drivers.len() {
-            self.driver(scene, at, d, &mut rows);
+            demanded(Item::Driver(d), Pair::Driver(d)).for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
+            self.parts(scene, at, d, &mut rows);
         }
         rows
+    }
+
+    /// The rows of a form.
+    fn demand(&self, scene: &Scene, at: &Configuration, form: Form, of: Pair, rows: &mut Vec<Row>) {
+        // Rate and rate of the rate that a driver gives, of which a length counts in the layout's unit.
+        let drive = |unit: f64| match form.driver().map(|d| &scene.drivers[d]) {
+            Some(driver) => [driver.rate.value * unit, driver.acceleration.as_ref().map_or(0.0, |a| a.value) * unit],
+            None => [0.0; 2],
+        };
+        match form {
+            // The links at a pin are joined to one another, without the pin: see `revolutes`.
+            Form::Meet { .. } => {}
+            Form::Angles { of: a, against: b, .. } => {
+                if self.links.contains(&a) || self.links.contains(&b) {
+                    rows.extend(self.lock(scene, a, b, drive(1.0), of));
+                }
+            }
+            Form::OnPath { runner, guide, on } => rows.extend(self.on_path(scene, at, (runner, guide, on), of)),
+            Form::AlongPath { runner, guide, on, .. } => {
+                rows.extend(self.along_path(scene, at, (runner, guide, on), drive(self.scale), of));
+            }
+            Form::Distance { from, to, .. } => {
+                let (Some(pa), Some(pb)) = (at.points[from.0], at.points[to.0]) else { return };
+                let (Some(ha), Some(hb)) = (self.pin(scene, from, pa), self.pin(scene, to, pb)) else { return };
+                rows.push(distance(hb, ha, (pb - pa) * self.scale, drive(self.scale), of));
+            }
+            Form::Rolls { pair, .. } => rows.extend(self.rolling(scene, at, pair)),
+        }
     }
 
     /// Whether a pair is not opened.
@@ -197,48 +232,64 @@ impl Layout {
         Some(Row { coefficients: c, rate: drive[0], relation: Relation::Turn { a: ha, b: hb, drive }, of })
     }
 
-    fn guide(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
-        let guide = &scene.guides[g.0];
-        let Some(path) = at.guides[g.0] else { return };
-        if let (Some(s), Path::Line { .. }) = (guide.slider, path)
-            && let Some(row) = self.lock(scene, s, guide.on, [0.0; 2], Pair::Guide(g))
-            && self.links.contains(&s) | self.links.contains(&guide.on)
-        {
-            rows.push(row);
-        }
-        if let (Some(s), Path::Arc { .. }, Some(p)) = (guide.slider, path, guide.pin) {
-            // A block in a curved slot turns with the radius to its pin.
-            self.block_on_arc(scene, at, (s, g), p, path, rows);
-        }
-        let runner = match guide.pin {
-            Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
-            None => guide.slider.and_then(|s| {
-                let x = self.origins[s.0].or(self.origins[guide.on.0])?;
-                Some((self.body(scene, s, x)?, x))
-            }),
-        };
-        let Some((runner, place)) = runner else { return };
-        match path {
-            Path::Line { through, direction } => {
-                let Some(carrier) = self.body(scene, guide.on, through) else { return };
-                if runner.first.is_none() && carrier.first.is_none() {
-                    return;
-                }
-                // n·(P − Q) = const, n and Q fixed in the carrier.
-                rows.push(projection(runner, carrier, direction.perp(), (place - through) * self.scale, [0.0; 2], Pair::Guide(g)));
-            }
-            Path::Arc { centre, .. } => {
-                let Some(carrier) = self.body(scene, guide.on, centre) else { return };
-                rows.push(distance(runner, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
+    /// What runs in a guide, and where it is.
+    fn runner(&self, scene: &Scene, at: &Configuration, runner: Runner, on: LinkId) -> Option<(Handle, Point)> {
+        match runner {
+            Runner::Pin(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
+            Runner::Link(slider) => {
+                let x = self.origins[slider.0].or(self.origins[on.0])?;
+                Some((self.body(scene, slider, x)?, x))
             }
         }
     }
 
-    fn block_on_arc(&self, scene: &Scene, at: &Configuration, (s, g): (LinkId, GuideId), p: PointId, path: Path, rows: &mut Vec<Row>) {
-        let Path::Arc { centre, .. } = path else { return };
+    fn on_path(&self, scene: &Scene, at: &Configuration, (runner, guide, on): (Runner, GuideId, LinkId), of: Pair) -> Option<Row> {
+        let (path, (runner, place)) = (at.guides[guide.0]?, self.runner(scene, at, runner, on)?);
+        match path {
+            Path::Line { through, direction } => {
+                let carrier = self.body(scene, on, through)?;
+                let moves = runner.first.is_some() || carrier.first.is_some();
+                // n·(P − Q) = const, n and Q fixed in the carrier.
+                moves.then(|| projection(runner, carrier, direction.perp(), (place - through) * self.scale, [0.0; 2], of))
+            }
+            Path::Arc { centre, .. } => {
+                let carrier = self.body(scene, on, centre)?;
+                Some(distance(runner, carrier, (place - centre) * self.scale, [0.0; 2], of))
+            }
+        }
+    }
+
+    fn along_path(
+        &self,
+        scene: &Scene,
+        at: &Configuration,
+        (runner, guide, on): (Runner, GuideId, LinkId),
+        drive: [f64; 2],
+        of: Pair,
+    ) -> Option<Row> {
+        let ((runner, place), path) = (self.runner(scene, at, runner, on)?, at.guides[guide.0]?);
+        match path {
+            Path::Line { through, direction } => {
+                let carrier = self.body(scene, on, through)?;
+                let moves = runner.first.is_some() || carrier.first.is_some();
+                moves.then(|| projection(runner, carrier, direction, (place - through) * self.scale, drive, of))
+            }
+            Path::Arc { centre, radius } => {
+                // s = ρ (angle of the radius − angle of the carrier).
+                let carrier = self.body(scene, on, centre)?;
+                let rho = radius * self.scale;
+                Some(along_line(carrier, runner, carrier, (place - centre) * self.scale, drive.map(|x| x / rho), of))
+            }
+        }
+    }
+
+    /// A block in a curved slot turns with the radius to its pin.
+    fn block_on_arc(&self, scene: &Scene, at: &Configuration, g: GuideId, rows: &mut Vec<Row>) {
+        let guide = &scene.guides[g.0];
+        let (Some(s), Some(Path::Arc { centre, .. }), Some(p)) = (guide.slider, at.guides[g.0], guide.pin) else { return };
         let Some(place) = at.points[p.0] else { return };
         if let (Some(body), Some(pin), Some(carrier)) =
-            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, scene.guides[g.0].on, centre))
+            (self.body(scene, s, place), self.pin(scene, p, place), self.body(scene, guide.on, centre))
             && self.links.contains(&s)
         {
             rows.push(along_line(body, pin, carrier, (place - centre) * self.scale, [0.0; 2], Pair::Guide(g)));
@@ -281,72 +332,26 @@ impl Layout {
         Some(Row { coefficients: c, rate: 0.0, relation, of: Pair::Rolling(r) })
     }
 
-    fn driver(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {
-        let driver = &scene.drivers[d];
-        let (rate, acceleration) = (driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value));
-        match &driver.kind {
-            DriverKind::Turn { link, against, .. } => {
-                if self.links.contains(link) || self.links.contains(against) {
-                    rows.extend(self.lock(scene, *link, *against, [rate, acceleration], Pair::Driver(d)));
-                }
-            }
-            DriverKind::Slide { guide, .. } => {
-                let g = &scene.guides[guide.0];
-                let runner = match g.pin {
-                    Some(p) => at.points[p.0].and_then(|x| Some((self.pin(scene, p, x)?, x))),
-                    None => g.slider.and_then(|s| {
-                        let x = self.origins[s.0].or(self.origins[g.on.0])?;
-                        Some((self.body(scene, s, x)?, x))
-                    }),
-                };
-                let (Some((runner, place)), Some(path)) = (runner, at.guides[guide.0]) else { return };
-                let (rate, acceleration) = (rate * self.scale, acceleration * self.scale);
-                match path {
-                    Path::Line { through, direction } => {
-                        let Some(carrier) = self.body(scene, g.on, through) else { return };
-                        if runner.first.is_some() || carrier.first.is_some() {
-                            rows.push(projection(
-                                runner,
-                                carrier,
-                                direction,
-                                (place - through) * self.scale,
-                                [rate, acceleration],
-                                Pair::Driver(d),
-                            ));
-                        }
-                    }
-                    Path::Arc { centre, radius } => {
-                        // s = ρ (angle of the radius − angle of the carrier).
-                        let Some(carrier) = self.body(scene, g.on, centre) else { return };
-                        let rho = radius * self.scale;
-                        let drive = [rate / rho, acceleration / rho];
-                        rows.push(along_line(carrier, runner, carrier, (place - centre) * self.scale, drive, Pair::Driver(d)));
+    /// Barrel and rod of a cylinder: each sits on its end and turns with the line.
+    fn parts(&self, scene: &Scene, at: &Configuration, d: usize, rows: &mut Vec<Row>) {
+        let Some([a, b]) = scene.drivers[d].kind.ends() else { return };
+        let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
+        let (Some(ha), Some(hb)) = (self.pin(scene, a, pa), self.pin(scene, b, pb)) else { return };
+        for (i, l) in scene.drivers[d].kind.parts().iter().enumerate() {
+            let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
+            if let Some(body) = self.body(scene, *l, place)
+                && self.links.contains(l)
+            {
+                if !scene.links[l.0].points.contains(&a) && !scene.links[l.0].points.contains(&b) {
+                    for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
+                        let mut c = Vec::new();
+                        body.add(&mut c, k);
+                        end.add(&mut c, -k);
+                        let relation = Relation::Meet { p: body, q: end, k };
+                        rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
                     }
                 }
-            }
-            DriverKind::Cylinder { a, b, links, .. } => {
-                let (Some(pa), Some(pb)) = (at.points[a.0], at.points[b.0]) else { return };
-                let (Some(ha), Some(hb)) = (self.pin(scene, *a, pa), self.pin(scene, *b, pb)) else { return };
-                let drive = [rate * self.scale, acceleration * self.scale];
-                rows.push(distance(hb, ha, (pb - pa) * self.scale, drive, Pair::Driver(d)));
-                for (i, l) in links.iter().enumerate() {
-                    // Barrel and rod: each sits on its end and turns with the line.
-                    let (end, place) = if i == 0 { (ha, pa) } else { (hb, pb) };
-                    if let Some(body) = self.body(scene, *l, place)
-                        && self.links.contains(l)
-                    {
-                        if !scene.links[l.0].points.contains(a) && !scene.links[l.0].points.contains(b) {
-                            for k in [Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)] {
-                                let mut c = Vec::new();
-                                body.add(&mut c, k);
-                                end.add(&mut c, -k);
-                                let relation = Relation::Meet { p: body, q: end, k };
-                                rows.push(Row { coefficients: c, rate: 0.0, relation, of: Pair::Driver(d) });
-                            }
-                        }
-                        rows.push(along_line(body, hb, ha, (pb - pa) * self.scale, [0.0; 2], Pair::Driver(d)));
-                    }
-                }
+                rows.push(along_line(body, hb, ha, (pb - pa) * self.scale, [0.0; 2], Pair::Driver(d)));
             }
         }
     }

@@ -41,16 +41,14 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
     }
     // A runner that is driven along its guide is held like a pin; one that is not is held squarely to the guide.
     for d in &drivers {
-        match scene.drivers[*d].kind {
-            DriverKind::Slide { guide, .. } => {
-                guides.retain(|g| *g != guide);
-                pins.extend(scene.guides[guide.0].pin);
-            }
-            DriverKind::Cylinder { a, b, .. } => pins.extend([a, b]),
-            DriverKind::Turn { .. } => {}
+        let kind = &scene.drivers[*d].kind;
+        if let Some(guide) = kind.guide() {
+            guides.retain(|g| *g != guide);
+            pins.extend(scene.guides[guide.0].pin);
         }
+        pins.extend(kind.ends().into_iter().flatten());
     }
-    drivers.retain(|d| !matches!(scene.drivers[*d].kind, DriverKind::Slide { guide, .. } if scene.guides[guide.0].pin.is_some()));
+    drivers.retain(|d| scene.drivers[*d].kind.guide().is_none_or(|guide| scene.guides[guide.0].pin.is_none()));
     pins.extend(guides.iter().filter_map(|g| scene.guides[g.0].pin));
     pins.sort_unstable();
     pins.dedup();
@@ -72,7 +70,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
         .or(guides.iter().find_map(|g| scene.guides[g.0].pin));
 
     let places: Vec<_> = pins.iter().filter_map(|p| at.points[p.0]).collect();
-    let turned = drivers.iter().any(|d| matches!(scene.drivers[*d].kind, DriverKind::Turn { .. }));
+    let turned = drivers.iter().any(|d| scene.drivers[*d].kind.turns());
     let in_line = guides.is_empty() && !turned && collinear(&places, at.extent());
     if in_line {
         // A link that leads into the block along the same line belongs to the picture: the crank of a parallelogram.

@@ -6,7 +6,6 @@ use super::pencil::Pencil;
 use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::{Core, Level};
-use crate::scene::DriverKind;
 
 /// The pairs of legs on which the special point of a triad may lie, in the order of the plan's alternatives.
 pub(super) const SPECIAL_LEGS: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -45,12 +44,11 @@ impl<P: Pencil> Board<'_, f64, P> {
     pub(super) fn trial_scale(&self, level: Level) -> f64 {
         let rate = self.scene.drivers.iter().map(|d| d.rate.value.abs()).fold(0.0, f64::max);
         let size = self.at.extent().max(f64::MIN_POSITIVE);
-        let v = self.scene.drivers.iter().fold(0.0f64, |v, d| {
-            v.max(match d.kind {
-                DriverKind::Turn { .. } => d.rate.value.abs() * size,
-                _ => d.rate.value.abs(),
-            })
-        });
+        let v = self
+            .scene
+            .drivers
+            .iter()
+            .fold(0.0f64, |v, d| v.max(if d.kind.turns() { d.rate.value.abs() * size } else { d.rate.value.abs() }));
         let s = match level {
             Level::Acceleration => v * (v / size).max(rate),
             _ => v,

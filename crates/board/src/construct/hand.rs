@@ -13,7 +13,7 @@ use crate::mechanism::{ConstraintLine, Level, Mechanism};
 use crate::number::Real;
 use crate::plan::{Body, By, Plan, SpecialLine, Spot, Term, VertexId};
 use crate::position::{Configuration, Path, Pose};
-use crate::scene::{Contours, DriverKind, GuideId, PointId, Rolling, RollingId, Scene};
+use crate::scene::{Contours, GuideId, PointId, Rolling, RollingId, Scene};
 
 /// What has to be chosen before a drawing is made: scales, and which special points are used.
 #[derive(Clone, Debug, PartialEq)]
@@ -194,10 +194,7 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
         let (p, q) = (point(of)?, point(to)?);
         let known = match body {
             Body::Link(l) => [p, q].iter().all(|x| self.scene.links[l.0].points.contains(x)),
-            Body::Cylinder(d) => match self.scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => (a, b) == (p, q) || (b, a) == (p, q),
-                _ => false,
-            },
+            Body::Cylinder(d) => self.scene.drivers[d].kind.ends().is_some_and(|[a, b]| (a, b) == (p, q) || (b, a) == (p, q)),
         };
         if known { Some(self.at.points[p.0]?.distance(self.at.points[q.0]?)) } else { None }
     }

@@ -10,7 +10,6 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
 use crate::position::Path;
-use crate::scene::DriverKind;
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// ω or α of a body from what was read so far.
@@ -38,10 +37,8 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
             Rate::Given { driver, against } => {
                 let own = self.given(level, driver);
                 // The driver counts from `against` to its link; a link that is driven "backwards" has the opposite sign.
-                let own = match self.scene.drivers[driver].kind {
-                    DriverKind::Turn { link, .. } if Body::Link(link) == body => own,
-                    _ => -own,
-                };
+                let forward = self.scene.drivers[driver].kind.turned().is_some_and(|(link, _)| Body::Link(link) == body);
+                let own = if forward { own } else { -own };
                 known(self.rate(level, Body::Link(against)) + own)
             }
             Rate::Measured { of, to } => {

@@ -8,7 +8,7 @@ use super::build::{Builder, slot};
 use super::{Between, Body, By, Plan, Rate, Spot, Step, Term, TermKind, Vertex, VertexId, canonical};
 use crate::mechanism::{Joined, Level, Mechanism, Need, Passive, Strut, joined, nodes_of};
 use crate::scene::quantity::{Frame, Meaning, Seen, Split};
-use crate::scene::{Asked, DriverKind, GuidePath, LinkId, OnLink, PointId, Scene};
+use crate::scene::{Asked, GuidePath, LinkId, OnLink, PointId, Scene};
 
 /// What a question of motion means on paper.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,8 +55,7 @@ fn asking_of(scene: &Scene, m: &Mechanism, vertices: &[Vertex], what: &Asked) ->
     let arc = |g: crate::scene::GuideId| matches!(scene.guides[g.0].path, GuidePath::Arc { .. });
     let still = |g: crate::scene::GuideId| m.never_turns[scene.guides[g.0].on.0];
     let guide = |guide| By::Guide { guide, driver: None };
-    let even =
-        |g| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Slide { guide, .. } if guide == g) && d.acceleration.is_none());
+    let even = |g| scene.drivers.iter().any(|d| d.kind.guide() == Some(g) && d.acceleration.is_none());
     let level = what.level();
     match what.meaning(scene)? {
         Meaning::Vector(p) => whole(&p, false),
@@ -281,7 +280,7 @@ impl Builder<'_> {
     }
 
     fn are_ends(&self, driver: usize, of: VertexId, to: VertexId) -> bool {
-        let DriverKind::Cylinder { a, b, .. } = self.scene.drivers[driver].kind else { return false };
+        let Some([a, b]) = self.scene.drivers[driver].kind.ends() else { return false };
         let spots = [self.vertices[of.0].spot, self.vertices[to.0].spot];
         spots == [a, b].map(Spot::Point) || spots == [b, a].map(Spot::Point)
     }

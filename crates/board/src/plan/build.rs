@@ -200,10 +200,10 @@ impl Builder<'_> {
                 nodes.into_iter().filter_map(|n| self.m.group_of(n)).max()
             }
             Body::Link(l) => self.m.group_of_link[l.0],
-            Body::Cylinder(d) => match self.scene.drivers[d].kind {
-                crate::scene::DriverKind::Cylinder { a, b, .. } => self.m.group_of_pin[a.0].max(self.m.group_of_pin[b.0]),
-                _ => None,
-            },
+            Body::Cylinder(d) => {
+                let [a, b] = self.scene.drivers[d].kind.ends().map(|ends| ends.map(|p| self.m.group_of_pin[p.0])).unwrap_or_default();
+                a.max(b)
+            }
         };
         let list = self.list(level);
         // The group under way has its entry already; rates without a group (ground) belong to the first.

@@ -6,7 +6,7 @@
 
 use super::{Body, By, Plan, Term, TermKind};
 use crate::mechanism::{Level, Mechanism};
-use crate::scene::{Driver, DriverKind, GuidePath, Scene};
+use crate::scene::{Driver, GuidePath, Scene};
 
 /// What is at rest.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -42,10 +42,7 @@ impl Rest {
 
 /// Rest goes from link to link over drivers at rest and over sliders that keep their direction.
 fn spread(scene: &Scene, drivers: &[bool], links: &mut [bool]) -> bool {
-    let turns = scene.drivers.iter().zip(drivers).filter_map(|(d, held)| match d.kind {
-        DriverKind::Turn { link, against, .. } if *held => Some((link, against)),
-        _ => None,
-    });
+    let turns = scene.drivers.iter().zip(drivers).filter(|(_, held)| **held).filter_map(|(d, _)| d.kind.turned());
     let sliders = scene.guides.iter().filter_map(|g| match g.path {
         GuidePath::Line { .. } => g.slider.map(|s| (s, g.on)),
         GuidePath::Arc { .. } => None,

@@ -8,7 +8,7 @@ use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
-use crate::scene::{Contours, DriverKind, GuideId, GuidePath, Lang, RollingId, Scene};
+use crate::scene::{Contours, GuideId, GuidePath, Lang, RollingId, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]
@@ -246,15 +246,14 @@ impl Writer<'_> {
         let letter = if level == Level::Acceleration { "\\alpha" } else { "\\omega" };
         match body {
             Body::Link(l) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(l))),
-            Body::Cylinder(d) => match &self.scene.drivers[d].kind {
-                DriverKind::Cylinder { links, .. } if !links.is_empty() => {
-                    format!("{letter}_{{{}}}", name_label(self.scene.link_name(links[0])))
+            Body::Cylinder(d) => {
+                let kind = &self.scene.drivers[d].kind;
+                match (kind.parts(), kind.ends()) {
+                    ([part, ..], _) => format!("{letter}_{{{}}}", name_label(self.scene.link_name(*part))),
+                    ([], Some(ends)) => format!("{letter}_{{{}}}", ends.map(|p| name_label(self.scene.point_name(p))).concat()),
+                    ([], None) => letter.into(),
                 }
-                DriverKind::Cylinder { a, b, .. } => {
-                    format!("{letter}_{{{}{}}}", name_label(self.scene.point_name(*a)), name_label(self.scene.point_name(*b)))
-                }
-                _ => letter.into(),
-            },
+            }
         }
     }
 

@@ -15,7 +15,7 @@ use crate::mechanism::{Demand, Level, Mechanism, Passive};
 use crate::number::Real;
 use crate::position::Configuration;
 use crate::scene::exact::Inputs;
-use crate::scene::{DriverKind, LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, Scene};
 use conditions::Conditions;
 
 /// Motion of a link.
@@ -134,7 +134,7 @@ impl<N: Real> Motion<N> {
                 Some(LinkMotion { at: place, v, omega, a, alpha })
             }
             Passive::Cylinder(d) => {
-                let DriverKind::Cylinder { a, b, .. } = scene.drivers[d].kind else { return None };
+                let [a, b] = scene.drivers[d].kind.ends()?;
                 self.of_line(at, a, b)
             }
             Passive::Held(a, b) => self.of_line(at, a, b),

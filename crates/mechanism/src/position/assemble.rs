@@ -8,7 +8,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Demand, Group, Hold, Leg, Mechanism, Passive, Strut};
 use crate::number::Real;
 use crate::scene::exact::Inputs;
-use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
+use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene, Through};
 
 /// The same assembly in other numbers: nothing is chosen or checked again, only computed.
 ///
@@ -43,12 +43,7 @@ pub fn later<'a, N: Real>(
 ) -> Result<Configuration<N>, Faults> {
     let moving = |p: &PointId| !scene.links[scene.ground.0].points.contains(p);
     let posed = (0..scene.points.len()).map(PointId).find(|p| moving(p) && matches!(scene.points[p.0].place, Place::At(_)));
-    let silent = scene.drivers.iter().any(|d| {
-        matches!(
-            d.kind,
-            DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. }
-        )
-    });
+    let silent = scene.drivers.iter().any(|d| d.kind.position().is_none());
     // A link that only glides, without a point of its own, is laid anywhere along its guide.
     let pointless = mechanism.groups.iter().flat_map(|g| &g.links).any(|l| scene.links[l.0].points.is_empty());
     if posed.is_some() || silent || pointless {
@@ -361,7 +356,7 @@ impl<'a, N: Real> Assembly<'a, N> {
             match strut {
                 Strut::Bar(link) => poses.push((link, self.pose_from_points(link, (far, self.known(far)), (pin, at))?)),
                 Strut::Ram { link, guide, driver } => {
-                    let stated = matches!(self.scene.drivers[driver].kind, DriverKind::Slide { position: Some(_), .. });
+                    let stated = self.scene.drivers[driver].kind.length().is_some();
                     let pose = if let Some(pose) = self.poses[link.0] {
                         pose
                     } else if !stated && matches!(self.scene.points[pin.0].place, Place::At(_)) {

@@ -149,8 +149,7 @@ impl<N: Real> Coupled<'_, N> {
     fn held(&self, form: Form) -> Option<N> {
         let a = self.assembly;
         let Some(then) = a.instant.filter(|_| self.aside.is_some()) else {
-            let driver = &a.scene.drivers[form.driver()?];
-            return Some(a.inputs.driven(driver, driver.kind.length()?));
+            return a.driven_length(form.driver()?);
         };
         match form {
             Form::AlongPath { runner, guide, on, driver } => {

@@ -7,7 +7,7 @@ use crate::digits::significant;
 use crate::geom::Point;
 use crate::mechanism::{Mechanism, Opened, Passive};
 use crate::number::Real;
-use crate::scene::{Direction, DriverKind, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use crate::scene::{Direction, GuideId, GuidePath, LinkId, Place, PointId, Scene};
 
 impl<N: Real> Assembly<'_, N> {
     /// Adds the points that only follow, and lays into their links the guides that needed the pose.
@@ -208,11 +208,11 @@ impl Assembly<'_, f64> {
             }
         }
         for (d, driver) in self.scene.drivers.iter().enumerate() {
-            let DriverKind::Turn { link, against, angle: Some(angle), .. } = &driver.kind else { continue };
-            let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(*link, *against, Some(d))) else { continue };
+            let (Some((link, against)), Some(angle)) = (driver.kind.turned(), driver.kind.angle()) else { continue };
+            let (Some(pose), Ok(axis)) = (c.poses[link.0], self.axis_of(link, against, Some(d))) else { continue };
             let off = pose.axis.cross(axis).abs() + (1.0 - pose.axis.dot(axis));
             if off > TOLD_APART && off <= SAME_PLACE {
-                let link = self.scene.link_name(*link);
+                let link = self.scene.link_name(link);
                 self.notes.push(given_twice(
                     both!(
                         "the driver's angle {} is {} rad off the coordinates of link {link}",
@@ -232,7 +232,7 @@ impl Assembly<'_, f64> {
                             "the driver's angle {} contradicts the coordinates of link {}",
                             "原动件角度 {} 与构件 {} 的坐标相矛盾",
                             angle.text,
-                            self.scene.link_name(*link)
+                            self.scene.link_name(link)
                         ),
                     )
                     .at(angle.span)
@@ -310,12 +310,10 @@ pub(super) fn complete<N: Real>(
                 .and_then(|p| points[p.0])
                 .zip(guides[g.0])
                 .map(|(origin, path)| Pose { origin, axis: path.tangent_at(origin) }),
-            Some(Passive::Cylinder(d)) => match scene.drivers[d].kind {
-                DriverKind::Cylinder { a, b, .. } => {
-                    points[a.0].zip(points[b.0]).and_then(|(a, b)| Some(Pose { origin: a, axis: (b - a).unit()? }))
-                }
-                _ => None,
-            },
+            Some(Passive::Cylinder(d)) => scene.drivers[d].kind.ends().and_then(|[a, b]| {
+                let (a, b) = points[a.0].zip(points[b.0])?;
+                Some(Pose { origin: a, axis: (b - a).unit()? })
+            }),
             Some(Passive::Held(a, b)) => {
                 let shape = |p| shapes.local(LinkId(l), p);
                 let lies = |(((la, lb), wa), wb)| Pose::from_point_and_direction(la, lb - la, wa, wb - wa);

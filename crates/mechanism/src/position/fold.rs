@@ -7,7 +7,7 @@
 use super::newton::{self, DriverValues, System};
 use super::{Configuration, finish};
 use crate::mechanism::Mechanism;
-use crate::scene::{DriverKind, Scene};
+use crate::scene::Scene;
 use nalgebra::DVector;
 
 /// Most corrections of a place on the curve, and of the zero on it: from next to the fold both converge in less than ten.
@@ -89,10 +89,7 @@ pub fn fold(
     driver: usize,
 ) -> Option<(f64, Configuration)> {
     let system = System::new(scene, mechanism, &near.shapes, near, &newton::placed(mechanism, near));
-    let unit = match scene.drivers[driver].kind {
-        DriverKind::Turn { .. } => 1.0,
-        DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => system.scale(),
-    };
+    let unit = if scene.drivers[driver].kind.turns() { 1.0 } else { system.scale() };
     let x = system.pack(near)?;
     let n = x.len();
     let base = x.insert_row(n, drivers.0[driver] / unit);

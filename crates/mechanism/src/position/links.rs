@@ -10,7 +10,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Entry, Hold, Leg};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, RollingId};
+use crate::scene::{GuideId, GuidePath, LinkId, PointId, RollingId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible poses of a core link.
@@ -43,7 +43,10 @@ impl<N: Real> Assembly<'_, N> {
     /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle.
     /// A guide about the pivot itself shows nothing: it looks the same at every angle.
     pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
-        let DriverKind::Turn { angle: None, .. } = &self.scene.drivers[driver?].kind else { return None };
+        let kind = &self.scene.drivers[driver?].kind;
+        if !kind.turns() || kind.angle().is_some() {
+            return None;
+        }
         let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);
         (0..self.scene.guides.len())
             .map(GuideId)
@@ -91,10 +94,8 @@ impl<N: Real> Assembly<'_, N> {
                 Ok(Vec2::unit_x())
             };
         };
-        let DriverKind::Turn { line, against_line, angle, .. } = &self.scene.drivers[d].kind else {
-            unreachable!("an angle comes from a turning driver or a slider")
-        };
-        let Some(angle) = angle else {
+        let (line, against_line) = self.scene.drivers[d].kind.lines();
+        let Some(angle) = self.scene.drivers[d].kind.angle() else {
             // A wheel without a line of its own may stand at any angle.
             let wheel = shape.frame == Frame::Loose && self.scene.rolling.iter().any(|r| r.links.contains(&link));
             if wheel && self.instant.is_none() {
@@ -103,7 +104,7 @@ impl<N: Real> Assembly<'_, N> {
             return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
         };
         let own = match line {
-            Some((a, b)) => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
+            Some((a, b)) => shape.local(a).zip(shape.local(b)).map(|(a, b)| b - a),
             None => match &self.scene.links[link.0].points[..] {
                 [a, b, ..] => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
                 _ => Some(Vec2::unit_x()),
@@ -217,7 +218,7 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn poses_at_angle(&self, link: LinkId, axis: Vec2<N>, holds: &[Hold]) -> Result<Vec<Pose<N>>, Diagnostic> {
-        let stated = |d: usize| matches!(self.scene.drivers[d].kind, DriverKind::Slide { position: Some(_), .. });
+        let stated = |d: usize| self.scene.drivers[d].kind.length().is_some();
         if let [Hold::Glide { guide, driver: Some(driver), .. }] = *holds
             && (stated(driver) || !self.shapes[link.0].points.is_empty())
         {

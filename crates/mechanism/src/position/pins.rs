@@ -7,7 +7,7 @@ use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Point;
 use crate::mechanism::{Entry, Hold, Leg, Strut};
 use crate::number::Real;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId};
 
 impl<N: Real> Assembly<'_, N> {
     /// The possible places of a pin on its two loci.
@@ -64,18 +64,21 @@ impl<N: Real> Assembly<'_, N> {
     }
 
     fn cylinder_length(&self, driver: usize) -> Result<N, Diagnostic> {
-        match &self.scene.drivers[driver].kind {
-            DriverKind::Cylinder { length: Some(l), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], l)),
-            _ => Err(self.driver_without_value(driver, "length", both!("how long the cylinder is", "液压缸的长度"))),
-        }
+        let lacking = || self.driver_without_value(driver, "length", both!("how long the cylinder is", "液压缸的长度"));
+        self.driven_length(driver).ok_or_else(lacking)
     }
 
     /// How far a driver holds a slider along its guide.
     pub(super) fn way_along(&self, driver: usize) -> Result<N, Diagnostic> {
-        match &self.scene.drivers[driver].kind {
-            DriverKind::Slide { position: Some(s), .. } => Ok(self.inputs.driven(&self.scene.drivers[driver], s)),
-            _ => Err(self.driver_without_value(driver, "position", both!("how far the slider is along its guide", "滑块在导路上的位置"))),
-        }
+        let lacking =
+            || self.driver_without_value(driver, "position", both!("how far the slider is along its guide", "滑块在导路上的位置"));
+        self.driven_length(driver).ok_or_else(lacking)
+    }
+
+    /// What the scene says that a driver of a coordinate or a distance holds.
+    pub(super) fn driven_length(&self, driver: usize) -> Option<N> {
+        let driver = &self.scene.drivers[driver];
+        Some(self.inputs.driven(driver, driver.kind.length()?))
     }
 
     /// The place in the plane at which a driver holds a slider on its guide.

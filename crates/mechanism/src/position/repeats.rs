@@ -5,7 +5,7 @@ use super::{Configuration, Path};
 use crate::diag::{Both, Diagnostic, Span, both};
 use crate::digits::significant;
 use crate::mechanism::{Mechanism, Opened};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 
 /// Why a pair repeats what the others fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -212,7 +212,7 @@ pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
 /// How far the driver was moved.
 fn way_words(scene: &Scene, checked: &Checked) -> Option<Both> {
     let (driver, moved) = (checked.driver.filter(|_| checked.moved != 0.0)?, checked.moved);
-    let turns = matches!(scene.drivers[driver].kind, DriverKind::Turn { .. });
+    let turns = scene.drivers[driver].kind.turns();
     let (name, _) = scene.driver_name(driver);
     let by = if turns { format!("{}°", significant(moved.to_degrees(), 3)) } else { scene.length_words(moved) };
     Some(both!("when the driver {name} changes by {by}", "原动件 {name} 改变 {by} 时"))

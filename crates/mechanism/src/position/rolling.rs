@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
-use crate::scene::{Contours, DriverKind, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use crate::scene::{Contours, Driver, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
@@ -279,12 +279,8 @@ impl<N: Real> Assembly<'_, N> {
 
     /// The angle of a link's line as a driver writes it, whole turns among it.
     fn written(&self, l: LinkId) -> Option<f64> {
-        self.scene.drivers.iter().find_map(|d| match &d.kind {
-            DriverKind::Turn { link, against, angle: Some(angle), line: None, .. } if *link == l && *against == self.scene.ground => {
-                Some(angle.value.radians())
-            }
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-        })
+        let own = |d: &&Driver| d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines().0.is_none();
+        self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians()))
     }
 
     /// What is wrong with a pair whose line of centres has no direction.

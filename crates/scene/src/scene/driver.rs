@@ -13,6 +13,17 @@ pub enum Position<'a> {
     Length(&'a Given),
 }
 
+/// Where the position of a driver is held.
+#[derive(Debug)]
+pub enum PositionSlot<'a> {
+    /// An angle, counted as the driver says.
+    Angle(&'a mut Option<Given<Angle>>),
+    /// A coordinate along a guide (m), of either sign.
+    Coordinate(&'a mut Option<Given>),
+    /// A distance (m), which is not negative.
+    Distance(&'a mut Option<Given>),
+}
+
 impl Position<'_> {
     /// Its value: rad or m.
     pub fn value(self) -> f64 {
@@ -45,6 +56,14 @@ impl DriverKind {
         self.turned().is_some_and(|(link, against)| link == l || against == l)
     }
 
+    /// The lines of the driven link and of the other between which its angle is counted, where they are not the usual ones.
+    pub fn lines(&self) -> (Option<(PointId, PointId)>, Option<(PointId, PointId)>) {
+        match *self {
+            DriverKind::Turn { line, against_line, .. } => (line, against_line),
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => (None, None),
+        }
+    }
+
     /// The guide along which it slides something.
     pub fn guide(&self) -> Option<GuideId> {
         match *self {
@@ -74,6 +93,15 @@ impl DriverKind {
         match self {
             DriverKind::Turn { angle, .. } => angle.as_ref().map(Position::Angle),
             DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => x.as_ref().map(Position::Length),
+        }
+    }
+
+    /// Where its position is held, to be changed.
+    pub fn slot(&mut self) -> PositionSlot<'_> {
+        match self {
+            DriverKind::Turn { angle, .. } => PositionSlot::Angle(angle),
+            DriverKind::Slide { position, .. } => PositionSlot::Coordinate(position),
+            DriverKind::Cylinder { length, .. } => PositionSlot::Distance(length),
         }
     }
 

@@ -1,14 +1,11 @@
 //! A scene with its driver elsewhere: the same mechanism at another instant of its motion.
 
-use super::{Angle, DriverKind, Given, Scene};
+use super::{Angle, Given, Position, PositionSlot, Scene};
 
 /// The position of a driver: radians for a turning one, metres for a slider or a cylinder; `None` where the pose is given by
 /// coordinates.
 pub fn driver_position(scene: &Scene, driver: usize) -> Option<f64> {
-    match &scene.drivers.get(driver)?.kind {
-        DriverKind::Turn { angle, .. } => Some(angle.as_ref()?.value.radians()),
-        DriverKind::Slide { position: x, .. } | DriverKind::Cylinder { length: x, .. } => Some(x.as_ref()?.value),
-    }
+    scene.drivers.get(driver)?.kind.position().map(Position::value)
 }
 
 /// The same scene with a driver elsewhere: just the decimal that is printed for `position` (radians or metres).
@@ -18,14 +15,14 @@ pub fn with_driver_at(scene: &Scene, driver: usize, position: f64) -> Scene {
     let mut scene = scene.clone();
     // The shortest decimal that reads back as the same double is within half a unit of its last place.
     let radius = position.abs() * f64::EPSILON;
-    match &mut scene.drivers[driver].kind {
-        DriverKind::Turn { angle: Some(angle), .. } => {
+    match scene.drivers[driver].kind.slot() {
+        PositionSlot::Angle(Some(angle)) => {
             *angle = Given { value: Angle::Rad(position), radius, text: format!("({position:?}) rad"), span: angle.span };
         }
-        DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => {
+        PositionSlot::Coordinate(Some(x)) | PositionSlot::Distance(Some(x)) => {
             *x = Given { value: position, radius, text: format!("({position:?}) m"), span: x.span };
         }
-        DriverKind::Turn { angle: None, .. } | DriverKind::Slide { position: None, .. } | DriverKind::Cylinder { length: None, .. } => {}
+        PositionSlot::Angle(None) | PositionSlot::Coordinate(None) | PositionSlot::Distance(None) => {}
     }
     scene.set_followers(driver, None);
     scene

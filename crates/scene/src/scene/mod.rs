@@ -37,7 +37,7 @@ mod write;
 mod written;
 
 pub use book::{Book, Kind};
-pub use driver::Position;
+pub use driver::{Position, PositionSlot};
 pub use elsewhere::{driver_position, with_driver_at};
 pub use model::*;
 pub use quantity::{Asked, Axis};

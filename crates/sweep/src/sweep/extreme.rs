@@ -14,7 +14,7 @@ use super::station::{Stations, angle_per_value, position_now};
 use super::{Placed, Width};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::mechanism::{Core, Demand, Leg, Mechanism};
-use crate::scene::{Angle, DriverKind, Given, GuideId, GuidePath, LinkId, Place, PointId, Scene};
+use crate::scene::{Angle, Given, GuideId, GuidePath, LinkId, Place, PointId, PositionSlot, Scene};
 use std::f64::consts::TAU;
 
 /// What moves at the other end of the mechanism.
@@ -178,13 +178,13 @@ fn posed(scene: Scene, mechanism: &Mechanism, driver: usize) -> Scene {
     let given = |value: f64| Given { value, radius: 0.0, text: format!("{value:?} m"), span };
     let at = |part: f64| {
         let mut scene = scene.clone();
-        match &mut scene.drivers[driver].kind {
-            DriverKind::Turn { angle, .. } => {
+        match scene.drivers[driver].kind.slot() {
+            PositionSlot::Angle(angle) => {
                 let degrees = 360.0 * part;
                 *angle = Some(Given { value: Angle::Deg(degrees), radius: 0.0, text: format!("{degrees:?} deg"), span });
             }
-            DriverKind::Slide { position, .. } => *position = Some(given(reach * part)),
-            DriverKind::Cylinder { length, .. } => *length = Some(given(reach * part.abs())),
+            PositionSlot::Coordinate(position) => *position = Some(given(reach * part)),
+            PositionSlot::Distance(length) => *length = Some(given(reach * part.abs())),
         }
         scene
     };
@@ -234,9 +234,7 @@ fn walked(placed: &Placed, driver: usize, found: &[Output]) -> Limits {
 
 fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
     let ground = &scene.links[scene.ground.0].points;
-    let driven = |l: LinkId| {
-        scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, against, .. } if link == l && against == scene.ground))
-    };
+    let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned() == Some((l, scene.ground)));
     let mut out = Vec::new();
     for l in (0..scene.links.len()).map(LinkId) {
         let pivoted = scene.links[l.0].points.iter().any(|p| ground.contains(p));
@@ -245,7 +243,7 @@ fn outputs_of(scene: &Scene, m: &Mechanism, driver: usize) -> Vec<Output> {
         }
     }
     for (i, g) in scene.guides.iter().enumerate() {
-        let mine = matches!(scene.drivers[driver].kind, DriverKind::Slide { guide, .. } if guide == GuideId(i));
+        let mine = scene.drivers[driver].kind.guide() == Some(GuideId(i));
         if g.on == scene.ground && matches!(g.path, GuidePath::Line { .. }) && !mine {
             out.push(Output::Sliding(GuideId(i)));
         }
@@ -382,7 +380,7 @@ fn zero(a: f64, b: f64, rate_at_a: f64, at: &dyn Fn(f64) -> Option<[f64; 3]>) ->
 /// The type of a four-bar: a crank on ground, a bar from it, and a bar from ground that meet in one pin.
 fn grashof(placed: &Placed, driver: usize) -> Option<(Grashof, [f64; 4])> {
     let (scene, m) = (placed.scene, placed.mechanism);
-    let DriverKind::Turn { link: crank, against, .. } = scene.drivers[driver].kind else { return None };
+    let (crank, against) = scene.drivers[driver].kind.turned()?;
     let moving = scene.links.len() - 1;
     let dyad = m.groups.iter().find_map(|g| match &g.core {
         Core::Pin { pin, legs } => {

@@ -12,7 +12,7 @@ use super::lane::{Dual, Width};
 use super::program::{Op, Program};
 use super::station::{Stations, angle_per_value, position_now};
 use crate::position::toggle::Toggle;
-use crate::scene::{DriverKind, LinkId, PointId};
+use crate::scene::{LinkId, PointId};
 use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
@@ -119,10 +119,7 @@ const FASTEST: f64 = 16.0;
 
 /// A turn, or twice the mechanism's size.
 pub(super) fn reach(placed: &Placed, driver: usize) -> f64 {
-    match placed.scene.drivers[driver].kind {
-        DriverKind::Turn { .. } => TAU,
-        _ => 2.0 * placed.at.extent(),
-    }
+    if placed.scene.drivers[driver].kind.turns() { TAU } else { 2.0 * placed.at.extent() }
 }
 
 impl<'a> Probe<'a> {

@@ -2,7 +2,7 @@
 
 use crate::geom::Vec2;
 use crate::position::{Configuration, Path, newton};
-use crate::scene::{Angle, DriverKind, LinkId, PointId, Scene};
+use crate::scene::{Angle, LinkId, PointId, Scene};
 use crate::trig;
 use std::f64::consts::TAU;
 use std::ops::Range;
@@ -44,10 +44,8 @@ impl Stations {
     /// Where one puts a driver of a scene: its value, of an angle beyond a turn without the whole turns, as exactly as cosine and
     /// sine have it.
     pub(super) fn place(&self, i: usize, scene: &Scene, driver: usize) -> f64 {
-        match scene.drivers[driver].kind {
-            DriverKind::Turn { .. } if self.values[i].abs() > TAU => libm::atan2(self.sines[i], self.cosines[i]),
-            _ => self.values[i],
-        }
+        let turned = scene.drivers[driver].kind.turns() && self.values[i].abs() > TAU;
+        if turned { libm::atan2(self.sines[i], self.cosines[i]) } else { self.values[i] }
     }
 
     /// Their indices in the order of their values.
@@ -146,13 +144,11 @@ fn between(a: f64, b: f64, i: usize, steps: usize) -> f64 {
 
 /// The angle of a driver's motion by its value: 1 where it turns, 1/ρ along an arc, 0 where no angle is in it.
 pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
-    match &scene.drivers[driver].kind {
-        DriverKind::Turn { .. } => 1.0,
-        DriverKind::Slide { guide, .. } => match at.shapes.guides[guide.0] {
-            Some(Path::Arc { radius, .. }) => 1.0 / radius,
-            _ => 0.0,
-        },
-        DriverKind::Cylinder { .. } => 0.0,
+    let kind = &scene.drivers[driver].kind;
+    match kind.guide().and_then(|guide| at.shapes.guides[guide.0]) {
+        Some(Path::Arc { radius, .. }) => 1.0 / radius,
+        Some(Path::Line { .. }) => 0.0,
+        None => f64::from(u8::from(kind.turns())),
     }
 }
 
@@ -160,10 +156,7 @@ pub fn angle_per_value(scene: &Scene, at: &Configuration, driver: usize) -> f64 
 /// same, and the way from it is counted in turns of the stations, not in those that a scene has written; unless wheels stand elsewhere on
 /// every turn.
 pub fn position_now(scene: &Scene, at: &Configuration, driver: usize) -> f64 {
-    let written = match &scene.drivers[driver].kind {
-        DriverKind::Turn { angle: Some(angle), .. } => Some(angle.value),
-        DriverKind::Turn { angle: None, .. } | DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => None,
-    };
+    let written = scene.drivers[driver].kind.angle().map(|angle| angle.value);
     match written.filter(|_| scene.rolling.is_empty()) {
         // The remainder of floating-point numbers is exact.
         Some(Angle::Deg(d)) if d.abs() > 360.0 => Angle::Deg(libm::fmod(d, 360.0)).radians(),
@@ -180,19 +173,17 @@ pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
         .drivers
         .iter()
         .zip(measured.0)
-        .map(|(driver, measured)| match &driver.kind {
-            DriverKind::Turn { angle: Some(angle), .. } => angle.value.radians(),
-            DriverKind::Turn { link, against, line, against_line, angle: None } => {
-                let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
-                    Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
-                    None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
-                    None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
-                };
-                let turned = of(*link, *line).zip(of(*against, *against_line)).map(|(own, base)| own.divide_by(base).angle());
-                turned.unwrap_or(measured)
-            }
-            DriverKind::Slide { position: Some(x), .. } | DriverKind::Cylinder { length: Some(x), .. } => x.value,
-            _ => measured,
+        .map(|(driver, measured)| {
+            let of = |l: LinkId, line: Option<(PointId, PointId)>| match line {
+                Some((a, b)) => Some(at.points[b.0]? - at.points[a.0]?),
+                None if l == scene.ground => Some(Vec2::new(1.0, 0.0)),
+                None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
+            };
+            let seen = || {
+                let ((link, against), (line, against_line)) = (driver.kind.turned()?, driver.kind.lines());
+                Some(of(link, line)?.divide_by(of(against, against_line)?).angle())
+            };
+            driver.kind.position().map(crate::scene::Position::value).or_else(seen).unwrap_or(measured)
         })
         .collect()
 }

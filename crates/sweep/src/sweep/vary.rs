@@ -14,7 +14,7 @@ use crate::mechanism::Mechanism;
 use crate::scene::eval::{NoValue, Value, evaluate};
 use crate::scene::expr::{self, Expr, ExprKind};
 use crate::scene::units::Dim;
-use crate::scene::{Angle, Contours, Direction, DriverKind, Given, GuidePath, Kind, Place, Scene, Sizes, Through, templates};
+use crate::scene::{Angle, Contours, Direction, Given, GuidePath, Kind, Place, PositionSlot, Scene, Sizes, Through, templates};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -61,10 +61,10 @@ fn slots(scene: &mut Scene) -> Vec<Slot<'_>> {
         out.extend(r.phase.iter_mut().map(Slot::Angle));
     }
     for d in &mut scene.drivers {
-        match &mut d.kind {
-            DriverKind::Turn { angle, .. } => out.extend(angle.iter_mut().map(Slot::Angle)),
-            DriverKind::Slide { position, .. } => out.extend(position.iter_mut().map(|x| Slot::Number(x, false))),
-            DriverKind::Cylinder { length, .. } => out.extend(length.iter_mut().map(|x| Slot::Number(x, true))),
+        match d.kind.slot() {
+            PositionSlot::Angle(angle) => out.extend(angle.iter_mut().map(Slot::Angle)),
+            PositionSlot::Coordinate(position) => out.extend(position.iter_mut().map(|x| Slot::Number(x, false))),
+            PositionSlot::Distance(length) => out.extend(length.iter_mut().map(|x| Slot::Number(x, true))),
         }
         out.push(Slot::Number(&mut d.rate, false));
         out.extend(d.acceleration.iter_mut().map(|x| Slot::Number(x, false)));

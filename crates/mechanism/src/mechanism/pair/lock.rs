@@ -1,11 +1,16 @@
 //! A slider keeps its direction against the link that carries its guide.
 //!
-//! A block that only follows its pin is no node of the graph: its constraint is left out with it. On an arc there are only such blocks.
+//! A block that only follows its pin is no node of the graph: its constraint is left out with it. On an arc there are only such blocks,
+//! which turn with the tangent.
 
 use super::{Demands, Form, Kind};
 use crate::diag::both;
+use crate::scene::GuidePath;
 
 pub(super) const LOCK: Kind = Kind {
-    form: Demands::OfGuide(|_, g| Some(Form::Angles { of: g.slider?, against: g.on, driver: None })),
+    form: Demands::OfGuide(|_, g| match g.path {
+        GuidePath::Line { .. } => Some(Form::Angles { of: g.slider?, against: g.on, driver: None }),
+        GuidePath::Arc { .. } => None,
+    }),
     words: |scene, slider, on| both!("slider {} on link {}", "构件 {1} 上的滑块 {0}", slider.name(scene), on.name(scene)),
 };

@@ -5,7 +5,7 @@ use super::{Compiler, NoKernel, Spot};
 use crate::diag::{Diagnostic, both};
 use crate::mechanism::{Joined, Level, joined};
 use crate::scene::quantity::{Meaning, Place, Split};
-use crate::scene::{self, Axis, Find, LinkId, OnLink, PointId};
+use crate::scene::{Axis, Find, LinkId, OnLink, PointId};
 use crate::sweep::carry::{Arm, Twist};
 use crate::sweep::extreme::Output;
 use crate::sweep::kernel::{Pair, Reg};
@@ -164,7 +164,7 @@ impl Compiler<'_> {
             };
         }
         if let Some(crate::mechanism::Passive::Cylinder(d)) = self.m.passive[l.0]
-            && let scene::DriverKind::Cylinder { a, b, .. } = self.scene.drivers[d].kind
+            && let Some([a, b]) = self.scene.drivers[d].kind.ends()
         {
             return self.line(a, b);
         }

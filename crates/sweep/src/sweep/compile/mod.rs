@@ -26,7 +26,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Level, Mechanism, Passive};
 use crate::position::kernel::power_of_two_scale;
 use crate::position::{Configuration, Path};
-use crate::scene::{DriverKind, Find, GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Find, GuideId, LinkId, PointId, RollingId, Scene};
 use rate::Row;
 use rolling::Trains;
 
@@ -178,7 +178,7 @@ impl<'a> Compiler<'a> {
             tracks: self.tracks,
             turns: self.trains.turns,
             fastest: self.trains.fastest,
-            angular: self.driver.is_some_and(|d| matches!(self.scene.drivers[d].kind, DriverKind::Turn { .. })),
+            angular: self.driver.is_some_and(|d| self.scene.drivers[d].kind.turns()),
         }
     }
 
@@ -244,10 +244,10 @@ impl<'a> Compiler<'a> {
         if self.driver == Some(d) {
             return Pair { x: COS, y: SIN };
         }
-        let (s, c) = match (&self.scene.drivers[d].kind, arc) {
-            (DriverKind::Turn { angle: Some(angle), .. }, _) => crate::trig::sin_cos(angle.value),
-            (_, radius) => {
-                let angle = self.values[d] / radius.unwrap_or(1.0);
+        let (s, c) = match self.scene.drivers[d].kind.angle() {
+            Some(angle) => crate::trig::sin_cos(angle.value),
+            None => {
+                let angle = self.values[d] / arc.unwrap_or(1.0);
                 (libm::sin(angle), libm::cos(angle))
             }
         };

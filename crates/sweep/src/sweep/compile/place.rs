@@ -5,7 +5,7 @@ use super::{Body, Compiler, NoKernel, Spot};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use crate::position::{Path, Pose};
-use crate::scene::{DriverKind, GuideId, LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
 use crate::sweep::closure::{CircleLine, Circles, Crossing, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
@@ -283,12 +283,11 @@ impl Compiler<'_> {
             let arm = self.direction_on(of, own.axis.divide_by(base.axis) * self.unit)?;
             return Ok((d, arm));
         };
-        let DriverKind::Turn { link: driven, line, against_line, .. } = &self.scene.drivers[driver].kind else {
-            return Err(self.without_kernel(g));
-        };
-        if *driven != link {
+        let kind = &self.scene.drivers[driver].kind;
+        if kind.turned().is_none_or(|(driven, _)| driven != link) {
             return Err(self.without_kernel(g));
         }
+        let (line, against_line) = kind.lines();
         let local = |c: &Self, l: LinkId, line: Option<(PointId, PointId)>| -> Option<Vec2> {
             let (a, b) = match (line, &c.scene.links[l.0].points[..]) {
                 (Some(line), _) => line,
@@ -297,12 +296,12 @@ impl Compiler<'_> {
             };
             Some(c.at.shapes.local(l, b)? - c.at.shapes.local(l, a)?)
         };
-        let own = local(self, link, *line).ok_or_else(|| self.without_kernel(g))?;
+        let own = local(self, link, line).ok_or_else(|| self.without_kernel(g))?;
         let turn = self.driver_turn(driver, None);
         let base = if of == self.scene.ground && against_line.is_none() {
             Vec2::new(1.0, 0.0)
         } else {
-            local(self, of, *against_line).ok_or_else(|| self.without_kernel(g))?
+            local(self, of, against_line).ok_or_else(|| self.without_kernel(g))?
         };
         let along = base * (own.norm() / base.norm());
         let arm = if of == self.scene.ground {

@@ -8,7 +8,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::mechanism::{Form, Level};
 use crate::position::{Path, Pose};
-use crate::scene::{Contours, DriverKind, LinkId, PointId, RollingId};
+use crate::scene::{Contours, LinkId, PointId, RollingId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
 use crate::sweep::kernel::{Kernel, Pair, Reg};
 use crate::sweep::program::{Program, VALUE};
@@ -176,10 +176,8 @@ impl Compiler<'_> {
             Some(known) => known,
             None => {
                 let value = position_now(self.scene, self.at, driver);
-                let (s, c) = match &self.scene.drivers[driver].kind {
-                    DriverKind::Turn { angle: Some(angle), .. } => crate::trig::sin_cos(angle.value),
-                    _ => (libm::sin(value), libm::cos(value)),
-                };
+                let written = self.scene.drivers[driver].kind.angle();
+                let (s, c) = written.map_or_else(|| (libm::sin(value), libm::cos(value)), |angle| crate::trig::sin_cos(angle.value));
                 let known = (self.emit_pair(P, Quarters), Quarters.eval([value, c, s]));
                 self.trains.quarters = Some(known);
                 known
@@ -265,7 +263,7 @@ impl Compiler<'_> {
             runs: Default::default(),
         };
         let (now, per_value) = (position_now(self.scene, self.at, driver), angle_per_value(self.scene, self.at, driver));
-        let turning = matches!(self.scene.drivers[driver].kind, DriverKind::Turn { .. });
+        let turning = self.scene.drivers[driver].kind.turns();
         let line = |x: f64| {
             let (s, c) = (libm::sin(x * per_value), libm::cos(x * per_value));
             let mut registers = program.inputs(x, c, s, per_value);

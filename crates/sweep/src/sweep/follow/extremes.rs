@@ -10,7 +10,7 @@ use crate::analytic;
 use crate::answer::Source;
 use crate::mechanism::{Demand, Level};
 use crate::position::{Configuration, Path};
-use crate::scene::{DriverKind, PointId, Scene};
+use crate::scene::{PointId, Scene};
 use crate::sweep::Placed;
 use crate::sweep::extreme::Output;
 use crate::sweep::limit::Range;
@@ -37,10 +37,7 @@ impl<'a> Walk<'a> {
     /// How far the driver goes. Where a joint leaves the paper nothing more is looked for, and it is no limit.
     pub fn range(&self) -> Range {
         let (scene, poses) = (self.placed.scene, &self.sweep.poses);
-        let reach = match scene.drivers[self.driver].kind {
-            DriverKind::Turn { .. } => self.sweep.period(),
-            _ => 2.0 * self.placed.at.extent(),
-        };
+        let reach = if scene.drivers[self.driver].kind.turns() { self.sweep.period() } else { 2.0 * self.placed.at.extent() };
         let mut ends = [None, None];
         for (end, (limit, pose)) in ends.iter_mut().zip(self.sweep.limits.iter().zip([poses.first(), poses.last()])) {
             let (Some(travel), Some(pose)) = (limit, pose) else { continue };

@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{self, Configuration, Pose as Frame, newton};
-use crate::scene::{DriverKind, Given, LinkId, Scene};
+use crate::scene::{Given, LinkId, Scene};
 use crate::scene::{driver_position, with_driver_at};
 
 use crate::sweep::extreme::turns_seen;
@@ -105,7 +105,7 @@ impl<'a> Follower<'a> {
 
     /// All poses, in at least `count` steps.
     pub fn sweep(&self, count: usize) -> Sweep {
-        let turns = matches!(self.scene.drivers[self.driver].kind, DriverKind::Turn { .. });
+        let turns = self.scene.drivers[self.driver].kind.turns();
         let returns = if turns { self.returns() } else { 1 };
         let seen = turns_seen(returns);
         let one = if turns { TAU } else { 2.0 * self.base.extent() };

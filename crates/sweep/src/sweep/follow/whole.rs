@@ -8,7 +8,6 @@ use crate::position::Configuration;
 use crate::position::fold::fold;
 use crate::position::newton::{self, DriverValues};
 use crate::position::toggle::Toggle;
-use crate::scene::DriverKind;
 use crate::scene::with_driver_at;
 use crate::sweep::Placed;
 use crate::sweep::chunks::Rows;
@@ -75,7 +74,7 @@ impl<'a> Whole<'a> {
     }
 
     fn is_turning(&self) -> bool {
-        matches!(self.placed.scene.drivers[self.driver].kind, DriverKind::Turn { .. })
+        self.placed.scene.drivers[self.driver].kind.turns()
     }
 
     /// Whether the mechanism stands elsewhere after a turn of the driver: gears may.
