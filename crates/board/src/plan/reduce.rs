@@ -195,9 +195,8 @@ fn special_line(line: &Line) -> SpecialLine {
 fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<Vec<Member>> {
     let group = &m.groups[g];
     let forms: Vec<Form> = group.constraints.iter().map(|&c| m.constraints[c].form()).collect();
-    let on = |l: LinkId| -> Vec<PointId> {
-        forms.iter().filter_map(|f| if let Form::Meet { pin, link } = f { (*link == l).then_some(*pin) } else { None }).collect()
-    };
+    let on =
+        |l: LinkId| -> Vec<PointId> { forms.iter().filter_map(Form::meets).filter(|(_, link)| *link == l).map(|(pin, _)| pin).collect() };
     let inner = |p: &PointId| group.pins.contains(p);
     // A bar from a known pin that nothing else holds is a leg of the link at its other end.
     let alone = |l: LinkId| {

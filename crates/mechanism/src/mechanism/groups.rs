@@ -220,10 +220,7 @@ fn slide_of(cs: &[Form], guide: GuideId) -> Option<usize> {
 
 /// The pins that forms put on a link.
 fn on_link<'a>(cs: impl IntoIterator<Item = &'a Form>, l: LinkId) -> impl Iterator<Item = PointId> {
-    cs.into_iter().filter_map(move |c| match *c {
-        Form::Meet { pin, link } => (link == l).then_some(pin),
-        Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
-    })
+    cs.into_iter().filter_map(Form::meets).filter(move |(_, link)| *link == l).map(|(pin, _)| pin)
 }
 
 /// The legs of a pin, if every link of the group is a bar from a known pin to it.

@@ -1,17 +1,18 @@
 //! A group without a core, refined and proved from the pose that Newton's method found in `f64`.
 //!
 //! The unknowns are the poses of its links and the places of its pins. Residuals are lengths (an angle's times the size of
-//! the mechanism), their derivatives are written by hand.
+//! the mechanism) by the equations that all ways share ([`super::equations`]), their derivatives are written by hand.
 
 use super::assemble::Assembly;
 use super::branch::Trial;
+use super::equations::{self, Given, Measured, View};
 use super::proof::{self, Unproven};
 use super::{Configuration, Path, Pose};
 use crate::diag::Diagnostic;
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Form, Group, Runner};
 use crate::number::Real;
-use crate::scene::{LinkId, PointId};
+use crate::scene::{GuideId, LinkId, PointId, RollingId};
 
 /// Poses of the group's links and places of its pins.
 #[derive(Clone)]
@@ -40,6 +41,41 @@ pub(super) struct Aside {
 struct Equation<N> {
     off: N,
     row: Vec<N>,
+}
+
+/// The group in a state, among what is placed already.
+struct Placed<'a, N> {
+    system: &'a Coupled<'a, N>,
+    at: &'a State<N>,
+}
+
+impl<N: Real> View<N> for Placed<'_, N> {
+    fn pose(&self, l: LinkId) -> Option<Pose<N>> {
+        match self.system.links.iter().position(|k| *k == l) {
+            Some(i) => Some(self.at.poses[i]),
+            None => self.system.assembly.poses[l.0],
+        }
+    }
+
+    fn point(&self, p: PointId) -> Option<Point<N>> {
+        match self.system.pins.iter().position(|q| *q == p) {
+            Some(i) => Some(self.at.pins[i]),
+            None => self.system.assembly.points[p.0],
+        }
+    }
+
+    fn local(&self, l: LinkId, p: PointId) -> Option<Point<N>> {
+        self.system.assembly.shapes[l.0].local(p)
+    }
+
+    fn path(&self, g: GuideId) -> Option<Path<N>> {
+        self.system.assembly.guides[g.0]
+    }
+
+    /// Lengths and drivers do not tell how far one link has rolled on the other.
+    fn slip(&self, _: RollingId) -> Option<N> {
+        None
+    }
 }
 
 impl<N: Real> Assembly<'_, N> {
@@ -77,20 +113,6 @@ impl<N: Real> Assembly<'_, N> {
 }
 
 impl<N: Real> Coupled<'_, N> {
-    fn pose(&self, at: &State<N>, l: LinkId) -> Option<Pose<N>> {
-        match self.links.iter().position(|k| *k == l) {
-            Some(i) => Some(at.poses[i]),
-            None => self.assembly.poses[l.0],
-        }
-    }
-
-    fn point(&self, at: &State<N>, p: PointId) -> Option<Point<N>> {
-        match self.pins.iter().position(|q| *q == p) {
-            Some(i) => Some(at.pins[i]),
-            None => self.assembly.points[p.0],
-        }
-    }
-
     fn zeros(&self) -> Vec<N> {
         vec![N::from_f64(0.0); 3 * self.links.len() + 2 * self.pins.len()]
     }
@@ -111,13 +133,6 @@ impl<N: Real> Coupled<'_, N> {
             for (j, c) in [k.x, k.y, turn].into_iter().enumerate() {
                 row[3 * i + j] = row[3 * i + j] + c;
             }
-        }
-    }
-
-    fn runner(&self, at: &State<N>, runner: Runner) -> Option<Point<N>> {
-        match runner {
-            Runner::Pin(p) => self.point(at, p),
-            Runner::Link(l) => Some(self.pose(at, l)?.origin),
         }
     }
 
@@ -145,110 +160,110 @@ impl<N: Real> Coupled<'_, N> {
         N::from_f64(self.aside.filter(|a| a.driver == driver).map_or(0.0, |a| a.by))
     }
 
-    /// What a driver held at the instant and how much more it holds now, where it is one that stands elsewhere; else what the scene says.
-    fn held(&self, form: Form) -> Option<N> {
+    /// What is given of a form: a driver's value, that of the instant and how much more where a driver stands elsewhere, or what the
+    /// instant shows of a slider; `None` where nothing tells it.
+    fn given(&self, form: Form) -> Option<Given<N>> {
         let a = self.assembly;
-        let Some(then) = a.instant.filter(|_| self.aside.is_some()) else {
-            return a.driven_length(form.driver()?);
-        };
+        let then = a.instant.map(|then| (a.scene, then));
         match form {
-            Form::AlongPath { runner, guide, on, driver } => {
-                let Path::Line { through, direction } = a.guides[guide.0]?.to_world(&then.poses[on.0]?) else { return None };
-                let place = match runner {
-                    Runner::Pin(p) => then.points[p.0]?,
-                    Runner::Link(l) => then.poses[l.0]?.origin,
-                };
-                Some(direction.dot(place - through) + self.by(driver))
+            // How far the origin of a link lies beside its guide is nobody's concern: at the instant it lies on it, and stays there.
+            Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => Some(Given::Nothing),
+            Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match then.filter(|_| self.aside.is_some()) {
+                None => a.driven_length(driver).map(Given::Length),
+                Some(then) => match equations::measured(form, &then)? {
+                    Measured::Length(stood) => Some(Given::Length(stood + self.by(driver))),
+                    Measured::Apart(_) | Measured::Angle(_) => None,
+                },
+            },
+            Form::Angles { of, against, driver } => {
+                let stood = |(_, then): (_, &Configuration<N>)| Some(then.poses[of.0]?.axis.divide_by(then.poses[against.0]?.axis));
+                match (driver, then) {
+                    // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
+                    (None, None) => Some(Given::InPlane(Vec2::unit_x())),
+                    (None, Some(then)) => stood(then).map(Given::Turned),
+                    (Some(d), Some(then)) if self.aside.is_some() => {
+                        Some(Given::Turned(stood(then)?.rotate_by(Vec2::from_angle(self.by(d)))))
+                    }
+                    (Some(_), _) if self.links.contains(&against) => None,
+                    (Some(d), _) => a.axis_of(of, against, Some(d)).ok().map(Given::InPlane),
+                }
             }
-            Form::Distance { from, to, driver } => Some(then.points[from.0]?.distance(then.points[to.0]?) + self.by(driver)),
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Angles { .. } | Form::Rolls { .. } => None,
         }
     }
 
-    /// The direction that a link is to have, in the plane.
-    fn target(&self, at: &State<N>, of: LinkId, against: LinkId, driver: Option<usize>) -> Option<Vec2<N>> {
-        let a = self.assembly;
-        let stood = |then: &Configuration<N>| Some(then.poses[of.0]?.axis.divide_by(then.poses[against.0]?.axis));
-        match (driver, a.instant) {
-            // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
-            (None, None) => Some(Vec2::unit_x()),
-            (None, Some(then)) => Some(stood(then)?.rotate_by(self.pose(at, against)?.axis)),
-            (Some(d), Some(then)) if self.aside.is_some() => {
-                Some(stood(then)?.rotate_by(Vec2::from_angle(self.by(d))).rotate_by(self.pose(at, against)?.axis))
-            }
-            (Some(_), _) if self.links.contains(&against) => None,
-            (Some(d), _) => a.axis_of(of, against, Some(d)).ok(),
-        }
-    }
-
-    /// The equations at a state; `None` where one of them is of a kind that is not written.
+    /// The equations at a state; `None` where one of them is not written.
     fn equations(&self, at: &State<N>) -> Option<Vec<Equation<N>>> {
-        let a = self.assembly;
+        let (view, scale) = (Placed { system: self, at }, N::from_f64(self.scale));
         let mut list = Vec::new();
         for &form in &self.forms {
-            match form {
-                Form::Meet { pin, link } => {
-                    let (place, pose) = (self.point(at, pin)?, self.pose(at, link)?);
-                    let own = pose.to_world(a.shapes[link.0].local(pin)?);
-                    let off = place - own;
-                    for (off, k) in [(off.x, Vec2::unit_x()), (off.y, Vec2::unit_x().perp())] {
-                        let mut row = self.zeros();
-                        self.add_pin(&mut row, pin, k);
-                        self.add_link(at, &mut row, link, own, -k);
-                        list.push(Equation { off, row });
-                    }
+            let given = self.given(form)?;
+            let [first, second] = self.rows(form, given, &view)?;
+            match equations::off(form, given, &view)? {
+                Measured::Apart(d) => {
+                    list.push(Equation { off: d.x, row: first });
+                    list.push(Equation { off: d.y, row: second });
                 }
-                Form::OnPath { runner, guide, on } => {
-                    // How far the origin of a link lies beside the guide is nobody's concern: at the instant it lies on it, and stays there.
-                    let place = self.runner(at, runner)?;
-                    let mut row = self.zeros();
-                    let (off, k, foot) = match a.guides[guide.0]?.to_world(&self.pose(at, on)?) {
-                        Path::Line { through, direction } => (direction.cross(place - through), direction.perp(), place),
-                        Path::Arc { centre, radius } => {
-                            let u = place - centre;
-                            let l = u.norm();
-                            (l - radius, u * (N::from_f64(1.0) / l), centre)
-                        }
-                    };
-                    self.add_runner(at, &mut row, runner, k);
-                    self.add_link(at, &mut row, on, foot, -k);
-                    list.push(Equation { off, row });
-                }
-                Form::AlongPath { runner, guide, on, .. } => {
-                    let held = self.held(form)?;
-                    let Path::Line { through, direction } = a.guides[guide.0]?.to_world(&self.pose(at, on)?) else { return None };
-                    let place = self.runner(at, runner)?;
-                    let mut row = self.zeros();
-                    self.add_runner(at, &mut row, runner, direction);
-                    self.add_link(at, &mut row, on, place, -direction);
-                    list.push(Equation { off: direction.dot(place - through) - held, row });
-                }
-                Form::Distance { from, to, .. } => {
-                    let held = self.held(form)?;
-                    let u = self.point(at, to)? - self.point(at, from)?;
-                    let l = u.norm();
-                    let u = u * (N::from_f64(1.0) / l);
-                    let mut row = self.zeros();
-                    self.add_pin(&mut row, to, u);
-                    self.add_pin(&mut row, from, -u);
-                    list.push(Equation { off: l - held, row });
-                }
-                Form::Angles { of, against, driver } => {
-                    let axis = self.pose(at, of)?.axis;
-                    let target = self.target(at, of, against, driver)?;
-                    let mut row = self.zeros();
-                    if a.instant.is_some() {
-                        self.add_turn(&mut row, against, -target.dot(axis));
-                    }
-                    self.add_turn(&mut row, of, target.dot(axis));
-                    list.push(Equation { off: target.cross(axis) * N::from_f64(self.scale), row });
-                }
-                // Lengths and drivers do not tell how far one link has rolled on the other.
-                Form::Rolls { .. } => return None,
+                Measured::Length(off) => list.push(Equation { off, row: first }),
+                Measured::Angle(off) => list.push(Equation { off: off * scale, row: first }),
             }
         }
         (list.len() == self.zeros().len()).then_some(list)
     }
+
+    /// The coefficients of a form's equations, of an angle's in the length by which its step is counted; the second only of a form that
+    /// is two.
+    fn rows(&self, form: Form, given: Given<N>, view: &Placed<N>) -> Option<[Vec<N>; 2]> {
+        let mut rows = [self.zeros(), Vec::new()];
+        let row = &mut rows[0];
+        match form {
+            Form::Meet { pin, link } => {
+                let own = view.pose(link)?.to_world(view.local(link, pin)?);
+                rows[1] = self.zeros();
+                for (row, k) in rows.iter_mut().zip([Vec2::unit_x(), Vec2::unit_x().perp()]) {
+                    self.add_pin(row, pin, k);
+                    self.add_link(view.at, row, link, own, -k);
+                }
+            }
+            Form::OnPath { runner, guide, on } => {
+                let place = view.runner(runner)?;
+                let (k, foot) = match view.path(guide)?.to_world(&view.pose(on)?) {
+                    Path::Line { direction, .. } => (direction.perp(), place),
+                    Path::Arc { centre, .. } => (direction_from(centre, place), centre),
+                };
+                self.add_runner(view.at, row, runner, k);
+                self.add_link(view.at, row, on, foot, -k);
+            }
+            Form::AlongPath { runner, guide, on, .. } => {
+                let place = view.runner(runner)?;
+                let k = match view.path(guide)?.to_world(&view.pose(on)?) {
+                    Path::Line { direction, .. } => direction,
+                    // The angle at the centre, in metres of arc.
+                    Path::Arc { centre, radius } => direction_from(centre, place).perp() * (radius / (place - centre).norm()),
+                };
+                self.add_runner(view.at, row, runner, k);
+                self.add_link(view.at, row, on, place, -k);
+            }
+            Form::Distance { from, to, .. } => {
+                let k = direction_from(view.point(from)?, view.point(to)?);
+                self.add_pin(row, to, k);
+                self.add_pin(row, from, -k);
+            }
+            Form::Angles { of, against, .. } => {
+                self.add_turn(row, of, N::from_f64(1.0));
+                if !matches!(given, Given::InPlane(_)) {
+                    self.add_turn(row, against, N::from_f64(-1.0));
+                }
+            }
+            Form::Rolls { .. } => return None,
+        }
+        Some(rows)
+    }
+}
+
+/// The unit vector from one place toward another.
+fn direction_from<N: Real>(from: Point<N>, to: Point<N>) -> Vec2<N> {
+    let d = to - from;
+    d * (N::from_f64(1.0) / d.norm())
 }
 
 impl<N: Real> proof::System<N> for Coupled<'_, N> {
@@ -284,7 +299,7 @@ mod tests {
     use super::*;
     use crate::mechanism::{Demand, Mechanism};
     use crate::position::{configure, newton};
-    use crate::scene::{self, GuideId, templates};
+    use crate::scene::{self, templates};
     use std::collections::BTreeSet;
 
     fn kind(a: &Assembly<f64>, form: Form) -> &'static str {

@@ -11,6 +11,7 @@ mod assemble;
 mod branch;
 mod configure;
 mod coupled;
+mod equations;
 mod finish;
 pub mod fold;
 mod higher;

@@ -5,6 +5,7 @@
 //! constraint; their derivatives are taken by differences, which shares nothing with the analytic check, and for each unknown only in the
 //! equations of the constraints that touch its link or pin: the others are not changed by it.
 
+use super::equations::{self, Given, Measured, View};
 use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
@@ -20,28 +21,16 @@ pub type Solved = (Vec<Option<Pose>>, Vec<Option<Point>>);
 #[derive(Clone, Debug, PartialEq)]
 pub struct DriverValues(pub Vec<f64>);
 
-/// What a form without a driver keeps.
-#[derive(Clone)]
-enum Rest {
-    /// Nothing that has to be looked up: see the form.
-    None,
-    /// The direction of the link stays that of the plane.
-    AsPlane,
-    /// The direction of one link in the frame of the other.
-    Turned(Vec2),
-    /// How far a link lies beside its guide (m).
-    Beside(f64),
-    /// How far a pair has rolled at the start.
-    Rolled(Box<Rolled>),
-}
-
 /// The system of equations of some links and pins.
 pub struct System<'a> {
     scene: &'a Scene,
     shapes: &'a Shapes,
     links: Vec<LinkId>,
     pins: Vec<PointId>,
-    forms: Vec<(Form, Rest)>,
+    /// Each with what it keeps of the start, where no driver gives it.
+    forms: Vec<(Form, Given<f64>)>,
+    /// How far each rolling pair has rolled at the start.
+    rolled: Vec<Option<Rolled>>,
     /// Poses and points outside the system, which stay.
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
@@ -57,7 +46,7 @@ impl<'a> System<'a> {
         for &g in groups {
             links.extend(&mechanism.groups[g].links);
             pins.extend(&mechanism.groups[g].pins);
-            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), Rest::None)));
+            forms.extend(mechanism.groups[g].constraints.iter().map(|&c| (mechanism.constraints[c].form(), Given::Nothing)));
         }
         let mut system = System {
             scene,
@@ -65,12 +54,19 @@ impl<'a> System<'a> {
             links,
             pins,
             forms,
+            rolled: vec![None; scene.rolling.len()],
             poses: start.poses.clone(),
             points: start.points.clone(),
             scale: start.extent().max(f64::MIN_POSITIVE),
         };
         for i in 0..system.forms.len() {
-            system.forms[i].1 = system.rest(system.forms[i].0, start).unwrap_or(Rest::None);
+            let (form, _) = system.forms[i];
+            system.forms[i].1 = system.kept(form).unwrap_or(Given::Nothing);
+            if let Form::Rolls { pair, .. } = form {
+                // A rough start has no record: it is the instant itself.
+                let begin = || system.seen(pair, &start.poses, &start.points).map(Rolled::begin);
+                system.rolled[pair.0] = start.rolled.get(pair.0).cloned().flatten().or_else(begin);
+            }
         }
         system
     }
@@ -78,34 +74,33 @@ impl<'a> System<'a> {
     /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides,
     /// however roughly `start` shows them.
     pub fn at_instant(mut self) -> System<'a> {
-        for (_, rest) in &mut self.forms {
-            match rest {
-                Rest::Turned(_) => *rest = Rest::AsPlane,
-                Rest::Beside(_) => *rest = Rest::Beside(0.0),
-                Rest::None | Rest::AsPlane | Rest::Rolled(_) => {}
-            }
+        for (_, given) in &mut self.forms {
+            *given = match *given {
+                Given::Turned(_) | Given::InPlane(_) => Given::InPlane(Vec2::new(1.0, 0.0)),
+                Given::Length(_) | Given::Nothing => Given::Nothing,
+            };
         }
         self
     }
 
-    /// What a form keeps of `start`; `None` where its links are not placed there.
-    fn rest(&self, form: Form, start: &Configuration) -> Option<Rest> {
-        Some(match form {
-            Form::Angles { of, against, driver: None } => Rest::Turned(self.pose(of)?.axis.divide_by(self.pose(against)?.axis)),
-            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
-                Rest::Beside(self.glide_offset(guide, &self.pose(slider)?, &self.pose(on)?))
-            }
-            Form::Rolls { pair, .. } => {
-                // A rough start has no record: it is the instant itself.
-                let begin = || self.seen(pair, &start.poses, &start.points).map(Rolled::begin);
-                Rest::Rolled(Box::new(start.rolled.get(pair.0).cloned().flatten().or_else(begin)?))
+    /// What a form without a driver keeps of the start; `None` where its links are not placed there.
+    fn kept(&self, form: Form) -> Option<Given<f64>> {
+        match form {
+            Form::Angles { of, against, driver: None } => Some(Given::Turned(self.pose(of)?.axis.divide_by(self.pose(against)?.axis))),
+            Form::OnPath { runner: Runner::Link(_), .. } => {
+                let start = Placed { system: self, poses: &self.poses, points: &self.points };
+                match equations::measured(form, &start)? {
+                    Measured::Length(beside) => Some(Given::Length(beside)),
+                    Measured::Apart(_) | Measured::Angle(_) => None,
+                }
             }
             Form::Angles { driver: Some(_), .. }
             | Form::OnPath { runner: Runner::Pin(_), .. }
             | Form::Meet { .. }
             | Form::AlongPath { .. }
-            | Form::Distance { .. } => Rest::None,
-        })
+            | Form::Distance { .. }
+            | Form::Rolls { .. } => None,
+        }
     }
 
     fn pose(&self, l: LinkId) -> Option<Pose> {
@@ -120,13 +115,6 @@ impl<'a> System<'a> {
             self.shapes.local(l, p).and_then(|local| Some(pose(l)?.to_world(local))).or(points[p.0])
         };
         rolling::seen(&self.scene.rolling[r.0], self.shapes, &pose, &place)
-    }
-
-    fn glide_offset(&self, g: GuideId, slider: &Pose, on: &Pose) -> f64 {
-        match self.shapes.guides[g.0] {
-            Some(Path::Line { through, direction }) => direction.cross(on.to_local(slider.origin) - through),
-            _ => 0.0,
-        }
     }
 
     pub(super) fn unpack(&self, x: &DVector<f64>) -> Solved {
@@ -176,46 +164,20 @@ impl<'a> System<'a> {
     }
 
     /// Those of one form.
-    fn residual(&self, (form, rest): &(Form, Rest), (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
-        let pose = |l: LinkId| if l == self.scene.ground { Pose::GROUND } else { poses[l.0].expect("a link of the system has a pose") };
-        let point = |p: PointId| points[p.0].expect("a pin of the system has a place");
-        let path = |g: GuideId| self.shapes.guides[g.0].expect("a guide of the system is laid");
+    fn residual(&self, (form, kept): &(Form, Given<f64>), (poses, points): &Solved, drivers: &DriverValues, mut told: impl FnMut(f64)) {
+        let given = match (form.driver(), form) {
+            (Some(d), Form::Angles { .. }) => Given::Turned(Vec2::from_angle(drivers.0[d])),
+            (Some(d), _) => Given::Length(drivers.0[d]),
+            (None, _) => *kept,
+        };
         let s = 1.0 / self.scale;
-        match *form {
-            Form::Meet { pin, link } => {
-                let local = self.shapes.local(link, pin).expect("a link's points have local places");
-                let d = point(pin) - pose(link).to_world(local);
+        match equations::off(*form, given, &Placed { system: self, poses, points }).expect("all links and pins of a system are placed") {
+            Measured::Apart(d) => {
                 told(d.x * s);
                 told(d.y * s);
             }
-            Form::OnPath { runner: Runner::Pin(p), guide, on } => told(match path(guide).to_world(&pose(on)) {
-                Path::Line { through, direction } => direction.cross(point(p) - through) * s,
-                Path::Arc { centre, radius } => ((point(p) - centre).norm() - radius) * s,
-            }),
-            Form::OnPath { runner: Runner::Link(slider), guide, on } => {
-                let rest = if let Rest::Beside(rest) = rest { *rest } else { 0.0 };
-                told((self.glide_offset(guide, &pose(slider), &pose(on)) - rest) * s);
-            }
-            Form::Angles { of, against, driver: Some(d) } => {
-                told(pose(of).axis.divide_by(pose(against).axis).divide_by(Vec2::from_angle(drivers.0[d])).angle());
-            }
-            Form::Angles { of, against, driver: None } => told(match rest {
-                Rest::AsPlane => pose(of).axis.angle(),
-                Rest::Turned(rest) => pose(of).axis.divide_by(pose(against).axis.rotate_by(*rest)).angle(),
-                Rest::None | Rest::Beside(_) | Rest::Rolled(_) => pose(of).axis.divide_by(pose(against).axis).angle(),
-            }),
-            Form::AlongPath { runner, guide, on, driver } => {
-                let at = match runner {
-                    Runner::Pin(p) => point(p),
-                    Runner::Link(slider) => pose(slider).origin,
-                };
-                told((path(guide).coordinate_of(pose(on).to_local(at)) - drivers.0[driver]) * s);
-            }
-            Form::Rolls { pair, .. } => told(match (rest, self.seen(pair, poses, points)) {
-                (Rest::Rolled(then), Some(now)) => then.slip(&self.scene.rolling[pair.0], self.shapes.rolling[pair.0], &now),
-                (_, _) => 0.0,
-            }),
-            Form::Distance { from, to, driver } => told((point(from).distance(point(to)) - drivers.0[driver]) * s),
+            Measured::Length(x) => told(x * s),
+            Measured::Angle(x) => told(x),
         }
     }
 
@@ -324,23 +286,44 @@ pub(super) fn slopes(x: &DVector<f64>, residuals: &dyn Fn(&DVector<f64>) -> DVec
     DMatrix::from_columns(&columns)
 }
 
+/// A system with its links and pins in some pose.
+struct Placed<'a> {
+    system: &'a System<'a>,
+    poses: &'a [Option<Pose>],
+    points: &'a [Option<Point>],
+}
+
+impl View<f64> for Placed<'_> {
+    fn pose(&self, l: LinkId) -> Option<Pose> {
+        if l == self.system.scene.ground { Some(Pose::GROUND) } else { self.poses[l.0] }
+    }
+
+    fn point(&self, p: PointId) -> Option<Point> {
+        self.points[p.0]
+    }
+
+    fn local(&self, l: LinkId, p: PointId) -> Option<Point> {
+        self.system.shapes.local(l, p)
+    }
+
+    fn path(&self, g: GuideId) -> Option<Path> {
+        self.system.shapes.guides[g.0]
+    }
+
+    /// A pair that nothing has placed before has not rolled.
+    fn slip(&self, r: RollingId) -> Option<f64> {
+        let system = self.system;
+        let now = system.seen(r, self.poses, self.points);
+        let then = system.rolled[r.0].as_ref();
+        Some(then.zip(now).map_or(0.0, |(then, now)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now)))
+    }
+}
+
 /// The values that the drivers have in a configuration.
 pub fn driver_values(scene: &Scene, at: &Configuration) -> DriverValues {
-    let pose = |l: LinkId| if l == scene.ground { Some(Pose::GROUND) } else { at.poses[l.0] };
-    let value = |form: Form| -> Option<f64> {
-        match form {
-            Form::Angles { of, against, .. } => Some(pose(of)?.axis.divide_by(pose(against)?.axis).angle()),
-            Form::AlongPath { runner, guide, on, .. } => {
-                let runner = match runner {
-                    Runner::Pin(p) => at.points[p.0]?,
-                    Runner::Link(slider) => pose(slider)?.origin,
-                };
-                Some(at.shapes.guides[guide.0]?.coordinate_of(pose(on)?.to_local(runner)))
-            }
-            Form::Distance { from, to, .. } => Some(at.points[from.0]?.distance(at.points[to.0]?)),
-            // No driver's.
-            Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => None,
-        }
+    let value = |form: Form| match equations::measured(form, &(scene, at))? {
+        Measured::Length(x) | Measured::Angle(x) => Some(x),
+        Measured::Apart(_) => None,
     };
     let value = |d: usize| constraints_of(scene, Item::Driver(d)).find_map(|c| value(c.form()));
     DriverValues((0..scene.drivers.len()).map(|d| value(d).unwrap_or(0.0)).collect())

@@ -92,6 +92,14 @@ impl Form {
         a == Node::Link(link) || b == Node::Link(link)
     }
 
+    /// The pin that it puts on a link, and the link.
+    pub fn meets(&self) -> Option<(PointId, LinkId)> {
+        match *self {
+            Form::Meet { pin, link } => Some((pin, link)),
+            Form::Angles { .. } | Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => None,
+        }
+    }
+
     /// How many scalar equations it is.
     pub fn equations(&self) -> usize {
         match self {

@@ -85,18 +85,12 @@ impl Compiler<'_> {
     /// The links of a group of rolling ones with the pins at which they hang, each placed before; `None` where they hang otherwise.
     fn hung(&self, g: usize) -> Option<Vec<(LinkId, PointId)>> {
         let group = &self.m.groups[g];
-        let mut pinned: Vec<(PointId, LinkId)> = Vec::new();
-        let mut rolls = false;
-        for form in group.constraints.iter().map(|&c| self.m.constraints[c].form()) {
-            match form {
-                Form::Meet { pin, link } => pinned.push((pin, link)),
-                Form::Rolls { .. } => rolls = true,
-                Form::Angles { .. } => {}
-                Form::OnPath { .. } | Form::AlongPath { .. } | Form::Distance { .. } => return None,
-            }
-        }
+        let forms = || group.constraints.iter().map(|&c| self.m.constraints[c].form());
+        let pinned: Vec<(PointId, LinkId)> = forms().filter_map(|f| f.meets()).collect();
+        let others = forms().all(|f| matches!(f, Form::Meet { .. } | Form::Angles { .. } | Form::Rolls { .. }));
+        let rolls = forms().any(|f| matches!(f, Form::Rolls { .. }));
         let told = group.links.iter().all(|l| self.trains.train.of_link(*l).is_some());
-        if !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
+        if !others || !rolls || !told || pinned.len() != group.links.len() + group.pins.len() {
             return None;
         }
         let mut hung: Vec<(LinkId, PointId)> = Vec::new();
