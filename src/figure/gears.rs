@@ -13,7 +13,7 @@ use crate::digits::significant;
 use crate::gears::{Basic, Mate, Pair, distance_of, operating, standard, sum_of_shifts};
 use crate::geom::Point;
 use crate::plan::names::name_label;
-use crate::scene::{Contours, DriverKind, Flanks, LinkId, Rolling, Scene};
+use crate::scene::{Contours, Flanks, LinkId, Rolling, Scene};
 
 use super::drawing::Part;
 use super::item::Figure;
@@ -58,7 +58,7 @@ pub(super) fn pairs(maker: &Maker) -> Result<Warned<Pages>, Faults> {
 
 /// The order in which a pair is drawn: of two gears the one that a driver turns first, else the gear before ring or rack.
 fn order(scene: &Scene, rolling: &Rolling) -> [usize; 2] {
-    let driven = |l: LinkId| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, .. } if link == l));
+    let driven = |l: LinkId| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == l));
     match rolling.contours {
         Contours::Circles { hollow: Some(0), .. } | Contours::Track { .. } => [1, 0],
         Contours::Circles { hollow: Some(_), .. } => [0, 1],

@@ -8,7 +8,7 @@ use crate::mechanism::Level;
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Term, TermKind, VertexId};
-use crate::scene::{DriverKind, Lang, LinkId, Scene};
+use crate::scene::{Lang, LinkId, Scene};
 
 use super::bank::Formulas;
 use super::frames::Frame;
@@ -111,10 +111,7 @@ impl Act<'_> {
 fn of_body(scene: &Scene, body: Body) -> Vec<usize> {
     match body {
         Body::Link(l) => vec![l.0],
-        Body::Cylinder(d) => match &scene.drivers[d].kind {
-            DriverKind::Cylinder { links, .. } => links.iter().map(|l| l.0).collect(),
-            DriverKind::Turn { .. } | DriverKind::Slide { .. } => Vec::new(),
-        },
+        Body::Cylinder(d) => scene.drivers[d].kind.parts().iter().map(|l| l.0).collect(),
     }
 }
 

@@ -28,7 +28,7 @@ pub use reveal::reveal;
 use crate::diag::{Diagnostic, Faults, Warned, both};
 use crate::figure::style::Style;
 use crate::plan::notation::Notation;
-use crate::scene::{DriverKind, Lang, Scene};
+use crate::scene::{Lang, Scene};
 use crate::worked::{Scope, Worked, work};
 
 use crate::sweep::follow::Follower;
@@ -115,7 +115,7 @@ pub fn of_worked(scene: &Scene, worked: &Worked, options: &Options) -> Result<Wa
         notes.push(d.help(both!("give another pose, or move another driver with --driver", "请改变位置，或用 --driver 另选原动件")));
     }
     let turns = follower.returns();
-    if turns != 1 && matches!(scene.drivers[options.driver].kind, DriverKind::Turn { .. }) && sweep.limits == [None, None] {
+    if turns != 1 && scene.drivers[options.driver].kind.turns() && sweep.limits == [None, None] {
         notes.push(Diagnostic::note(
             "lesson-turns",
             match (sweep.full, turns) {

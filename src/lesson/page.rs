@@ -237,9 +237,9 @@ fn driver(scene: &Scene, k: usize) -> Value {
         (None, true) => 180.0 / std::f64::consts::PI,
         (None, false) => 1e3,
     };
-    let start = match &driver.kind {
-        DriverKind::Turn { angle: Some(a), .. } if book.chosen(what).is_none() => Some(a.value.degrees()),
-        _ => driver_position(scene, k).map(|s| s * factor),
+    let start = match driver.kind.angle().filter(|_| book.chosen(what).is_none()) {
+        Some(angle) => Some(angle.value.degrees()),
+        None => driver_position(scene, k).map(|s| s * factor),
     };
     let symbol = if start.is_some() { symbol } else { format!("\\Delta {symbol}") };
     let back = driver.rate.value < 0.0;

@@ -1,10 +1,10 @@
 //! The plan as text: groups, effects, equations in solving order.
 
-use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism};
+use crate::mechanism::{ConstraintLine, Core, Leg, Level, Mechanism, moved_words};
 use crate::paper::phrase::{formula, tr};
 use crate::plan::text::{Column, Writer};
 use crate::plan::{Between, Body, Effect, GroupSteps, Method, Rate, Reason, Special, SpecialLine, Step, Term};
-use crate::scene::{DriverKind, Lang, LinkId, PointId, Scene};
+use crate::scene::{Lang, LinkId, PointId, Scene};
 use unicode_width::UnicodeWidthStr;
 
 /// The whole plan.
@@ -156,19 +156,10 @@ pub(super) fn effect_words(scene: &Scene, m: &Mechanism, e: Effect, lang: Lang) 
         Effect::Velocities => tr(lang, "velocities", "速度").into(),
         Effect::Accelerations => tr(lang, "accelerations", "加速度").into(),
         Effect::DriverRate(d) | Effect::DriverAcceleration(d) => {
-            let name = match &scene.drivers[d].kind {
-                DriverKind::Turn { link, .. } => format!("{} {}", tr(lang, "link", "构件"), scene.link_name(*link)),
-                DriverKind::Slide { guide, .. } => {
-                    let g = &scene.guides[guide.0];
-                    match (g.pin, g.slider) {
-                        (Some(p), _) => format!("{} {}", tr(lang, "slider", "滑块"), scene.point_name(p)),
-                        (None, Some(s)) => format!("{} {}", tr(lang, "slider", "滑块"), scene.link_name(s)),
-                        (None, None) => String::new(),
-                    }
-                }
-                DriverKind::Cylinder { a, b, .. } => {
-                    format!("{} {}{}", tr(lang, "cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
-                }
+            let words = moved_words(scene, d);
+            let name = match lang {
+                Lang::En => words.en,
+                Lang::Zh => words.zh,
             };
             match (e, lang) {
                 (Effect::DriverRate(_), Lang::En) => format!("velocity of the driver ({name})"),

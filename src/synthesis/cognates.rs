@@ -18,7 +18,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Demand, Mechanism};
 use crate::position::{Configuration, configure};
-use crate::scene::{self, DriverKind, LinkId, PointId, Scene, templates};
+use crate::scene::{self, LinkId, PointId, Scene, templates};
 use std::f64::consts::TAU;
 
 /// The kind.
@@ -113,7 +113,7 @@ fn four_bar(scene: &Scene, at: &Configuration, point: Option<PointId>) -> Result
         let ground = scene.ground.0;
         let floating = (0..4).find(|l| *l != ground && !points(*l).iter().any(|p| points(ground).contains(p)))?;
         let mut cranks: Vec<usize> = (0..4).filter(|l| *l != ground && *l != floating).collect();
-        let driven = |l: usize| scene.drivers.iter().any(|d| matches!(d.kind, DriverKind::Turn { link, .. } if link == LinkId(l)));
+        let driven = |l: usize| scene.drivers.iter().any(|d| d.kind.turned().is_some_and(|(link, _)| link == LinkId(l)));
         cranks.sort_by_key(|l| !driven(*l));
         let common = |k: usize, l: usize| points(k).iter().copied().find(|p| points(l).contains(p));
         let pins = [common(cranks[0], ground)?, common(cranks[0], floating)?, common(floating, cranks[1])?, common(cranks[1], ground)?];

@@ -188,13 +188,10 @@ impl Over<'_, '_> {
                 (None, Path::Line { through, .. }) => through,
                 (None, Path::Arc { centre, .. }) => centre,
             },
-            How::Primary(Primary::Cylinder(d)) => match self.w.scene.drivers[d].kind {
-                crate::scene::DriverKind::Cylinder { a, b, .. } => {
-                    let (a, b) = (configuration.points[a.0]?, configuration.points[b.0]?);
-                    a + (b - a) * 0.5
-                }
-                crate::scene::DriverKind::Turn { .. } | crate::scene::DriverKind::Slide { .. } => return None,
-            },
+            How::Primary(Primary::Cylinder(d)) => {
+                let [a, b] = self.w.scene.drivers[d].kind.ends()?.map(|p| configuration.points[p.0]);
+                a? + (b? - a?) * 0.5
+            }
             How::Primary(Primary::Pin(p)) => configuration.points[p.0]?,
             How::Primary(Primary::Contact(r)) => configuration.points[self.w.scene.rolling[r.0].at.0]?,
             How::Lines(_) | How::Velocities => return None,

@@ -26,7 +26,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Opened;
 use crate::plan::notation::Notation;
 use crate::position::Path;
-use crate::scene::{DriverKind, Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
+use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, Scene, Through};
 use crate::worked::Worked;
 
 use super::drawing::{Drawing, Part};
@@ -225,8 +225,8 @@ impl<'a> Draft<'a> {
 
     /// Whether the point is a revolute joint on the ground.
     fn is_fixed_pivot(&self, p: PointId) -> bool {
-        let cylinder_end = |k: &DriverKind| matches!(k, DriverKind::Cylinder { a, b, .. } if *a == p || *b == p);
-        let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || self.scene.drivers.iter().any(|d| cylinder_end(&d.kind));
+        let cylinder_end = self.scene.drivers.iter().filter_map(|d| d.kind.ends()).any(|ends| ends.contains(&p));
+        let joined = self.scene.carriers(p).any(|l| l != self.scene.ground) || cylinder_end;
         self.on_ground(p) && joined && self.shows(self.scene.ground) && self.shows_point(p)
     }
 
@@ -272,17 +272,15 @@ impl<'a> Draft<'a> {
                 }
             }
         }
-        for d in &self.scene.drivers {
-            if let DriverKind::Cylinder { a, b, .. } = d.kind {
-                let other = if a == p {
-                    Some(b)
-                } else if b == p {
-                    Some(a)
-                } else {
-                    None
-                };
-                out.extend(other.and_then(|q| (self.point(q)? - at).unit()));
-            }
+        for [a, b] in self.scene.drivers.iter().filter_map(|d| d.kind.ends()) {
+            let other = if a == p {
+                Some(b)
+            } else if b == p {
+                Some(a)
+            } else {
+                None
+            };
+            out.extend(other.and_then(|q| (self.point(q)? - at).unit()));
         }
         out
     }

@@ -5,7 +5,7 @@ use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2, cross_lines};
 use crate::mechanism::Opened;
 use crate::position::Path;
-use crate::scene::{DriverKind, GuideId, GuidePath, LinkId, PointId, Through};
+use crate::scene::{GuideId, GuidePath, LinkId, PointId, Through};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -210,12 +210,13 @@ impl Draft<'_> {
     /// Cylinders: barrel at their first point, rod at their second.
     pub(super) fn cylinders(&mut self) {
         for k in 0..self.scene.drivers.len() {
-            let DriverKind::Cylinder { a, b, links, .. } = &self.scene.drivers[k].kind else { continue };
+            let kind = &self.scene.drivers[k].kind;
+            let Some([a, b]) = kind.ends() else { continue };
             if !self.shows_driver(k) {
                 continue;
             }
-            let (links, name) = (links.clone(), format!("cylinder-{}{}", self.scene.point_name(*a), self.scene.point_name(*b)));
-            let (Some(base), Some(tip)) = (self.point(*a), self.point(*b)) else { continue };
+            let (links, name) = (kind.parts().to_vec(), format!("cylinder-{}{}", self.scene.point_name(a), self.scene.point_name(b)));
+            let (Some(base), Some(tip)) = (self.point(a), self.point(b)) else { continue };
             let length = base.distance(tip);
             let mut items = sym::cylinder(self.style, base, tip, BARREL_PART * length);
             for item in &mut items {

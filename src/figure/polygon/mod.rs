@@ -17,7 +17,6 @@ use crate::mechanism::Level;
 use crate::plan::text::Writer;
 use crate::plan::{Body, By, Spot, Step, Term, TermKind, VertexId};
 use crate::report::construction::mark as mark_name;
-use crate::scene::DriverKind;
 use crate::scene::quantity::Meaning;
 
 use crate::figure::drawing::{Drawing, Part};
@@ -196,10 +195,7 @@ impl Draft<'_> {
         let scene = self.w.scene;
         match term.by {
             By::Turning(Body::Link(l)) => Some(l.0),
-            By::Turning(Body::Cylinder(d)) | By::Cylinder(d) => match &scene.drivers[d].kind {
-                DriverKind::Cylinder { links, .. } => links.first().map(|l| l.0),
-                _ => None,
-            },
+            By::Turning(Body::Cylinder(d)) | By::Cylinder(d) => scene.drivers[d].kind.parts().first().map(|l| l.0),
             By::Guide { guide, .. } => {
                 let g = &scene.guides[guide.0];
                 if g.on == scene.ground { g.slider.map(|l| l.0) } else { Some(g.on.0) }

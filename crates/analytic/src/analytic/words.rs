@@ -9,8 +9,9 @@ use super::rows::Layout;
 use super::singular::{Part, Refusal, Why};
 use crate::diag::{Both, Diagnostic, both};
 use crate::geom::Vec2;
+use crate::mechanism::mover_words;
 use crate::position::Configuration;
-use crate::scene::{DriverKind, GuideId, LinkId, PointId, Scene};
+use crate::scene::{GuideId, LinkId, PointId, Scene};
 
 /// The loaded part of a singular block.
 #[derive(Clone, Debug, PartialEq)]
@@ -100,7 +101,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
     let carries_guide = |l: LinkId| guides.iter().any(|g| scene.guides[g.0].on == l || scene.guides[g.0].slider == Some(l));
     let text = match (&guides[..], in_line) {
         (_, true) => {
-            let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
+            let cylinders = drivers.iter().map(|d| mover_words(scene, *d));
             let all: Vec<Both> = bars.into_iter().chain(cylinders).collect();
             match joint {
                 Some(_) => both!("{} lie in line{}{}", "{}在 {} 处共线{}", Both::listed(&all), at_joint, coincident(scene, at, &pins)),
@@ -111,7 +112,7 @@ pub(super) fn held(scene: &Scene, at: &Configuration, layout: &Layout, rows: &[R
             both!("{} lies square to {}", "{}垂直于{}", bars[0], guide(g))
         }
         _ => {
-            let cylinders = drivers.iter().map(|d| driver_words(scene, *d));
+            let cylinders = drivers.iter().map(|d| mover_words(scene, *d));
             let all: Vec<Both> = bars.into_iter().chain(guides.iter().map(guide)).chain(cylinders).collect();
             let verb = if all.len() == 1 { "leaves" } else { "leave" };
             let at_joint = Both { zh: joint.map_or_else(String::new, |p| format!("在 {} 处", scene.point_name(p))), ..at_joint };
@@ -152,22 +153,10 @@ pub(super) fn links_of(layout: &Layout, part: &Part) -> Vec<LinkId> {
     links
 }
 
-fn driver_words(scene: &Scene, d: usize) -> Both {
-    match scene.drivers[d].kind {
-        DriverKind::Turn { link, .. } => both!("driver link {}", "原动件 {} ", scene.link_name(link)),
-        DriverKind::Slide { guide, .. } => match (scene.guides[guide.0].pin, scene.guides[guide.0].slider) {
-            (Some(p), _) => both!("the drive of {}", "{} 处的原动件", scene.point_name(p)),
-            (None, Some(s)) => both!("the drive of link {}", "构件 {} 的原动件", scene.link_name(s)),
-            (None, None) => both!("the driver", "原动件"),
-        },
-        DriverKind::Cylinder { a, b, .. } => both!("cylinder {}{}", "液压缸 {}{} ", scene.point_name(a), scene.point_name(b)),
-    }
-}
-
 /// The drivers that move, or are to move.
 fn moving_drivers(scene: &Scene) -> Both {
     let moves = |d: &crate::scene::Driver| d.rate.value != 0.0 || d.acceleration.as_ref().is_some_and(|a| a.value != 0.0);
-    let all: Vec<Both> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| driver_words(scene, d)).collect();
+    let all: Vec<Both> = (0..scene.drivers.len()).filter(|d| moves(&scene.drivers[*d])).map(|d| mover_words(scene, d)).collect();
     if all.is_empty() { both!("the driver", "原动件") } else { Both::listed(&all) }
 }
 

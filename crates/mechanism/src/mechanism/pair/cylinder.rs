@@ -1,12 +1,16 @@
 //! A cylinder: a driver of the distance of two pins. Barrel and rod follow it.
 
-use super::{Demands, Form, Kind};
+use super::{Demands, DriverForm, Form, Kind};
 use crate::diag::both;
 
 pub(super) const CYLINDER: Kind = Kind {
-    form: Demands::OfDriver(|driver, kind, _| {
-        let [from, to] = kind.ends()?;
-        Some(Form::Distance { from, to, driver })
+    form: Demands::OfDriver(DriverForm {
+        form: |driver, kind, _| {
+            let [from, to] = kind.ends()?;
+            Some(Form::Distance { from, to, driver })
+        },
+        mover: |scene, from, to| both!("cylinder {}{}", "液压缸 {}{} ", from.name(scene), to.name(scene)),
+        moved: |scene, from, to| both!("cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene)),
     }),
     words: |scene, from, to| both!("the cylinder {}{}", "液压缸 {}{}", from.name(scene), to.name(scene)),
 };

@@ -45,8 +45,15 @@ struct Kind {
 enum Demands {
     OfPin(fn(PointId, LinkId) -> Option<Form>),
     OfGuide(fn(GuideId, &Guide) -> Option<Form>),
-    OfDriver(fn(usize, &DriverKind, &Scene) -> Option<Form>),
+    OfDriver(DriverForm),
     OfRolling(fn(RollingId, &Rolling) -> Option<Form>),
+}
+
+/// What a kind of driver says besides: how it is named as what moves something, and what it moves.
+struct DriverForm {
+    form: fn(usize, &DriverKind, &Scene) -> Option<Form>,
+    mover: fn(&Scene, Node, Node) -> Both,
+    moved: fn(&Scene, Node, Node) -> Both,
 }
 
 /// All kinds, in the order in which the constraints of one item come.
@@ -75,11 +82,29 @@ pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constra
     let demanded = move |kind: &Kind| match (&kind.form, item) {
         (Demands::OfPin(form), Item::Pin(p, l)) => form(p, l),
         (Demands::OfGuide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
-        (Demands::OfDriver(form), Item::Driver(d)) => form(d, &scene.drivers[d].kind, scene),
+        (Demands::OfDriver(driver), Item::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
         (Demands::OfRolling(form), Item::Rolling(r)) => form(r, &scene.rolling[r.0]),
         (Demands::OfPin(_) | Demands::OfGuide(_) | Demands::OfDriver(_) | Demands::OfRolling(_), _) => None,
     };
     KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
+}
+
+/// How a driver is named as what moves something.
+pub fn mover_words(scene: &Scene, driver: usize) -> Both {
+    driver_words(scene, driver, |d| d.mover)
+}
+
+/// How that is named which a driver moves.
+pub fn moved_words(scene: &Scene, driver: usize) -> Both {
+    driver_words(scene, driver, |d| d.moved)
+}
+
+fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, Node, Node) -> Both) -> Both {
+    let of = |c: Constraint| match &KINDS[c.kind].form {
+        Demands::OfDriver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
+        Demands::OfPin(_) | Demands::OfGuide(_) | Demands::OfRolling(_) => None,
+    };
+    constraints_of(scene, Item::Driver(driver)).find_map(of).unwrap_or_else(|| Both::same(""))
 }
 
 impl Constraint {

@@ -1,12 +1,16 @@
 //! A turning driver: a crank against ground or against another link.
 
-use super::{Demands, Form, Kind};
+use super::{Demands, DriverForm, Form, Kind};
 use crate::diag::both;
 
 pub(super) const TURNING: Kind = Kind {
-    form: Demands::OfDriver(|d, kind, _| {
-        let (of, against) = kind.turned()?;
-        Some(Form::Angles { of, against, driver: Some(d) })
+    form: Demands::OfDriver(DriverForm {
+        form: |d, kind, _| {
+            let (of, against) = kind.turned()?;
+            Some(Form::Angles { of, against, driver: Some(d) })
+        },
+        mover: |scene, link, _| both!("driver link {}", "原动件 {} ", link.name(scene)),
+        moved: |scene, link, _| both!("link {}", "构件 {}", link.name(scene)),
     }),
     words: |scene, link, _| both!("the driver of link {}", "构件 {} 的原动件", link.name(scene)),
 };
