@@ -45,8 +45,8 @@
 //!   templates, schema; what can be asked, a file for each family of quantities ([`scene::quantity`]); in which unit a number is printed
 //!   ([`scene::book`]).
 //! - [`cam`]: disc cams as plain geometry: motion laws, profiles of arcs and lines, the profile by inversion, pressure angle, curvature.
-//! - [`mechanism`]: links, pairs, drivers as a graph; mobility, and what only repeats other pairs; Assur groups in solving order with
-//!   their legs; the demand of the questions.
+//! - [`mechanism`]: links, pairs, drivers as a graph, each pair a value that demands a form; mobility, and what only repeats other
+//!   pairs; Assur groups in solving order with their legs; the demand of the questions.
 //! - [`position`]: where everything is: a kernel for each dyad, triads, Newton's method for the rest;
 //!   whether what repeats other pairs holds by itself ([`position::redundant`]).
 //! - [`motion`]: velocities and accelerations group by group, in any number; [`number`]: the numbers.
@@ -131,6 +131,21 @@
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified synthesis report figure
 //! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions synthesis report figure worksheet lesson
 //! ```
+//!
+//! # What grows
+//! A pair or driver is one file in [`mechanism`]'s folder `pair`: of which items of the scene it is, which *form* it demands
+//! ([`mechanism::Form`]), how it is named. Forms are the few statements in link frames that all pairs come down to: two points meet, the
+//! angles of two links differ by what is given, a point lies on the path of a guide, its way along it is given, a distance is given,
+//! contours roll. Newton's method and the proofs ([`position`]), motion, loop equations and sweep match the forms, each differentiates
+//! them by itself; nodes, numbers of equations and legs follow from them. The table says where a new one is written.
+//! ```text
+//! a new pair of these forms   its file in mechanism/pair and its line in the list there; the scene's reading and writing of it; its symbol
+//! a new kind of driver        the same, and its answers in scene/driver.rs; its statement, its JSON, its symbol in the lesson
+//! a new form                  besides: its equation (position/equations.rs), coefficients (position/coupled.rs), motion
+//!                             (motion/conditions.rs), rows (analytic/rows.rs), legs (mechanism/groups.rs, plan/reduce.rs), sweep/train.rs
+//! ```
+//! Kinds of pair are private to their folder, so that no other file can match them; `tests/tidy.rs` keeps the lists of files that match
+//! forms, kinds of driver and kinds of leg, which only shrink.
 //!
 //! # What must not be
 //! [`construct`] and [`analytic`] do not know one another: their agreement is evidence only because of this. They share the

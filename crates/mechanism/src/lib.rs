@@ -1,6 +1,7 @@
 //! What moves: links, pairs and groups of a scene, where they are, how fast they move.
 //!
-//! Rooms: [`mechanism`] (links, pairs and drivers as a graph; Assur groups in solving order), [`position`] (where everything is),
+//! Rooms: [`mechanism`] (links, pairs and drivers as a graph, each pair a value that demands a form; Assur groups in solving order),
+//! [`position`] (where everything is; what a form measures is written once, in any number),
 //! [`answer`] (what a question means), [`motion`] (velocities and accelerations group by group, in any number).
 
 #![forbid(unsafe_code)]

@@ -165,29 +165,31 @@ impl<N: Real> Coupled<'_, N> {
     fn given(&self, form: Form) -> Option<Given<N>> {
         let a = self.assembly;
         let then = a.instant.map(|then| (a.scene, then));
+        let aside = then.filter(|_| self.aside.is_some());
+        let farther = |then, driver| {
+            Some(match equations::kept(form, &then)? {
+                Given::Turned(stood) => Given::Turned(stood.rotate_by(Vec2::from_angle(self.by(driver)))),
+                Given::Length(stood) => Given::Length(stood + self.by(driver)),
+                given @ (Given::Nothing | Given::InPlane(_)) => given,
+            })
+        };
         match form {
             // How far the origin of a link lies beside its guide is nobody's concern: at the instant it lies on it, and stays there.
             Form::Meet { .. } | Form::OnPath { .. } | Form::Rolls { .. } => Some(Given::Nothing),
-            Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match then.filter(|_| self.aside.is_some()) {
+            Form::AlongPath { driver, .. } | Form::Distance { driver, .. } => match aside {
+                Some(then) => farther(then, driver),
                 None => a.driven_length(driver).map(Given::Length),
-                Some(then) => match equations::measured(form, &then)? {
-                    Measured::Length(stood) => Some(Given::Length(stood + self.by(driver))),
-                    Measured::Apart(_) | Measured::Angle(_) => None,
-                },
             },
-            Form::Angles { of, against, driver } => {
-                let stood = |(_, then): (_, &Configuration<N>)| Some(then.poses[of.0]?.axis.divide_by(then.poses[against.0]?.axis));
-                match (driver, then) {
-                    // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
-                    (None, None) => Some(Given::InPlane(Vec2::unit_x())),
-                    (None, Some(then)) => stood(then).map(Given::Turned),
-                    (Some(d), Some(then)) if self.aside.is_some() => {
-                        Some(Given::Turned(stood(then)?.rotate_by(Vec2::from_angle(self.by(d)))))
-                    }
-                    (Some(_), _) if self.links.contains(&against) => None,
-                    (Some(d), _) => a.axis_of(of, against, Some(d)).ok().map(Given::InPlane),
-                }
-            }
+            // At the instant a slider's frame lies as the plane's; later it stands against the other link as it stood then.
+            Form::Angles { driver: None, .. } => match then {
+                Some(then) => equations::kept(form, &then),
+                None => Some(Given::InPlane(Vec2::unit_x())),
+            },
+            Form::Angles { of, against, driver: Some(driver) } => match aside {
+                Some(then) => farther(then, driver),
+                None if self.links.contains(&against) => None,
+                None => a.axis_of(of, against, Some(driver)).ok().map(Given::InPlane),
+            },
         }
     }
 

@@ -83,6 +83,19 @@ pub(super) fn measured<N: Real>(form: Form, view: &impl View<N>) -> Option<Measu
     off(form, Given::Nothing, view)
 }
 
+/// What a pose gives of a form to others: what a driver holds there, the direction and the distance that a slider keeps. Nothing of what
+/// is zero in every pose.
+pub(super) fn kept<N: Real>(form: Form, then: &impl View<N>) -> Option<Given<N>> {
+    match form {
+        Form::Angles { of, against, .. } => Some(Given::Turned(then.pose(of)?.axis.divide_by(then.pose(against)?.axis))),
+        Form::OnPath { runner: Runner::Link(_), .. } | Form::AlongPath { .. } | Form::Distance { .. } => match measured(form, then)? {
+            Measured::Length(x) => Some(Given::Length(x)),
+            Measured::Apart(_) | Measured::Angle(_) => None,
+        },
+        Form::Meet { .. } | Form::OnPath { runner: Runner::Pin(_), .. } | Form::Rolls { .. } => Some(Given::Nothing),
+    }
+}
+
 /// By how much a form is off what is given.
 pub(super) fn off<N: Real>(form: Form, given: Given<N>, view: &impl View<N>) -> Option<Measured<N>> {
     let length = |x: N| match given {

@@ -9,7 +9,7 @@ use super::equations::{self, Given, Measured, View};
 use super::rolling::{self, Rolled, Seen};
 use super::{Configuration, Path, Pose, Shapes};
 use crate::geom::{Point, Vec2};
-use crate::mechanism::{Form, Group, Item, Mechanism, Node, Runner, constraints_of};
+use crate::mechanism::{Form, Group, Item, Mechanism, Node, constraints_of};
 use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
 use nalgebra::{DMatrix, DVector};
 
@@ -61,7 +61,11 @@ impl<'a> System<'a> {
         };
         for i in 0..system.forms.len() {
             let (form, _) = system.forms[i];
-            system.forms[i].1 = system.kept(form).unwrap_or(Given::Nothing);
+            // A driver's is told with each solution.
+            if form.driver().is_none() {
+                let placed = Placed { system: &system, poses: &system.poses, points: &system.points };
+                system.forms[i].1 = equations::kept(form, &placed).unwrap_or(Given::Nothing);
+            }
             if let Form::Rolls { pair, .. } = form {
                 // A rough start has no record: it is the instant itself.
                 let begin = || system.seen(pair, &start.poses, &start.points).map(Rolled::begin);
@@ -81,30 +85,6 @@ impl<'a> System<'a> {
             };
         }
         self
-    }
-
-    /// What a form without a driver keeps of the start; `None` where its links are not placed there.
-    fn kept(&self, form: Form) -> Option<Given<f64>> {
-        match form {
-            Form::Angles { of, against, driver: None } => Some(Given::Turned(self.pose(of)?.axis.divide_by(self.pose(against)?.axis))),
-            Form::OnPath { runner: Runner::Link(_), .. } => {
-                let start = Placed { system: self, poses: &self.poses, points: &self.points };
-                match equations::measured(form, &start)? {
-                    Measured::Length(beside) => Some(Given::Length(beside)),
-                    Measured::Apart(_) | Measured::Angle(_) => None,
-                }
-            }
-            Form::Angles { driver: Some(_), .. }
-            | Form::OnPath { runner: Runner::Pin(_), .. }
-            | Form::Meet { .. }
-            | Form::AlongPath { .. }
-            | Form::Distance { .. }
-            | Form::Rolls { .. } => None,
-        }
-    }
-
-    fn pose(&self, l: LinkId) -> Option<Pose> {
-        if l == self.scene.ground { Some(Pose::GROUND) } else { self.poses[l.0] }
     }
 
     /// A rolling pair in a pose; `None` where it is not placed.

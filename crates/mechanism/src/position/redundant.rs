@@ -8,13 +8,14 @@
 
 use super::assemble::Assembly;
 use super::coupled::Aside;
+use super::equations::{self, Measured};
 use super::finish::complete;
 use super::newton::{self, DriverValues, System};
 use super::repeats::reason;
 pub use super::repeats::{Reason, opened_words};
-use super::{Configuration, Path, configure, recompute};
+use super::{Configuration, configure, recompute};
 use crate::diag::{Both, Diagnostic, Faults};
-use crate::mechanism::{Core, Demand, Group, Level, Mechanism, Need, Opened};
+use crate::mechanism::{Core, Demand, Group, Item, Level, Mechanism, Need, Node, Opened, constraints_of};
 use crate::number::{Ball, Dd, Real};
 use crate::scene::{LinkId, PointId, Scene};
 
@@ -190,6 +191,18 @@ fn size(scene: &Scene, at: &Configuration, opened: &Opened) -> Option<f64> {
 /// By how much an opened pair is off (m) where everything is at `at`; `then` is the pose of the instant, from which directions count.
 fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuration<N>, then: &Configuration<N>) -> Vec<N> {
     let mut out = Vec::new();
+    let follows = |n: Node| matches!(n, Node::Link(l) if m.passive[l.0].is_some());
+    let demanded = |item: Item, out: &mut Vec<N>| {
+        for c in constraints_of(scene, item).filter(|c| !follows(c.ends().0)) {
+            let given = equations::kept(c.form(), &(scene, then));
+            match given.and_then(|given| equations::off(c.form(), given, &(scene, at))) {
+                Some(Measured::Apart(d)) => out.extend([d.x, d.y]),
+                Some(Measured::Length(off)) => out.push(off),
+                Some(Measured::Angle(off)) => out.push(off * N::from_f64(at.approx().extent())),
+                None => {}
+            }
+        }
+    };
     match opened {
         Opened::Link(l) => {
             let pins = own_pins(scene, m, *l);
@@ -203,31 +216,8 @@ fn off<N: Real>(scene: &Scene, m: &Mechanism, opened: &Opened, at: &Configuratio
                 }
             }
         }
-        Opened::Guide(g) => {
-            let guide = &scene.guides[g.0];
-            let pose = |c: &Configuration<N>, l: LinkId| c.poses[l.0];
-            let place = |c: &Configuration<N>| guide.pin.map_or_else(|| Some(pose(c, guide.slider?)?.origin), |p| c.points[p.0]);
-            let beside = |c: &Configuration<N>| {
-                Some(match c.guides[g.0]? {
-                    Path::Line { through, direction } => direction.cross(place(c)? - through),
-                    Path::Arc { centre, radius } => place(c)?.distance(centre) - radius,
-                })
-            };
-            // A yoke without a pin of its own keeps whatever distance it has.
-            let rest = if guide.pin.is_none() { beside(then) } else { Some(N::from_f64(0.0)) };
-            out.extend(beside(at).zip(rest).map(|(now, rest)| now - rest));
-            if let Some(s) = guide.slider.filter(|s| m.passive[s.0].is_none()) {
-                let turned = |c| Some(pose(c, s)?.axis.divide_by(pose(c, guide.on)?.axis));
-                let size = N::from_f64(at.approx().extent());
-                out.extend(turned(at).zip(turned(then)).map(|(now, then)| then.cross(now) * size));
-            }
-        }
-        Opened::Pin(p, l) => {
-            if let (Some(at_p), Some(pose), Some(local)) = (at.points[p.0], at.poses[l.0], at.shapes.local(*l, *p)) {
-                let d = at_p - pose.to_world(local);
-                out.extend([d.x, d.y]);
-            }
-        }
+        Opened::Guide(g) => demanded(Item::Guide(*g), &mut out),
+        Opened::Pin(p, l) => demanded(Item::Pin(*p, *l), &mut out),
         Opened::Rolling(r) => out.extend(super::rolling::slipped_m(scene, &at.approx(), *r).map(N::from_f64)),
     }
     out

@@ -4,7 +4,7 @@
 //! Decided from topology alone. aⁿ and aᵗ belong to a body that turns with the line of the two points; v_r, aʳ and aᵏ belong to a guide
 //! or a cylinder. A question without its joint is a fault, for the quantity is not defined then.
 
-use crate::scene::model::{DriverKind, Guide, GuideId, LinkId, OnLink, Scene};
+use crate::scene::model::{Guide, GuideId, LinkId, OnLink, PointId, Scene};
 
 /// What joins two points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,11 +25,8 @@ pub fn joined(scene: &Scene, a: &OnLink, b: &OnLink) -> Option<Joined> {
     }
     let own = |l: LinkId, p: &OnLink| p.link.map_or_else(|| scene.links[l.0].points.contains(&p.point), |on| on == l);
     let both = (0..scene.links.len()).map(LinkId).find(|l| own(*l, a) && own(*l, b));
-    let ends = |kind: &DriverKind| match kind {
-        DriverKind::Cylinder { a: p, b: q, .. } => [(*p, *q), (*q, *p)].contains(&(a.point, b.point)),
-        DriverKind::Turn { .. } | DriverKind::Slide { .. } => false,
-    };
-    both.map(Joined::Link).or_else(|| scene.drivers.iter().position(|d| ends(&d.kind)).map(Joined::Cylinder))
+    let ends = |[p, q]: [PointId; 2]| [(p, q), (q, p)].contains(&(a.point, b.point));
+    both.map(Joined::Link).or_else(|| scene.drivers.iter().position(|d| d.kind.ends().is_some_and(ends)).map(Joined::Cylinder))
 }
 
 /// Whether a point is one of the link that carries the guide.

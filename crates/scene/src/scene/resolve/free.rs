@@ -74,7 +74,7 @@ fn lay(
     let given = lengths.iter().chain(&rolling.lengths).find(|l| between(l)).map(|l| l.value.clone());
     let has_length = given.is_some();
     let Some(distance) = given.or_else(|| by_teeth(c, rolling, pair)) else { return };
-    let turned = |d: &Driver| matches!(&d.kind, DriverKind::Turn { link, angle: Some(_), .. } if *link == arm);
+    let turned = |d: &Driver| d.kind.angle().is_some() && d.kind.turned().is_some_and(|(link, _)| link == arm);
     if drivers.iter().any(turned) {
         if !has_length {
             rolling.lengths.push(Length { a: from, b: to, value: distance });
