@@ -94,7 +94,7 @@ impl<N: Real> Assembly<'_, N> {
                 Ok(Vec2::unit_x())
             };
         };
-        let (line, against_line) = self.scene.drivers[d].kind.lines();
+        let [line, against_line] = self.scene.drivers[d].kind.lines();
         let Some(angle) = self.scene.drivers[d].kind.angle() else {
             // A wheel without a line of its own may stand at any angle.
             let wheel = shape.frame == Frame::Loose && self.scene.rolling.iter().any(|r| r.links.contains(&link));

@@ -279,7 +279,7 @@ impl<N: Real> Assembly<'_, N> {
 
     /// The angle of a link's line as a driver writes it, whole turns among it.
     fn written(&self, l: LinkId) -> Option<f64> {
-        let own = |d: &&Driver| d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines().0.is_none();
+        let own = |d: &&Driver| d.kind.turned() == Some((l, self.scene.ground)) && d.kind.lines()[0].is_none();
         self.scene.drivers.iter().filter(own).find_map(|d| Some(d.kind.angle()?.value.radians()))
     }
 

@@ -57,10 +57,10 @@ impl DriverKind {
     }
 
     /// The lines of the driven link and of the other between which its angle is counted, where they are not the usual ones.
-    pub fn lines(&self) -> (Option<(PointId, PointId)>, Option<(PointId, PointId)>) {
+    pub fn lines(&self) -> [Option<(PointId, PointId)>; 2] {
         match *self {
-            DriverKind::Turn { line, against_line, .. } => (line, against_line),
-            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => (None, None),
+            DriverKind::Turn { line, against_line, .. } => [line, against_line],
+            DriverKind::Slide { .. } | DriverKind::Cylinder { .. } => [None, None],
         }
     }
 

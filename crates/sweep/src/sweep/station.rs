@@ -180,7 +180,7 @@ pub(super) fn driver_positions(scene: &Scene, at: &Configuration) -> Vec<f64> {
                 None => at.link_direction(scene, l).or(at.poses[l.0].map(|p| p.axis)),
             };
             let seen = || {
-                let ((link, against), (line, against_line)) = (driver.kind.turned()?, driver.kind.lines());
+                let ((link, against), [line, against_line]) = (driver.kind.turned()?, driver.kind.lines());
                 Some(of(link, line)?.divide_by(of(against, against_line)?).angle())
             };
             driver.kind.position().map(crate::scene::Position::value).or_else(seen).unwrap_or(measured)

@@ -4,7 +4,7 @@ use super::{Demands, DriverForm, Form, Kind};
 use crate::diag::both;
 
 pub(super) const CYLINDER: Kind = Kind {
-    form: Demands::OfDriver(DriverForm {
+    form: Demands::Driver(DriverForm {
         form: |driver, kind, _| {
             let [from, to] = kind.ends()?;
             Some(Form::Distance { from, to, driver })

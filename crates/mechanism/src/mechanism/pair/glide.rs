@@ -3,7 +3,7 @@
 use super::{Demands, Form, Kind, Runner, lock};
 
 pub(super) const GLIDE: Kind = Kind {
-    form: Demands::OfGuide(|guide, g| match (g.pin, g.slider) {
+    form: Demands::Guide(|guide, g| match (g.pin, g.slider) {
         (None, Some(slider)) => Some(Form::OnPath { runner: Runner::Link(slider), guide, on: g.on }),
         (Some(_), _) | (None, None) => None,
     }),

@@ -8,7 +8,7 @@ use crate::diag::both;
 use crate::scene::GuidePath;
 
 pub(super) const LOCK: Kind = Kind {
-    form: Demands::OfGuide(|_, g| match g.path {
+    form: Demands::Guide(|_, g| match g.path {
         GuidePath::Line { .. } => Some(Form::Angles { of: g.slider?, against: g.on, driver: None }),
         GuidePath::Arc { .. } => None,
     }),

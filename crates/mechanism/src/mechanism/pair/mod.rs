@@ -43,10 +43,10 @@ struct Kind {
 
 /// Of which items a kind is.
 enum Demands {
-    OfPin(fn(PointId, LinkId) -> Option<Form>),
-    OfGuide(fn(GuideId, &Guide) -> Option<Form>),
-    OfDriver(DriverForm),
-    OfRolling(fn(RollingId, &Rolling) -> Option<Form>),
+    Pin(fn(PointId, LinkId) -> Option<Form>),
+    Guide(fn(GuideId, &Guide) -> Option<Form>),
+    Driver(DriverForm),
+    Rolling(fn(RollingId, &Rolling) -> Option<Form>),
 }
 
 /// What a kind of driver says besides: how it is named as what moves something, and what it moves.
@@ -80,11 +80,11 @@ pub struct Constraint {
 /// The constraints that an item of a scene stands for.
 pub fn constraints_of(scene: &Scene, item: Item) -> impl Iterator<Item = Constraint> {
     let demanded = move |kind: &Kind| match (&kind.form, item) {
-        (Demands::OfPin(form), Item::Pin(p, l)) => form(p, l),
-        (Demands::OfGuide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
-        (Demands::OfDriver(driver), Item::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
-        (Demands::OfRolling(form), Item::Rolling(r)) => form(r, &scene.rolling[r.0]),
-        (Demands::OfPin(_) | Demands::OfGuide(_) | Demands::OfDriver(_) | Demands::OfRolling(_), _) => None,
+        (Demands::Pin(form), Item::Pin(p, l)) => form(p, l),
+        (Demands::Guide(form), Item::Guide(g)) => form(g, &scene.guides[g.0]),
+        (Demands::Driver(driver), Item::Driver(d)) => (driver.form)(d, &scene.drivers[d].kind, scene),
+        (Demands::Rolling(form), Item::Rolling(r)) => form(r, &scene.rolling[r.0]),
+        (Demands::Pin(_) | Demands::Guide(_) | Demands::Driver(_) | Demands::Rolling(_), _) => None,
     };
     KINDS.iter().enumerate().filter_map(move |(kind, k)| Some(Constraint { kind, item, form: demanded(k)? }))
 }
@@ -101,8 +101,8 @@ pub fn moved_words(scene: &Scene, driver: usize) -> Both {
 
 fn driver_words(scene: &Scene, driver: usize, words: impl Fn(&DriverForm) -> fn(&Scene, Node, Node) -> Both) -> Both {
     let of = |c: Constraint| match &KINDS[c.kind].form {
-        Demands::OfDriver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
-        Demands::OfPin(_) | Demands::OfGuide(_) | Demands::OfRolling(_) => None,
+        Demands::Driver(driver) => Some(words(driver)(scene, c.ends().0, c.ends().1)),
+        Demands::Pin(_) | Demands::Guide(_) | Demands::Rolling(_) => None,
     };
     constraints_of(scene, Item::Driver(driver)).find_map(of).unwrap_or_else(|| Both::same(""))
 }

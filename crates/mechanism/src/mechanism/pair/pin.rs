@@ -4,6 +4,6 @@ use super::{Demands, Form, Kind};
 use crate::diag::both;
 
 pub(super) const PIN: Kind = Kind {
-    form: Demands::OfPin(|pin, link| Some(Form::Meet { pin, link })),
+    form: Demands::Pin(|pin, link| Some(Form::Meet { pin, link })),
     words: |scene, pin, link| both!("pin {} on link {}", "构件 {1} 上的销 {0}", pin.name(scene), link.name(scene)),
 };

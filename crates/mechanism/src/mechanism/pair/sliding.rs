@@ -4,7 +4,7 @@ use super::{Demands, DriverForm, Form, Kind, Node, Runner};
 use crate::diag::both;
 
 pub(super) const SLIDING: Kind = Kind {
-    form: Demands::OfDriver(DriverForm {
+    form: Demands::Driver(DriverForm {
         form: |driver, kind, scene| {
             let (guide, g) = kind.guide().map(|g| (g, &scene.guides[g.0]))?;
             Some(Form::AlongPath { runner: Runner::of(g)?, guide, on: g.on, driver })

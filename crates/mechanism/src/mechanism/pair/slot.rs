@@ -4,6 +4,6 @@ use super::{Demands, Form, Kind, Runner};
 use crate::diag::both;
 
 pub(super) const SLOT: Kind = Kind {
-    form: Demands::OfGuide(|guide, g| Some(Form::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),
+    form: Demands::Guide(|guide, g| Some(Form::OnPath { runner: Runner::Pin(g.pin?), guide, on: g.on })),
     words: |scene, pin, on| both!("pin {} in the guide on link {}", "构件 {1} 导路中的销 {0}", pin.name(scene), on.name(scene)),
 };

@@ -4,7 +4,7 @@ use super::{Demands, DriverForm, Form, Kind};
 use crate::diag::both;
 
 pub(super) const TURNING: Kind = Kind {
-    form: Demands::OfDriver(DriverForm {
+    form: Demands::Driver(DriverForm {
         form: |d, kind, _| {
             let (of, against) = kind.turned()?;
             Some(Form::Angles { of, against, driver: Some(d) })

@@ -287,7 +287,7 @@ impl Compiler<'_> {
         if kind.turned().is_none_or(|(driven, _)| driven != link) {
             return Err(self.without_kernel(g));
         }
-        let (line, against_line) = kind.lines();
+        let [line, against_line] = kind.lines();
         let local = |c: &Self, l: LinkId, line: Option<(PointId, PointId)>| -> Option<Vec2> {
             let (a, b) = match (line, &c.scene.links[l.0].points[..]) {
                 (Some(line), _) => line,
