@@ -199,78 +199,61 @@ fn finish(faults: &[String], law: &str) {
     assert!(faults.is_empty(), "{law}\n{} faults:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Looks for the variants of an enumeration outside the files (or folders, with a slash) that tell them apart. A file of the list that no
-/// longer does is struck off, so that the list only shrinks.
-fn told_apart(of: &str, is_kind: impl Fn(&str) -> bool, told: &[&str], advice: &str, law: &str) {
+/// Enumerations whose kinds grow: the kinds (all where none is named), the files and folders that tell them apart, and what others ask.
+/// Kinds of pair are not among them: they are private to `mechanism/pair`. The lists only shrink.
+type Kinds = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
+const KINDS: &[Kinds] = &[
+    ("Leg", &[], &["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"], "Leg::gives, hold or line"),
+    (
+        "DriverKind",
+        &[],
+        &[
+            "crates/scene/src/scene/",
+            "crates/mechanism/src/mechanism/survey.rs",
+            "src/centres/",
+            "src/figure/mechanism/marks.rs",
+            "src/lesson/page.rs",
+            "src/report/given.rs",
+            "src/report/plan_json.rs",
+        ],
+        "DriverKind::turns, turned, guide, ends, parts or position",
+    ),
+    (
+        "Form",
+        &["Meet", "Angles", "OnPath", "AlongPath", "Distance", "Rolls"],
+        &[
+            "crates/mechanism/src/mechanism/pair/",
+            "crates/mechanism/src/mechanism/groups.rs",
+            "crates/mechanism/src/position/",
+            "crates/mechanism/src/motion/conditions.rs",
+            "crates/board/src/plan/reduce.rs",
+            "crates/analytic/src/analytic/rows.rs",
+            "crates/sweep/src/sweep/train.rs",
+            "crates/sweep/src/sweep/compile/rolling.rs",
+        ],
+        "Form::ends, driver, path, meets or equations",
+    ),
+];
+
+#[test]
+fn kinds_are_told_apart_where_the_list_says() {
     let mut faults = Vec::new();
-    let mut seen = vec![false; told.len()];
-    for (name, code) in code() {
-        for (n, line) in code.lines().enumerate() {
-            for (_, _, after) in words(line).filter(|(_, word, _)| *word == of) {
-                let kind = after.strip_prefix("::").map(word).filter(|w| w.starts_with(char::is_uppercase) && is_kind(w));
-                let Some(kind) = kind else { continue };
-                match told.iter().position(|file| name == *file || file.ends_with('/') && name.starts_with(file)) {
-                    Some(i) => seen[i] = true,
-                    None => faults.push(format!("{name}:{}: {of}::{kind}; {advice}", n + 1)),
+    for (of, kinds, told, ask) in KINDS {
+        let mut idle = told.to_vec();
+        for (name, code) in code() {
+            for (n, line) in code.lines().enumerate() {
+                let after = words(line).filter(|(_, word, _)| word == of).filter_map(|(_, _, after)| after.strip_prefix("::").map(word));
+                for kind in after.filter(|w| w.starts_with(char::is_uppercase) && (kinds.is_empty() || kinds.contains(w))) {
+                    match told.iter().find(|file| name == **file || file.ends_with('/') && name.starts_with(**file)) {
+                        Some(file) => idle.retain(|f| f != file),
+                        None => faults.push(format!("{name}:{}: {of}::{kind}; ask what {ask} tells", n + 1)),
+                    }
                 }
             }
         }
+        faults.extend(idle.iter().map(|file| format!("{file} tells no {of} apart: strike it off")));
     }
-    let idle = told.iter().zip(seen).filter(|(_, seen)| !seen).map(|(file, _)| format!("{file} tells no {of} apart: strike it off"));
-    faults.extend(idle);
-    finish(&faults, law);
-}
-
-/// A kind of leg is told from the others where it is made and where it is said what it gives; every room asks that.
-#[test]
-fn kinds_of_leg_are_told_apart_in_one_file() {
-    const TOLD: [&str; 2] = ["crates/mechanism/src/mechanism/groups.rs", "crates/mechanism/src/mechanism/leg.rs"];
-    let law = "A new kind of leg is one arm in crates/mechanism/src/mechanism/leg.rs.";
-    told_apart("Leg", |_| true, &TOLD, "match what Leg::gives, Leg::hold or Leg::line tells", law);
-}
-
-/// The scene reads and writes the kinds of driver; beyond it a kind is told from the others where its symbol, its statement or its JSON is
-/// made, and where drivers are made. Kinds of pair are private to `mechanism/pair`: the compiler keeps that law.
-#[test]
-fn kinds_of_driver_are_told_apart_where_they_are_written() {
-    const TOLD: [&str; 10] = [
-        "crates/scene/src/scene/",
-        "crates/mechanism/src/mechanism/survey.rs",
-        "src/centres/locate.rs",
-        "src/centres/mod.rs",
-        "src/centres/primary.rs",
-        "src/centres/uses.rs",
-        "src/figure/mechanism/marks.rs",
-        "src/lesson/page.rs",
-        "src/report/given.rs",
-        "src/report/plan_json.rs",
-    ];
-    let law = "A new kind of driver answers the questions of crates/scene/src/scene/driver.rs and is one file in crates/mechanism/src/mechanism/pair/.";
-    told_apart("DriverKind", |_| true, &TOLD, "ask what DriverKind::turns, turned, guide, ends, parts or position tell", law);
-}
-
-/// What pairs demand is matched by each way of solving, once, and by what is told from topology alone.
-#[test]
-fn forms_are_matched_by_the_solvers() {
-    const TOLD: [&str; 11] = [
-        "crates/mechanism/src/mechanism/pair/",
-        // Legs of groups, and of their parts.
-        "crates/mechanism/src/mechanism/groups.rs",
-        "crates/board/src/plan/reduce.rs",
-        // Positions: the equations, their coefficients, what the start keeps, the rough pose.
-        "crates/mechanism/src/position/equations.rs",
-        "crates/mechanism/src/position/coupled.rs",
-        "crates/mechanism/src/position/newton.rs",
-        "crates/mechanism/src/position/higher.rs",
-        // Motion, loop equations, sweep.
-        "crates/mechanism/src/motion/conditions.rs",
-        "crates/analytic/src/analytic/rows.rs",
-        "crates/sweep/src/sweep/train.rs",
-        "crates/sweep/src/sweep/compile/rolling.rs",
-    ];
-    let forms = ["Meet", "Angles", "OnPath", "AlongPath", "Distance", "Rolls"];
-    let law = "A new pair is made of the forms that there are; only a new form asks more of the solvers.";
-    told_apart("Form", |kind| forms.contains(&kind), &TOLD, "ask what Form::ends, driver, path, meets or equations tell", law);
+    finish(&faults, "A new kind is one file, or one arm, where the list in tests/tidy.rs says.");
 }
 
 #[test]
