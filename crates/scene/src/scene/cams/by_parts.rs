@@ -1,7 +1,7 @@
-//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written.
+//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written, the assembly told.
 
 use super::super::model::*;
-use super::super::raw::RawScene;
+use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::Turning;
 use super::carrier::Lacking;
@@ -10,8 +10,9 @@ use super::pairs::{Contact, Worded, numbers};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use crate::cam::outline::{Broken, segments};
-use crate::cam::{Disc, Motion, Side, Touch};
+use crate::cam::{Disc, Follower, Motion, Side, Touch};
 use crate::diag::{Diagnostic, Faults, both};
+use crate::geom::Vec2;
 use crate::json::Word;
 
 impl One<'_> {
@@ -114,6 +115,39 @@ impl One<'_> {
             "give the profile as a law or as one circle with an \"angle\" of the face, or let the carrier be the ground (`hodograph inversions`)",
             "请用运动规律给出廓线，或用单个圆并给出平底的 \"angle\"，或以该构件为机架（`hodograph inversions`）"
         )));
+        None
+    }
+
+    /// Says which of the assemblies is meant, by the place of a point of the follower in the pose: on the ground in the sketch, on a moving link in the
+    /// axes of that link.
+    pub(super) fn sketch(
+        &self,
+        raw: &mut RawScene,
+        disc: &Disc,
+        phi: f64,
+        (on, follows): (&OnPivot, &RawFollows),
+    ) -> Option<(String, Vec2)> {
+        let q = disc.coordinate(phi, Side::After)?;
+        let (name, at) = match (follows, disc.touch, disc.follower) {
+            (_, Touch::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
+            (RawFollows::Face(face), Touch::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
+                let (from, to) = self.names.pair(face.line.as_ref()?).ok()?;
+                let arm = place::apart(self.bare, from, to)?.value;
+                let reach = Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
+                (self.bare.point_name(to).to_owned(), reach.follower.point(q).order(0))
+            }
+            (_, Touch::Flat { .. }, _) => return None,
+        };
+        let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
+        let at = on.spot.at() + at;
+        if said {
+            return None;
+        }
+        if on.frame != self.bare.ground {
+            return Some((name, at));
+        }
+        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
+        raw.sketch.push((Word { text: name, span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
         None
     }
 

@@ -379,39 +379,6 @@ impl One<'_> {
         );
         faults.push(Diagnostic::note("joint", message).at(self.raw.span));
     }
-
-    /// Says which of the assemblies is meant, by the place of a point of the follower in the pose: on the ground in the sketch, on a moving link in the
-    /// axes of that link.
-    pub(super) fn sketch(
-        &self,
-        raw: &mut RawScene,
-        disc: &Disc,
-        phi: f64,
-        (on, follows): (&OnPivot, &RawFollows),
-    ) -> Option<(String, Vec2)> {
-        let q = disc.coordinate(phi, Side::After)?;
-        let (name, at) = match (follows, disc.touch, disc.follower) {
-            (_, Touch::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
-            (RawFollows::Face(face), Touch::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
-                let (from, to) = self.names.pair(face.line.as_ref()?).ok()?;
-                let arm = place::apart(self.bare, from, to)?.value;
-                let reach = Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
-                (self.bare.point_name(to).to_owned(), reach.follower.point(q).order(0))
-            }
-            (_, Touch::Flat { .. }, _) => return None,
-        };
-        let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
-        let at = on.spot.at() + at;
-        if said {
-            return None;
-        }
-        if on.frame != self.bare.ground {
-            return Some((name, at));
-        }
-        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
-        raw.sketch.push((Word { text: name, span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
-        None
-    }
 }
 
 /// The sense in which an oscillating follower goes out.
