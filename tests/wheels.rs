@@ -171,3 +171,21 @@ fn gears_side_by_side_repeat_or_lock() {
         "driver": {"link": "2", "omega": "2 rad/s"}, "find": ["omega_4"]}"#;
     assert_eq!(errors(&work(&read(ring), Scope::Questions).unwrap_err()), ["locked"]);
 }
+
+/// Two wheels of a floating arm that mesh while neither is known: answered, as by instantaneous centres, and told why it is not drawn.
+#[test]
+fn wheels_that_wait_for_one_another_are_told() {
+    let text = r#"{"units": {"length": "mm"}, "links": {"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["D", "E"]}, "ground": "1",
+        "points": {"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": [60, 150], "D": [180, 130]},
+        "gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}],
+        "driver": {"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}, "find": ["omega_3", "omega_5", "alpha_5"]}"#;
+    let scene = read(text);
+    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
+    let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{:?}", worked.notes));
+    assert!(note.message.en.contains("3 and 5 roll on one another") && note.help.as_ref().unwrap().en.contains("centres"), "{note:?}");
+    // Against the arm the two turn as their teeth say.
+    let [three, five] = ["omega_3", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
+    let arm = scene::read(text.replace(r#""omega_3", "omega_5", "alpha_5""#, r#""omega_4""#).as_str()).unwrap().value;
+    let arm = scalar(&arm, &work(&arm, Scope::Questions).unwrap().value, "omega_4");
+    assert!((30.0 * (five - arm) + 20.0 * (three - arm)).abs() < 1e-10, "{three} {five} {arm}");
+}
