@@ -23,7 +23,7 @@ pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
     let counted = Counted::of(scene);
     let mut blocks = Vec::new();
     if options.sides != Sides::Solution {
-        maker.to_count(&mut blocks);
+        maker.asked_to_count(&mut blocks);
     }
     if options.sides != Sides::Problem {
         maker.count(&mut blocks, &counted);
@@ -33,7 +33,7 @@ pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
 }
 
 impl Maker<'_> {
-    fn to_count(&self, blocks: &mut Vec<Block>) {
+    fn asked_to_count(&self, blocks: &mut Vec<Block>) {
         blocks.push(self.heading(1, "Problem", "题目"));
         blocks.push(
             self.paragraph("The figure shows a planar mechanism; the arrow marks what is driven.", "图示为一平面机构，箭头所示为原动件。"),
