@@ -5,6 +5,8 @@
 
 #[path = "golden/files.rs"]
 mod files;
+#[path = "golden/mobility.rs"]
+mod mobility;
 #[path = "golden/pdf.rs"]
 mod pdf;
 #[path = "golden/worksheet.rs"]

@@ -1,10 +1,12 @@
 //! What a position of a sweep costs: the compiled program against loops written by hand, with four lanes and with one; the
 //! cost against the length of a chain of dyads; batches. `cargo bench --bench sweep` prints the tables of docs/performance.md, and
-//! `cargo bench --bench sweep -- count NAME` runs one variant a million times, to be counted by `perf stat` or callgrind.
+//! `cargo bench --bench sweep -- count NAME` runs one variant a million times, to be counted by `perf stat` or callgrind;
+//! `cargo bench --bench sweep -- only WORD` measures those whose names have the word.
 //!
 //! Variants take turns, so that whatever else the machine does falls on all alike; medians count.
 
 mod by_hand;
+mod wheels;
 
 use by_hand::ByHand;
 use hodograph::mechanism::Mechanism;
@@ -161,12 +163,22 @@ fn main() {
     let chained = variants.len();
     let meshes = [1, 3, 10, 30];
     variants.extend(meshes.map(|n| (format!("train of {n} meshes, all three"), chunk_of(&train(n), Width::Widest))));
+    let trained = variants.len();
+    variants.extend(wheels::variants());
     let given: Vec<String> = std::env::args().skip(1).collect();
     if let [count, name, ..] = &given[..]
         && count == "count"
     {
         let (_, (call, positions)) = variants.iter_mut().find(|v| v.0 == *name).expect("the name of a variant, as the table has it");
         (0..1_000_000 / *positions).for_each(|_| call());
+        return;
+    }
+    if let [only, word, ..] = &given[..]
+        && only == "only"
+    {
+        variants.retain(|v| v.0.contains(word.as_str()));
+        let times = measure(&mut variants);
+        variants.iter().zip(times).for_each(|((name, _), t)| println!("| {name} | {t:.2} |"));
         return;
     }
     let times = measure(&mut variants);
@@ -183,6 +195,10 @@ fn main() {
     println!("\n| meshes in a train | ns a position and mesh |\n|---|---|");
     for (n, t) in meshes.iter().zip(&times[chained..]) {
         println!("| {n} | {:.2} |", t / *n as f64);
+    }
+    println!("\n| cams | ns a position |\n|---|---|");
+    for ((name, _), t) in variants[trained..].iter().zip(&times[trained..]) {
+        println!("| {name} | {t:.1} |");
     }
     batch();
 }

@@ -241,6 +241,9 @@ pub struct Worksheet {
     /// Set a wrong solution as the problem: that which the scene names, else the first typical mistake; or one by its name
     #[arg(long, value_name = "MISTAKE", num_args = 0..=1, default_missing_value = "")]
     pub find_the_mistake: Option<String>,
+    /// Ask for the degree of freedom and the groups instead of the motion: the solution counts, says why, and draws the groups apart
+    #[arg(long, conflicts_with = "find_the_mistake")]
+    pub mobility: bool,
     /// Of a synthesis file: the candidate that is meant, counted from 1 in the order of `hodograph synth`
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub pick: Option<u64>,

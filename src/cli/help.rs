@@ -203,6 +203,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("worksheet", "problem_only", "只要题目：已知与所求，不含答案"),
     ("worksheet", "solution", "只要解答"),
     ("worksheet", "find_the_mistake", "以一种错误解法为题目：机构文件所写的，否则第一种典型错误；也可按名称指定"),
+    ("worksheet", "mobility", "改问自由度与杆组：解答计数并说明理由，绘出拆开的杆组"),
     ("worksheet", "pick", "综合文件：取第几个方案，按 `hodograph synth` 的次序从 1 数起"),
     ("accuracy", "", "衡量精度的代价：各种求解方法的误差和时间，列表并作图"),
     ("accuracy", "toward_toggle", "同时计算一系列趋近首个原动件最近极限的位置，直到 1e-12"),

@@ -223,6 +223,9 @@ pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer)
     if a.find_the_mistake.is_some() {
         return Err(not_of_tasks("--find-the-mistake"));
     }
+    if a.mobility {
+        return Err(not_of_tasks("--mobility"));
+    }
     let solved = Solved::read(&a.common.scene, &a.common.set)?;
     let picked = solved.picked(a.pick)?;
     let lang = lang::asked().or(solved.task.language).unwrap_or_default();

@@ -9,7 +9,7 @@ use crate::figure::sheet;
 use crate::figure::words::words;
 use crate::render::pdf;
 use crate::worked::Scope;
-use crate::worksheet::{Beside, Document, Options, Sides, find_the_mistake, html, markdown, pages, typst, worksheet};
+use crate::worksheet::{Beside, Document, Options, Sides, find_the_mistake, html, markdown, mobility, pages, typst, worksheet};
 use std::path::Path;
 
 /// Runs the command.
@@ -30,6 +30,7 @@ pub fn run(a: args::Worksheet) -> Run {
     let (lang, notation) = choices(&input.scene, &a.common);
     let options = Options { sheet: sheet::Options { lang, notation: style.marks.over(&notation), digits: a.digits, style }, sides };
     let document = match &a.find_the_mistake {
+        None if a.mobility => mobility(&input.scene, &worked, &options),
         None => worksheet(&input.scene, &worked, &options),
         Some(name) => {
             let all = attempts::wanted(&input.scene, &worked, false).map_err(|f| input.failed(f))?;

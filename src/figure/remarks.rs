@@ -81,6 +81,8 @@ fn repeats(answers: &Answers, repeats: &Checked) -> Vec<String> {
     });
     let checked: Vec<String> = checked.collect();
     let said = match worked.mechanism.redundant[repeats.index].opened {
+        // The touching of a wheel is a point of contact, which is drawn as any other.
+        Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => words.repeats_alike,
         Opened::Link(_) | Opened::Guide(_) => words.repeats,
         Opened::Rolling(_) | Opened::Pin(..) => words.repeats_alike,
     };

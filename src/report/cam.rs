@@ -75,9 +75,7 @@ impl Report<'_> {
     /// What is read at the instant.
     fn now(&self) -> Option<(Station, [f64; 3])> {
         let station = self.disc().station(self.turning.phi, self.turning.side)?;
-        let d = &self.scene.drivers[self.turning.driver];
-        let w = d.rate.value * self.disc().sense;
-        let a = d.acceleration.as_ref().map_or(0.0, |a| a.value) * self.disc().sense;
+        let [w, a] = self.turning.rates(self.scene);
         let [q, dq, ddq, _] = station.q.0;
         Some((station, [q - self.survey.rest, dq * w, ddq * w * w + dq * a]))
     }

@@ -100,6 +100,64 @@ fn roman(class: &str, lang: Lang) -> &str {
     }
 }
 
+/// The class of a mechanism for a choice of drivers.
+pub(crate) fn class(choice: &ForDrivers, lang: Lang) -> &str {
+    roman(choice.class(), lang).trim_end_matches('，')
+}
+
+/// The groups of a choice of drivers from the far end, each by class and kind: `II RRR, III`.
+pub(crate) fn kinds(choice: &ForDrivers, lang: Lang) -> String {
+    let kind = |g: &Group| {
+        let class = roman(g.class().unwrap_or_default(), lang).trim_end_matches('，').to_owned();
+        match g.kind().as_str() {
+            "triad" | "higher group" => class,
+            dyad => format!("{class} {dyad}"),
+        }
+    };
+    choice.from_the_far_end().map(kind).collect::<Vec<_>>().join(tr(lang, ", ", "、"))
+}
+
+/// What is counted of a scene, with all reasons.
+pub(crate) struct Counted {
+    /// The counts and the groups.
+    pub survey: Survey,
+    checked: Vec<Option<Checked>>,
+    /// Virtual constraints that lengths have proved.
+    pub sure: usize,
+}
+
+impl Counted {
+    pub(crate) fn of(scene: &Scene) -> Counted {
+        let (survey, checked) = surveyed(scene);
+        let (sure, _) = repeated(&survey, &checked);
+        Counted { survey, checked, sure }
+    }
+
+    /// Compound hinges.
+    pub(crate) fn compound(&self, scene: &Scene) -> Vec<Both> {
+        self.survey.compound.iter().map(|(p, links)| compound_words(scene.point_name(*p), *links)).collect()
+    }
+
+    /// Local freedoms.
+    pub(crate) fn local(&self) -> Vec<Both> {
+        self.survey.local.iter().map(local_words).collect()
+    }
+
+    /// What repeats others, and why.
+    pub(crate) fn repeats(&self) -> Vec<Both> {
+        self.checked.iter().enumerate().map(|(i, c)| repeats_words(&self.survey, i, c.as_ref())).collect()
+    }
+
+    /// The counts without local freedoms and virtual constraints, higher pairs replaced.
+    pub(crate) fn substituted(&self) -> Counts {
+        self.survey.substituted(|i| self.checked.get(i).is_some_and(|c| known(c.as_ref()) != Known::Locks))
+    }
+}
+
+fn compound_words(name: &str, links: usize) -> Both {
+    both!("{name} joins {links} links: compound hinge, {} pairs", "{name} 处 {links} 个构件组成复合铰链，计 {} 个转动副", links - 1)
+}
+
 /// The report as text.
 pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: Lang) -> String {
     let mut out = String::new();
@@ -116,12 +174,7 @@ pub fn text(scene: &Scene, survey: &Survey, checked: &[Option<Checked>], lang: L
     line(say(both!("moving links n = {moving}", "活动构件数 n = {moving}")));
     line(say(both!("lower pairs p_l = {lower}", "低副数 p_l = {lower}")));
     for (p, links) in &survey.compound {
-        let name = scene.point_name(*p);
-        line(say(both!(
-            "  {name} joins {links} links: compound hinge, {} pairs",
-            "  {name} 处 {links} 个构件组成复合铰链，计 {} 个转动副",
-            links - 1
-        )));
+        line(format!("  {}", say(compound_words(scene.point_name(*p), *links))));
     }
     line(say(both!("higher pairs p_h = {higher}", "高副数 p_h = {higher}")));
     line(say(both!("local freedoms F′ = {}", "局部自由度 F′ = {}", survey.local.len())));

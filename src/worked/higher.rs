@@ -1,7 +1,7 @@
 //! Groups higher than class III: which of them the special points draw, and what is said of them.
 
-use crate::diag::{Diagnostic, both};
-use crate::mechanism::{Core, Group, Mechanism};
+use crate::diag::{Both, Diagnostic, both};
+use crate::mechanism::{Core, Group, Item, Mechanism};
 use crate::plan::Plan;
 use crate::scene::Scene;
 
@@ -11,6 +11,16 @@ pub(super) fn drawn_by_special_points(mechanism: &Mechanism, plan: &Plan) -> Vec
     (0..mechanism.groups.len()).filter(higher).collect()
 }
 
+/// The wheels of a group that roll on one another while neither is known.
+fn contacts(scene: &Scene, mechanism: &Mechanism, group: &Group) -> Vec<Both> {
+    let pairs = group.constraints.iter().filter_map(|c| match mechanism.constraints[*c].item() {
+        Item::Rolling(r) => Some(scene.rolling[r.0].links),
+        Item::Pin(..) | Item::Guide(_) | Item::Driver(_) => None,
+    });
+    let inner = pairs.filter(|links| links.iter().all(|l| group.links.contains(l)));
+    inner.map(|[a, b]| both!("{} and {}", "{} 与 {} ", scene.link_name(a), scene.link_name(b))).collect()
+}
+
 /// What is said of the groups higher than class III that are called for: by what they are drawn, or that they are not.
 pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Diagnostic> {
     let planned = |g: usize| plan.undrawable.contains(&g) || plan.velocity.iter().any(|s| s.group == g);
@@ -18,6 +28,19 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
     let note = |(g, group): (usize, &Group)| {
         let names: Vec<_> = group.links.iter().map(|l| scene.link_name(*l)).collect();
         let names = names.join(", ");
+        let between = contacts(scene, mechanism, group);
+        if plan.undrawable.contains(&g) && !between.is_empty() {
+            let message = both!(
+                "links {names} form a group higher than class III: {} roll on one another and neither is known before the other, so that no crossing of two loci gives \
+                 the acceleration of the contact; it is answered from the loop equations and not drawn",
+                "构件 {names} 组成高于Ⅲ级的杆组：{}相互滚动，二者均须由对方求得，接触点的加速度不能由两条轨迹线的交点得出；由回路方程求解，不作图",
+                Both::listed(&between)
+            );
+            return Diagnostic::note("higher-group", message).help(both!(
+                "the contact is their instantaneous centre: `hodograph draw --figure centres` draws the velocities; with one of the wheels as the driver's, the group falls apart",
+                "接触点即二者的瞬心：可用 `hodograph draw --figure centres` 图解速度；改以其中一轮为原动件，该杆组即可拆开"
+            ));
+        }
         let message = if plan.undrawable.contains(&g) {
             both!(
                 "links {names} form a group higher than class III: it is answered from the loop equations and not drawn",

@@ -13,6 +13,7 @@ mod display;
 pub mod html;
 pub mod markdown;
 mod mistake;
+mod mobility;
 pub mod pages;
 mod problem;
 mod results;
@@ -33,6 +34,7 @@ use crate::worked::Worked;
 
 pub use design::design;
 pub use mistake::find_the_mistake;
+pub use mobility::mobility;
 
 /// Which sides of a worksheet are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

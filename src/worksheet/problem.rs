@@ -68,7 +68,7 @@ impl Maker<'_> {
     }
 
     /// The mechanism as it is given, with the given lengths as dimensions: without what the solution finds on it, and described without answers.
-    fn given_mechanism(&self) -> Block {
+    pub(super) fn given_mechanism(&self) -> Block {
         let mut bare: Worked = self.worked.clone();
         bare.construction.diagrams.clear();
         let dimensioned = Overlay { dimensions: true, ..Overlay::default() };
@@ -85,7 +85,7 @@ impl Maker<'_> {
         Block::Figure { name: "mechanism", figure: Box::new(figure) }
     }
 
-    fn givens(&self) -> Givens<'_> {
+    pub(super) fn givens(&self) -> Givens<'_> {
         Givens { scene: self.scene, lang: self.lang() }
     }
 

@@ -100,6 +100,8 @@ pub const SHOWN: [(&str, &str, &str); 21] = [
     ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
 ];
 
+/// Worksheets on mobility: a virtual constraint; a compound hinge and higher pairs.
+pub const MOBILITY: [&str; 2] = ["third-crank", "planetary-gear"];
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -127,6 +129,7 @@ pub fn kept() -> BTreeSet<String> {
         figures.iter().for_each(|f| in_both(t, &[&format!("{f}.LANG.png")]));
     }
     DESIGNS.iter().for_each(|(kind, figure)| in_both("synthesis", &[&format!("{kind}-{figure}.LANG.png")]));
+    MOBILITY.iter().for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all

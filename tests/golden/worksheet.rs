@@ -13,7 +13,7 @@ use hodograph::scene::{self, Lang, Scene, templates};
 use hodograph::worked::{Scope, Worked, work};
 use hodograph::worksheet::{Block, Document, Options, Sides, html, markdown, pages, typst, worksheet};
 
-fn worked(name: &str) -> (Scene, Worked) {
+pub fn worked(name: &str) -> (Scene, Worked) {
     let scene = scene::read(templates::get(name).unwrap()).unwrap().value;
     let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{name}: {f}")).value;
     (scene, worked)
@@ -25,7 +25,7 @@ fn document(scene: &Scene, worked: &Worked, lang: Lang, sides: Sides) -> Documen
 
 /// A text with what stands between two marks left out: drawings have golden files of their own, and a label that finds a
 /// better place changes no worksheet.
-fn without(text: &str, from: &str, to: &str) -> String {
+pub fn without(text: &str, from: &str, to: &str) -> String {
     let mut parts = text.split(from);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -52,7 +52,7 @@ fn worksheets_read_as_accepted() {
 }
 
 /// All that a reader of the problem's side can see or hear.
-fn told(d: &Document) -> String {
+pub fn told(d: &Document) -> String {
     let mut out = markdown::markdown(d, "x").unwrap().0;
     for block in &d.blocks {
         if let Block::Figure { figure, .. } = block {
@@ -137,7 +137,7 @@ fn label_boxes(page: &Page) -> Vec<(&Item, Rect)> {
 }
 
 /// What is wrong with a page, each fault on its line.
-fn faults_of(page: &Page, at: &str) -> Vec<String> {
+pub fn faults_of(page: &Page, at: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let all = bounds(&page.parts.iter().flat_map(|p| p.items.clone()).collect::<Vec<_>>()).unwrap();
     // 8 mm is what a printer cannot reach.

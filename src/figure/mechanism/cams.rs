@@ -12,7 +12,7 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::Level;
 use crate::plan::names::name_label;
 use crate::position::Path;
-use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId};
+use crate::scene::{Asked, Cam, Direction, Follows, GuideId, GuidePath, LinkId, Pieces, PointId, Turning};
 
 use super::Draft;
 use super::letters::NumberPlace;
@@ -110,8 +110,17 @@ impl Draft<'_> {
     fn of_cam(&self, c: &Cam) -> Option<impl Fn(Vec2) -> Point + use<'_>> {
         let t = c.disc.as_ref()?;
         let centre = self.point(t.pivot)?;
-        let (turn, mu) = (Vec2::from_angle(t.disc.sense * t.phi), self.worked.construction.diagram.mu_l);
+        let (turn, mu) = (self.turned(t)?, self.worked.construction.diagram.mu_l);
         Some(move |v: Vec2| centre + v.rotate_by(turn) * (1.0 / mu))
+    }
+
+    /// The direction of the x axis of a cam's frame as it stands: turned with the cam in its carrier, and with the carrier.
+    fn turned(&self, t: &Turning) -> Option<Vec2> {
+        let carrier = match t.axis(self.scene) {
+            Some([a, b]) => (self.point(b)? - self.point(a)?).unit()?,
+            None => Vec2::unit_x(),
+        };
+        Some(Vec2::from_angle(t.disc.sense * t.phi).rotate_by(carrier))
     }
 
     /// What is known of the contact at the instant.
@@ -234,13 +243,13 @@ impl Draft<'_> {
         let (Some(through), Some((contact, k))) = (self.point(p), self.contact(c)) else { return };
         let normal = match k {
             Some(k) => (contact - k).unit(),
-            None => self.station(c).zip(c.disc.as_ref()).map(|(s, t)| s.normal.rotate_by(Vec2::from_angle(t.disc.sense * t.phi))),
+            None => self.station(c).zip(c.disc.as_ref()).and_then(|(s, t)| Some(s.normal.rotate_by(self.turned(t)?))),
         };
         let Some(n) = normal else { return };
         let foot = through - n * (through - contact).dot(n);
         let along = contact - foot;
         let u = along.unit().unwrap_or(n.perp());
-        let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower) && g.on == self.scene.ground);
+        let slides = self.scene.guides.iter().any(|g| g.slider == Some(c.follower));
         // Points that name the face lie on it, or on the arm that it makes with them.
         let named = self.scene.links[c.follower.0].points.iter().filter(|p| self.on_face(**p)).filter_map(|p| self.point(*p));
         let farthest = named.filter(|p| (*p - foot).dot(n).abs() < super::SAME_MM).map(|p| (p - foot).dot(u)).fold(0.0, f64::max);

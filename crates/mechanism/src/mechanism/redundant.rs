@@ -10,7 +10,7 @@
 use super::mobility::Matched;
 use super::{Constraint, Core, Item, Mechanism, Passive, find_constraints, find_pins, touching};
 use crate::diag::Span;
-use crate::scene::{GuideId, LinkId, PointId, RollingId, Scene};
+use crate::scene::{Guide, GuideId, LinkId, PointId, RollingId, Scene};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 pub enum Opened {
     /// A link, of which only two pins are looked at: it follows them ([`Passive::Held`]).
     Link(LinkId),
-    /// A guide: its runner is held by others.
+    /// A guide: its runner is held by others. That of a wheel on its track: its touching, the rolling stays.
     Guide(GuideId),
     /// A rolling pair or a mesh: no slip follows from others.
     Rolling(RollingId),
@@ -170,7 +170,9 @@ fn candidates(scene: &Scene, closed: &Opening, pins: &[PointId]) -> Vec<Candidat
     let links = (0..scene.links.len()).map(LinkId).filter(|l| *l != scene.ground && closed.passive[l.0].is_none());
     let mut all: Vec<Candidate> = links.filter_map(|l| as_follower(scene, pins, l)).collect();
     let driven = |g: usize| scene.drivers.iter().any(|d| d.kind.guide() == Some(GuideId(g)));
-    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && guide.rolling.is_none()) {
+    // Teeth keep a distance only where nothing else does; a wheel on its track may touch it because its axle keeps it there.
+    let toothed = |guide: &Guide| guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed);
+    for (g, guide) in scene.guides.iter().enumerate().filter(|(g, guide)| !driven(*g) && !toothed(guide)) {
         let block = guide.slider.is_some_and(|s| closed.passive[s.0] == Some(Passive::Block(GuideId(g))));
         let equations = match (guide.slider.filter(|_| !block), guide.pin) {
             (Some(_), _) => 2,

@@ -244,6 +244,8 @@ fn substituted(scene: Option<&Scene>, counts: Counts, local: &[Local], repeated:
             // With its block: the guide and the pin.
             Opened::Guide(g) if scene.guides[g.0].slider.is_some_and(|s| is_block(scene, s)) => (moving, lower) = (moving - 1, lower - 2),
             Opened::Guide(g) if scene.guides[g.0].slider.is_some() => lower -= 1,
+            // A rolling pair that need not hold the wheel takes one freedom.
+            Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => (lower, higher) = (lower - 1, higher + 1),
             Opened::Guide(_) => higher -= 1,
             Opened::Rolling(r) if scene.rolling[r.0].toothed => higher -= 1,
             Opened::Rolling(_) => lower -= 1,

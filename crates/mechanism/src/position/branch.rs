@@ -95,7 +95,10 @@ pub(super) fn choose<N: Real>(
         }
         left = kept;
     }
-    let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p));
+    let stands = |p: PointId| trials[0].at(p).or(placed[p.0]).map(Point::approx);
+    // What a cam on a moving link holds has its rough place there.
+    let held = |p: PointId| scene.cams.iter().filter_map(|c| c.disc.as_ref()).find_map(|t| t.rough_in_plane(scene, p, &stands));
+    let sketch = |p: PointId| scene.points[p.0].sketch.map(|s| Point::new(s[0], s[1])).or(given_at(scene, p)).or_else(|| held(p));
     if left.len() > 1 {
         // The sum of squared distances to all sketched points of the group.
         let cost = |i: usize| {

@@ -187,6 +187,12 @@ impl Reason {
 pub fn opened_words(scene: &Scene, opened: &Opened) -> (Both, Span) {
     match opened {
         Opened::Link(l) => (both!("link {}", "构件 {}", scene.link_name(*l)), scene.links[l.0].span),
+        Opened::Guide(GuideId(g)) if scene.guides[*g].rolling.is_some() => {
+            let guide = &scene.guides[*g];
+            let (on, axle) = (scene.link_name(guide.on), guide.pin.map_or("", |p| scene.point_name(p)));
+            let words = both!("the touching of the wheel about {axle} and link {on}", "绕 {axle} 的滚轮与构件 {on} 的接触");
+            (words, guide.span)
+        }
         Opened::Guide(g) => {
             let guide = &scene.guides[g.0];
             let (on, runner) =
@@ -331,6 +337,10 @@ fn help(scene: &Scene, opened: &Opened) -> Both {
             "leave link {0} out, let one end of it run in a slot, or make it equal and parallel to another link between the same two",
             "请去掉构件 {0}，或将其一端改为槽，或使其与连接同样两构件的另一构件等长且平行",
             scene.link_name(*l)
+        ),
+        Opened::Guide(g) if scene.guides[g.0].rolling.is_some() => both!(
+            "let the axle of the wheel keep its distance from the track: correct a radius or the axle's place, or free the axle",
+            "请使轮轴到轨道的距离与轮半径相符：修改半径或轮轴位置，或放开轮轴"
         ),
         Opened::Guide(_) => both!(
             "leave the guide out; of two guides of one slider the second is parallel to the first",

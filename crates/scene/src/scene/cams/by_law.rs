@@ -4,6 +4,7 @@ use super::super::model::*;
 use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::Turning;
+use super::carrier::Lacking;
 use super::expand::{One, Pending, follower_sense};
 use super::law::{self, LawText, StageText};
 use super::place::{self, Carried, OnPivot, Told};
@@ -100,19 +101,22 @@ impl One<'_> {
         raw: &mut RawScene,
         (base, start, text, program): (f64, f64, LawText, Program),
         point: PointId,
-        (end, placed): (Option<Told>, Option<(OnPivot, Carried)>),
+        (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {
         let (face, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
+                let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
                 (Some(face), offset, sense)
             }
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => (None, None, 1.0),
         };
-        let Some(placed) = placed else { return self.no_pose(faults) };
-        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else { return self.no_pose(faults) };
+        let placed = placed.map_err(|lacking| self.no_law(lacking, faults)).ok()?;
+        let Some((follower, touch, arm)) = self.follower(&placed, point, offset.as_ref(), sense) else {
+            self.no_law(self.not_through(), faults);
+            return None;
+        };
         let (on, carried) = placed;
         let touch = match touch {
             Touch::Point { .. } => Touch::Point { radius: end.as_ref().map_or(0.0, |r| r.value) },
@@ -158,9 +162,44 @@ impl One<'_> {
         let by_law = Some(raw.drivers.len());
         raw.drivers.push(written.driver);
         let (origin, outward) = place::origin(&carried, on.spot.at(), follower_sense(&disc));
-        let turning =
-            Turning { pivot: PointId(0), disc, phi, driver: on.driver, by_law, start, origin, outward, touched: None, side: along };
+        let turning = Turning {
+            frame: on.frame,
+            pivot: PointId(0),
+            disc,
+            phi,
+            driver: on.driver,
+            way: on.way,
+            by_law,
+            start,
+            origin,
+            outward,
+            touched: None,
+            rough: None,
+            side: along,
+        };
         pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         Some(())
+    }
+
+    /// Why a law has no meaning here, or what it lacks.
+    fn no_law(&self, lacking: Lacking, faults: &mut Faults) {
+        let (cam, follower) = (&self.raw.cam.text, &self.raw.follower.text);
+        let message = both!(
+            "the law of cam `{cam}` cannot move `{follower}`: {}",
+            "凸轮 `{cam}` 的运动规律无法带动从动件 `{follower}`：{}",
+            lacking.what
+        );
+        faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(lacking.help));
+    }
+
+    /// The follower's guide is not that of the point (or the face) that touches.
+    fn not_through(&self) -> Lacking {
+        Lacking {
+            what: both!("the end that touches has no fixed place in its guide or on its arm", "接触端在导路或摆杆上没有确定的位置"),
+            help: both!(
+                "let the guide pass through the point that touches, or give its distance from the pivot; a face stands square to its guide, or passes through its pivot or lies at an `offset` from it",
+                "请使导路通过接触点，或给出接触点到转轴的距离；平底应垂直于导路，或通过转轴、与转轴相距 `offset`"
+            ),
+        }
     }
 }

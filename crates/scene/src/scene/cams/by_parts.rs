@@ -1,16 +1,18 @@
-//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written.
+//! A profile of arcs and lines: its parts checked, the piece that is touched found, its pair written, the assembly told.
 
 use super::super::model::*;
-use super::super::raw::RawScene;
+use super::super::raw::{RawQuantity, RawScene};
 use super::super::units::Wanted;
 use super::Turning;
+use super::carrier::Lacking;
 use super::expand::{One, Pending, follower_sense, note};
 use super::pairs::{Contact, Worded, numbers};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use crate::cam::outline::{Broken, segments};
-use crate::cam::{Disc, Motion, Side, Touch};
+use crate::cam::{Disc, Follower, Motion, Side, Touch};
 use crate::diag::{Diagnostic, Faults, both};
+use crate::geom::Vec2;
 use crate::json::Word;
 
 impl One<'_> {
@@ -19,14 +21,14 @@ impl One<'_> {
         raw: &mut RawScene,
         parts: &[RawPart],
         (cam, point): (LinkId, PointId),
-        (end, placed): (Option<Told>, Option<(OnPivot, Carried)>),
+        (end, placed): (Option<Told>, Result<(OnPivot, Carried), Lacking>),
         pending: &mut Pending,
         faults: &mut Faults,
     ) -> Option<()> {
         let worded = self.worded(cam, parts, faults)?;
         let (follows, offset, sense) = match &self.raw.follows {
             RawFollows::Face(face) => {
-                let (face, offset, sense) = self.face(placed.as_ref().map(|p| &p.1), face, faults)?;
+                let (face, offset, sense) = self.face(placed.as_ref().ok().map(|p| &p.1), face, faults)?;
                 (RawFollows::Face(face), offset, sense)
             }
             round => (round.clone(), None, 1.0),
@@ -34,7 +36,17 @@ impl One<'_> {
         if let [Worded::Circle { centre, radius }] = worded.as_slice() {
             pending.circle = Some((centre.clone(), radius.value));
         }
-        let geometry = placed.as_ref().and_then(|p| self.follower(p, point, offset.as_ref(), sense));
+        // A face that slides on a moving link has its direction from the pose; one circle needs no more.
+        let leans = |p: &(OnPivot, Carried)| {
+            matches!((&follows, &p.1), (RawFollows::Face(_), Carried::Guide { .. })) && p.0.frame != self.bare.ground
+        };
+        if let Ok(p) = &placed
+            && leans(p)
+            && worded.len() > 1
+        {
+            return self.no_line(p.0.frame, faults);
+        }
+        let geometry = placed.as_ref().ok().filter(|p| !leans(p)).and_then(|p| self.follower(p, point, offset.as_ref(), sense));
         let contact = Contact {
             cam: &self.raw.cam.text,
             follower: &self.raw.follower.text,
@@ -44,13 +56,13 @@ impl One<'_> {
             span: self.raw.span,
         };
         let mut touched = 0;
-        if let (Some((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
+        if let (Ok((on, carried)), Some((follower, touch, _))) = (&placed, geometry) {
             let local = |name: &str| {
                 let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
                 on.local.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
             };
             let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else {
-                return self.no_pose(faults);
+                return self.no_pose(None, faults);
             };
             let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
             let touch = match touch {
@@ -64,28 +76,79 @@ impl One<'_> {
             let Some(found) = disc.touched(phi, Side::After) else { return self.no_contact(faults) };
             touched = found;
             self.joint(&disc, phi, on, faults);
-            self.sketch(raw, &disc, phi, on);
+            pending.rough = self.sketch(raw, &disc, phi, (on, &follows));
             let (origin, outward) = place::origin(carried, on.spot.at(), follower_sense(&disc));
             let turning = Turning {
+                frame: on.frame,
                 pivot: PointId(0),
                 disc,
                 phi,
                 driver: on.driver,
+                way: on.way,
                 by_law: None,
                 start: 0.0,
                 origin,
                 outward,
                 touched: Some(found),
+                rough: None,
                 side: Side::After,
             };
             pending.disc = Some((self.bare.point_name(on.pivot).to_owned(), turning));
         } else if worded.len() > 1 {
-            let posed = self.by_pose(&worded, (cam, point), &follows, end.as_ref(), faults)?;
+            let why = placed.as_ref().err();
+            let posed = self.by_pose(&worded, (cam, point), (&follows, end.as_ref()), why, faults)?;
             touched = posed.touched;
             pending.posed = Some(posed);
         }
         pending.contact = Some(raw.guides.len());
         contact.write(raw, &worded, touched)
+    }
+
+    /// A face that slides on a moving link: the guide that stands for its contact has a direction at the instant only.
+    fn no_line<T>(&self, frame: LinkId, faults: &mut Faults) -> Option<T> {
+        let (follower, frame) = (&self.raw.follower.text, self.bare.link_name(frame));
+        let message = both!(
+            "the face of `{follower}` slides on the moving link `{frame}`: its direction follows from the pose, which only coordinates tell before the contact is replaced",
+            "从动件 `{follower}` 的平底在活动构件 `{frame}` 上移动：其方向由位置决定，而高副低代之前只有坐标能给出位置"
+        );
+        faults.push(Diagnostic::error("cam-pose", message).at(self.raw.span).help(both!(
+            "give the profile as a law or as one circle with an \"angle\" of the face, or let the carrier be the ground (`hodograph inversions`)",
+            "请用运动规律给出廓线，或用单个圆并给出平底的 \"angle\"，或以该构件为机架（`hodograph inversions`）"
+        )));
+        None
+    }
+
+    /// Says which of the assemblies is meant, by the place of a point of the follower in the pose: on the ground in the sketch, on a moving link in the
+    /// axes of that link.
+    pub(super) fn sketch(
+        &self,
+        raw: &mut RawScene,
+        disc: &Disc,
+        phi: f64,
+        (on, follows): (&OnPivot, &RawFollows),
+    ) -> Option<(String, Vec2)> {
+        let q = disc.coordinate(phi, Side::After)?;
+        let (name, at) = match (follows, disc.touch, disc.follower) {
+            (_, Touch::Point { .. }, _) => (follows.pin()?.text.clone(), disc.follower.point(q).order(0)),
+            (RawFollows::Face(face), Touch::Flat { .. }, Follower::Oscillating { pivot, sense, .. }) => {
+                let (from, to) = self.names.pair(face.line.as_ref()?).ok()?;
+                let arm = place::apart(self.bare, from, to)?.value;
+                let reach = Disc { follower: Follower::Oscillating { pivot, arm, sense }, ..disc.clone() };
+                (self.bare.point_name(to).to_owned(), reach.follower.point(q).order(0))
+            }
+            (_, Touch::Flat { .. }, _) => return None,
+        };
+        let said = raw.sketch.iter().any(|(w, _)| w.text == name) || raw.points.iter().any(|(w, _)| w.text == name);
+        let at = on.spot.at() + at;
+        if said {
+            return None;
+        }
+        if on.frame != self.bare.ground {
+            return Some((name, at));
+        }
+        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
+        raw.sketch.push((Word { text: name, span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
+        None
     }
 
     /// The parts with texts and checked numbers.

@@ -1,11 +1,12 @@
 //! Which piece of a profile is touched where cam or follower moves with further links: told by the coordinates of the pose.
 //!
-//! On the ground the piece follows from the angle of the cam ([`super::by_parts`]). On moving links the place of the cam follows from the assembly,
+//! On one carrying link the piece follows from the angle of the cam ([`super::by_parts`]). On different links the place of the cam follows from the assembly,
 //! and that from the piece; so the pose must say it: coordinates of the cam's first two points and of the point that touches, or the direction
 //! of the face.
 
 use super::super::model::*;
 use super::super::units::Wanted;
+use super::carrier::Lacking;
 use super::expand::{One, note};
 use super::pairs::{Worded, numbers};
 use super::place::{self, Told};
@@ -34,33 +35,33 @@ impl One<'_> {
         &self,
         worded: &[Worded],
         (cam, point): (LinkId, PointId),
-        follows: &RawFollows,
-        end: Option<&Told>,
+        (follows, end): (&RawFollows, Option<&Told>),
+        why: Option<&Lacking>,
         faults: &mut Faults,
     ) -> Option<Posed> {
-        let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else { return self.no_pose(faults) };
+        let [first, second, ..] = self.bare.links[cam.0].points.as_slice() else { return self.no_pose(why, faults) };
         let (Some(origin), Some(toward)) = (place::spot(self.bare, *first), place::spot(self.bare, *second)) else {
-            return self.no_pose(faults);
+            return self.no_pose(why, faults);
         };
         let (origin, axis) = (origin.at(), (toward.at() - origin.at()).unit());
-        let Some(axis) = axis else { return self.no_pose(faults) };
-        let Some(known) = place::locals(self.bare, cam, *first, axis.angle()) else { return self.no_pose(faults) };
+        let Some(axis) = axis else { return self.no_pose(why, faults) };
+        let Some(known) = place::locals(self.bare, cam, *first, axis.angle()) else { return self.no_pose(why, faults) };
         let local = |name: &str| {
             let id = self.names.point(&Word { text: name.to_owned(), span: self.raw.span }).ok()?;
             known.iter().find(|(p, _)| *p == id).map(|(_, at)| *at)
         };
-        let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else { return self.no_pose(faults) };
+        let Some(parts) = worded.iter().map(|w| numbers(w, local)).collect::<Option<Vec<_>>>() else { return self.no_pose(why, faults) };
         let segments = segments(&parts).map_err(|broken| self.broken(broken, faults)).ok()?;
         let into = |v: Vec2| v.divide_by(axis);
         let touched = match follows {
             RawFollows::Face(face) => {
-                let Some(along) = self.face_direction(face, faults) else { return self.no_pose(faults) };
+                let Some(along) = self.face_direction(face, faults) else { return self.no_pose(why, faults) };
                 // The cam lies to the left of its face, or to the right: its outward normal points the other way.
                 let normal = if face.left.unwrap_or(true) { -along.perp() } else { along.perp() };
                 segments.iter().position(|s| s.faces(into(normal).angle()))
             }
             RawFollows::Edge(_) | RawFollows::Roller { .. } | RawFollows::Arc { .. } => {
-                let Some(spot) = place::spot(self.bare, point) else { return self.no_pose(faults) };
+                let Some(spot) = place::spot(self.bare, point) else { return self.no_pose(why, faults) };
                 let at = into(spot.at() - origin);
                 let missed =
                     segments.iter().enumerate().filter_map(|(i, s)| Some((i, s.missed_by(at, end.map_or(0.0, |r| r.value))?.abs())));

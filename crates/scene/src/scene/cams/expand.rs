@@ -8,12 +8,13 @@ use super::super::raw::{RawGuide, RawLink, RawQuantity, RawScene, RawThrough};
 use super::super::units::Wanted;
 use super::super::values::Values;
 use super::by_pose::Posed;
+use super::carrier::Lacking;
 use super::pairs::fresh;
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use super::{Cam, Follows, Pieces, Turning};
 use crate::cam::{Disc, Follower, Motion, Side, Touch};
-use crate::diag::{Diagnostic, Faults, Span, both};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::digits::significant;
 use crate::geom::Vec2;
 use crate::json::Word;
@@ -37,6 +38,8 @@ pub(super) struct Pending {
     pub disc: Option<(String, Turning)>,
     pub contact: Option<usize>,
     pub posed: Option<Posed>,
+    /// The place of a point of the follower in the axes of a moving carrier.
+    pub rough: Option<(String, Vec2)>,
     span: Span,
 }
 
@@ -45,7 +48,7 @@ pub(super) struct Pending {
 pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
     let mut out = raw.clone();
     (0..out.cams.len()).for_each(|i| slid(&mut out, i));
-    for cam in &raw.cams {
+    for (i, cam) in raw.cams.iter().enumerate() {
         let radius = match &cam.profile {
             RawProfile::Law { base, .. } => Some(base),
             RawProfile::Parts(parts) => parts.iter().find_map(|p| match p {
@@ -53,15 +56,26 @@ pub(in crate::scene) fn marked(raw: &RawScene) -> RawScene {
                 RawPart::Corner(_) | RawPart::Tangent(_) | RawPart::Flank(_) => None,
             }),
         };
-        let law = matches!(cam.profile, RawProfile::Law { .. });
-        let lever = law && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
-        for (link, proposed) in [(Some(&cam.cam), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
+        // A driver that moves the lever needs a line of it; only a circle is exact everywhere without one.
+        let driven = match &cam.profile {
+            RawProfile::Law { .. } => true,
+            RawProfile::Parts(parts) => {
+                parts.len() > 1 && matches!(&cam.follows, RawFollows::Face(f) if f.line.is_none() && f.angle.is_none())
+            }
+        };
+        let lever =
+            driven && matches!(cam.follows, RawFollows::Face(_)) && !raw.guides.iter().any(|g| named(&g.slider, &cam.follower.text));
+        let still = raw.ground.as_ref().is_some_and(|g| g.text == cam.cam.text);
+        for (link, proposed) in [(Some(&cam.cam).filter(|_| !still), "M"), (Some(&cam.follower).filter(|_| lever), "W")] {
             let (Some(link), Some(radius)) = (link, radius) else { continue };
             let name = fresh(&out, &[proposed]);
             let Some(found) = out.links.iter_mut().find(|l| l.name.text == link.text && l.points.len() == 1) else { continue };
             let pair = format!("{},{name}", found.points[0].text);
             found.points.push(Word { text: name, span: cam.span });
-            out.lengths.push((Word { text: pair, span: cam.span }, radius.clone()));
+            out.lengths.push((Word { text: pair.clone(), span: cam.span }, radius.clone()));
+            if let (RawFollows::Face(face), RawProfile::Parts(_), "W") = (&mut out.cams[i].follows, &cam.profile, proposed) {
+                face.line = Some(Word { text: pair, span: cam.span });
+            }
         }
     }
     out
@@ -211,20 +225,15 @@ impl One<'_> {
             disc: None,
             contact: None,
             posed: None,
+            rough: None,
             span: self.raw.span,
         };
-        let placed = place::cam(self.bare, cam).zip(place::follower(self.bare, follower));
+        let placed = self.carried(cam, follower);
         match &self.raw.profile {
             RawProfile::Parts(parts) => self.by_parts(raw, parts, (cam, point), (end, placed), &mut pending, faults)?,
             RawProfile::Law { base, start, clockwise, stages } => {
-                let law = self.law(
-                    base,
-                    start,
-                    *clockwise,
-                    stages,
-                    placed.as_ref().is_some_and(|p| matches!(p.1, Carried::Pivot { .. })),
-                    faults,
-                )?;
+                let law =
+                    self.law(base, start, *clockwise, stages, !self.bare.guides.iter().any(|g| g.slider == Some(follower)), faults)?;
                 self.by_law(raw, law, point, (end, placed), &mut pending, faults)?;
             }
         }
@@ -238,6 +247,18 @@ impl One<'_> {
             None => None,
         };
         let mut face = face.clone();
+        let mut offset = offset;
+        if let (Some(Carried::Pivot { pivot, .. }), Some(line), None) = (carried, &face.line, &face.angle)
+            && let Ok((from, to)) = self.names.pair(line)
+            && to == *pivot
+            && from != *pivot
+        {
+            // Seen from the pivot the same line runs the other way, and what was left of it is right.
+            let text = format!("{},{}", self.bare.point_name(to), self.bare.point_name(from));
+            face.line = Some(Word { text, span: line.span });
+            face.left = Some(!face.left.unwrap_or(true));
+            offset = offset.map(|o| Told { value: -o.value, text: format!("-({})", o.text) });
+        }
         if let Some(Carried::Guide { angle: guide, .. }) = carried {
             match &face.angle {
                 None if face.line.is_none() => {
@@ -299,18 +320,21 @@ impl One<'_> {
         Some((geometry, touch, arm))
     }
 
-    pub(super) fn no_pose<T>(&self, faults: &mut Faults) -> Option<T> {
+    /// Nothing tells the piece: `why` the carrying link does not, if that is known.
+    pub(super) fn no_pose<T>(&self, why: Option<&Lacking>, faults: &mut Faults) -> Option<T> {
+        let why = why.map_or(Both::default(), |l| both!(": {}", "：{}", l.what));
         let d = Diagnostic::error(
             "cam-pose",
             both!(
-                "nothing tells which part of the profile of cam `{}` is touched",
-                "无法判断凸轮 `{}` 的哪一段廓线接触",
-                self.raw.cam.text
+                "nothing tells which part of the profile of cam `{}` is touched{}",
+                "无法判断凸轮 `{}` 的哪一段廓线接触{}",
+                self.raw.cam.text,
+                why
             ),
         );
         faults.push(d.at(self.raw.span).help(both!(
-            "give the cam a pivot on the ground and a driver with \"angle\", and the follower a guide or pivot on the ground through the point that touches; on moving links, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
-            "凸轮和从动件装在机架上时，请给出凸轮轴心、带 \"angle\" 的凸轮原动件、从动件（通过接触点）的导路或转轴；装在活动构件上时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
+            "let one link, the ground or another, carry the pivot of the cam and the guide (through the point that touches) or pivot of the follower, and give the cam a driver against it with \"angle\"; where different links carry them, give coordinates of the cam's first two points and of the point that touches (of a face its \"angle\")",
+            "请使同一构件（机架或其他构件）支承凸轮轴心和从动件（通过接触点）的导路或转轴，并给出凸轮相对于它的带 \"angle\" 的原动件；二者由不同构件支承时，请给出凸轮前两点和接触点的坐标（平底则给出 \"angle\"）"
         )));
         None
     }
@@ -355,16 +379,6 @@ impl One<'_> {
         );
         faults.push(Diagnostic::note("joint", message).at(self.raw.span));
     }
-
-    /// Says which of the assemblies is meant: the point of the follower where it touches.
-    pub(super) fn sketch(&self, raw: &mut RawScene, disc: &Disc, phi: f64, on: &OnPivot) {
-        let (Some(pin), Touch::Point { .. }) = (self.raw.follows.pin(), disc.touch) else { return };
-        let said = raw.sketch.iter().any(|(w, _)| w.text == pin.text) || raw.points.iter().any(|(w, _)| w.text == pin.text);
-        let Some(q) = disc.coordinate(phi, Side::After).filter(|_| !said) else { return };
-        let at = on.spot.at() + disc.follower.point(q).order(0);
-        let quantity = |x: f64| RawQuantity { text: format!("({x:?}) m"), span: self.raw.span, bare: false };
-        raw.sketch.push((Word { text: pin.text.clone(), span: self.raw.span }, [quantity(at.x), quantity(at.y)]));
-    }
 }
 
 /// The sense in which an oscillating follower goes out.
@@ -381,7 +395,9 @@ impl Expanded {
         let point = |name: &str| scene.points.iter().position(|p| p.name == name).map(PointId);
         let link = |name: &str| scene.links.iter().position(|l| l.name == name).map(LinkId);
         let one = |p: Pending| {
-            let disc = p.disc.and_then(|(pivot, turning)| Some(Turning { pivot: point(&pivot)?, ..turning }));
+            let disc = p.disc.and_then(|(pivot, turning)| {
+                Some(Turning { pivot: point(&pivot)?, rough: p.rough.and_then(|(name, at)| Some((point(&name)?, at))), ..turning })
+            });
             Some(Cam {
                 cam: link(&p.cam)?,
                 follower: link(&p.follower)?,

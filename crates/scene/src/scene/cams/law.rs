@@ -139,7 +139,7 @@ pub(super) fn driver(at: &At, disc: &Disc, program: &Program, law: &LawText, (ph
             let line = format!("{},{}", at.scene.point_name(*pivot), at.scene.point_name(at.point));
             RawDriverKind::Turn {
                 link: word(at.follower.to_owned()),
-                against: None,
+                against: (at.cam.frame != at.scene.ground).then(|| word(at.scene.link_name(at.cam.frame).to_owned())),
                 line: Some(word(line)),
                 against_line: None,
                 angle: Some(quantity(place)),

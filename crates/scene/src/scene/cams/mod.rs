@@ -8,12 +8,13 @@
 //! Right for velocity and acceleration at the instant, exact along circles and lines. Of a profile of several pieces the one that is touched in
 //! the pose is taken; at a joint of two, that which follows in the driver's sense.
 //!
-//! [`decode`] reads the section, [`place`] finds where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
+//! [`decode`] reads the section, [`carrier`] and [`place`] find where cam and follower are, [`expand`] writes the pairs in the words of the scene, so that
 //! longer numbers read the same texts; [`motion`] carries them on beyond the instant.
 
 mod by_law;
 mod by_parts;
 mod by_pose;
+mod carrier;
 pub(super) mod decode;
 pub(super) mod expand;
 mod law;
@@ -22,9 +23,10 @@ mod pairs;
 mod place;
 pub(super) mod raw;
 
-use super::model::{GuideId, LinkId, PointId};
+use super::model::{GuideId, LinkId, PointId, Scene};
 use crate::cam::{Disc, Segment, Side};
 use crate::diag::Span;
+use crate::geom::{Point, Vec2};
 
 /// With what a follower touches its cam.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,10 +72,10 @@ pub struct Cam {
     pub at: Option<String>,
     /// A profile that is one circle: its centre and radius (m). It needs no pose.
     pub circle: Option<(PointId, f64)>,
-    /// The cam on a pivot of the ground with its follower on the ground: what it does over a whole turn. `None` where either is carried by a
-    /// moving link.
+    /// The cam on a pivot of the link in which its follower slides or turns, of the ground or a moving one: what it does over a whole turn. `None` where
+    /// different links carry them.
     pub disc: Option<Turning>,
-    /// The pieces of a profile that the coordinates of the pose place: cam or follower is carried by a moving link.
+    /// The pieces of a profile that the coordinates of the pose place: different links carry cam and follower.
     pub posed: Option<Pieces>,
     /// The guide that stands for the contact; a law has a driver instead.
     pub contact: Option<GuideId>,
@@ -92,9 +94,11 @@ pub struct Pieces {
     pub touched: usize,
 }
 
-/// A cam that turns about a pivot of the ground.
+/// A cam that turns about a pivot of the link that carries its follower.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Turning {
+    /// The link that carries both; angles and places are counted in its axes.
+    pub frame: LinkId,
     /// The pivot.
     pub pivot: PointId,
     /// Its geometry. φ counts in the sense in which the cam turns.
@@ -103,9 +107,11 @@ pub struct Turning {
     pub phi: f64,
     /// The driver that turns the cam, index into the scene's list.
     pub driver: usize,
+    /// +1 where the cam turns in the carrying link as its driver grows; −1 where the driver turns the carrying link about the cam.
+    pub way: f64,
     /// For a law: the driver that stands for the contact.
     pub by_law: Option<usize>,
-    /// The driver's angle (rad) at φ = 0.
+    /// The angle of the cam in the carrying link (rad) at φ = 0.
     pub start: f64,
     /// The coordinate of the follower in its own guide, or its angle (m, rad), where [`Disc`] counts from.
     pub origin: f64,
@@ -113,6 +119,30 @@ pub struct Turning {
     pub outward: f64,
     /// The pair that stands for the contact: the piece of the profile that is touched.
     pub touched: Option<usize>,
+    /// On a moving carrier: where a point of the follower is in the pose, in the carrier's axes. It tells which of several assemblies is meant.
+    pub rough: Option<(PointId, Vec2)>,
     /// On which side of a joint the instant is seen: as it goes on in the driver's sense.
     pub side: Side,
+}
+
+impl Turning {
+    /// Where its rough place is in the plane, the carrier's points standing where `at` says.
+    pub fn rough_in_plane(&self, scene: &Scene, of: PointId, at: &dyn Fn(PointId) -> Option<Point>) -> Option<Point> {
+        let (_, place) = self.rough.filter(|(p, _)| *p == of)?;
+        let [a, b] = self.axis(scene)?;
+        let origin = at(a)?;
+        Some(origin + place.rotate_by((at(b)? - origin).unit()?))
+    }
+
+    /// The two points along which the x axis of the carrying link lies; `None`: it is that of the plane.
+    pub fn axis(&self, scene: &Scene) -> Option<[PointId; 2]> {
+        let [a, b, ..] = scene.links[self.frame.0].points.as_slice() else { return None };
+        Some([*a, *b]).filter(|_| self.frame != scene.ground)
+    }
+
+    /// How fast φ grows, and how fast that grows, in a scene (rad/s, rad/s²).
+    pub fn rates(&self, scene: &Scene) -> [f64; 2] {
+        let d = &scene.drivers[self.driver];
+        [d.rate.value, d.acceleration.as_ref().map_or(0.0, |a| a.value)].map(|r| self.way * self.disc.sense * r)
+    }
 }

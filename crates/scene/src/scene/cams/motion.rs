@@ -59,21 +59,21 @@ impl Scene {
         self.cams.iter().filter(|c| c.circle.is_none() && c.contact.is_some() && c.disc.as_ref().is_none_or(|t| t.by_law.is_none()))
     }
 
-    /// The driver of a follower on the ground; `None` for a face without a line whose angle could be given.
+    /// The driver of a follower on the link that carries the cam; `None` for a face without a line whose angle could be given.
     fn follower_driver(&self, c: &Cam, t: &Turning) -> Option<DriverKind> {
         let given = |value: f64| Given { value, radius: 0.0, text: format!("({value:?}) m"), span: c.span };
         match t.disc.follower {
             Follower::Translating { .. } => {
-                let guide = self.guides.iter().position(|g| g.slider == Some(c.follower) && g.on == self.ground).map(GuideId)?;
+                let guide = self.guides.iter().position(|g| g.slider == Some(c.follower) && g.on == t.frame).map(GuideId)?;
                 Some(DriverKind::Slide { guide, position: Some(given(0.0)) })
             }
             Follower::Oscillating { .. } => {
-                let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[self.ground.0].points.contains(p))?;
+                let pivot = self.links[c.follower.0].points.iter().copied().find(|p| self.links[t.frame.0].points.contains(p))?;
                 // A face through the pivot turns with the line along which it lies.
                 let line = Some((pivot, c.follows.point())).filter(|(a, b)| a != b).or_else(|| self.face_line(c, pivot))?;
                 Some(DriverKind::Turn {
                     link: c.follower,
-                    against: self.ground,
+                    against: t.frame,
                     line: Some(line),
                     against_line: None,
                     angle: Some(angle(0.0, c.span)),
@@ -121,8 +121,8 @@ impl Scene {
             let c = &mut self.cams[i];
             let (Some(t), span) = (&mut c.disc, c.span) else { continue };
             let (true, Some(k), Some(at)) = (t.driver == driver, t.by_law, value.or(stated)) else { continue };
-            let sense = t.disc.sense;
-            t.phi = sense * (at - t.start);
+            let sense = t.disc.sense * t.way;
+            t.phi = t.disc.sense * (t.way * at - t.start);
             t.side = if rate * sense < 0.0 { Side::Before } else { Side::After };
             let Some(q) = t.disc.coordinate(t.phi, t.side) else { continue };
             let Jet([q, dq, ddq, _]) = q;

@@ -1,7 +1,8 @@
 //! Where a cam and its follower are, as numbers and as the texts of the same numbers.
 //!
-//! Only what stands on the ground is placed here: a cam on a fixed pivot, a follower on a fixed guide or pivot. What moving links carry is placed by
-//! the coordinates of the pose ([`super::by_pose`]), or found by the position solver, for which one circle needs no choice of a piece.
+//! Placed is what one link carries both ([`super::carrier`]): a cam on a pivot of the ground or of a moving link, a follower on a guide or pivot of the
+//! same link; all in the axes of that link. What different links carry is placed by the coordinates of the pose ([`super::by_pose`]), or found by the
+//! position solver, for which one circle needs no choice of a piece.
 
 use super::super::model::*;
 use crate::cam::Follower;
@@ -15,12 +16,12 @@ pub(super) struct Told {
 }
 
 impl Told {
-    fn length(given: &Given) -> Told {
+    pub fn length(given: &Given) -> Told {
         // A bare zero has no unit in a sum.
         Told { value: given.value, text: if given.value == 0.0 { "0 mm".into() } else { given.text.clone() } }
     }
 
-    fn angle(given: &Given<Angle>) -> Told {
+    pub fn angle(given: &Given<Angle>) -> Told {
         let value = given.value.radians();
         Told { value, text: if value == 0.0 { "0 deg".into() } else { given.text.clone() } }
     }
@@ -34,7 +35,7 @@ pub(super) struct Spot {
 }
 
 impl Spot {
-    fn of(xy: &[Given; 2]) -> Spot {
+    pub fn of(xy: &[Given; 2]) -> Spot {
         Spot { x: Told::length(&xy[0]), y: Told::length(&xy[1]) }
     }
 
@@ -54,12 +55,16 @@ impl Spot {
     }
 }
 
-/// A cam on a fixed pivot.
+/// A cam on a pivot of the link that carries it and its follower.
 #[derive(Clone, Debug)]
 pub(super) struct OnPivot {
+    /// The carrying link.
+    pub frame: LinkId,
     pub pivot: PointId,
     pub spot: Spot,
     pub driver: usize,
+    /// +1 where the cam turns in the carrying link as its driver grows; −1 where the driver turns the carrying link.
+    pub way: f64,
     /// The angle of the cam's first two points.
     pub angle: Told,
     pub rate: f64,
@@ -70,12 +75,12 @@ pub(super) struct OnPivot {
     pub local: Vec<(PointId, Vec2)>,
 }
 
-/// A follower on the ground.
+/// A follower on the link that carries the cam.
 #[derive(Clone, Debug)]
 pub(super) enum Carried {
-    /// On a fixed straight guide at this angle through this point; its point on the guide.
+    /// On a straight guide at this angle through this point; its point on the guide.
     Guide { through: Spot, angle: Told, pin: PointId },
-    /// On a fixed pivot.
+    /// On a pivot.
     Pivot { pivot: PointId, spot: Spot },
 }
 
@@ -85,49 +90,6 @@ pub(super) fn spot(scene: &Scene, p: PointId) -> Option<Spot> {
         Place::At(xy) => Some(Spot::of(xy)),
         Place::Unknown | Place::InLink { .. } | Place::Polar { .. } => None,
     }
-}
-
-/// The points that a link shares with the ground.
-fn pivots(scene: &Scene, link: LinkId) -> impl Iterator<Item = PointId> + '_ {
-    let ground = &scene.links[scene.ground.0].points;
-    scene.links[link.0].points.iter().copied().filter(|p| ground.contains(p))
-}
-
-/// The cam, where it turns about one fixed pivot at an angle that the scene gives.
-pub(super) fn cam(scene: &Scene, link: LinkId) -> Option<OnPivot> {
-    let mut fixed = pivots(scene, link);
-    let (pivot, None) = (fixed.next()?, fixed.next()) else { return None };
-    let spot = spot(scene, pivot)?;
-    let [first, second, ..] = scene.links[link.0].points.as_slice() else { return None };
-    let mine = |d: &Driver| {
-        matches!(d.kind, DriverKind::Turn { link: l, against, line, against_line: None, .. }
-            if l == link && against == scene.ground && line.is_none_or(|l| l == (*first, *second)))
-    };
-    let driver = scene.drivers.iter().position(mine)?;
-    let d = &scene.drivers[driver];
-    let DriverKind::Turn { angle, .. } = &d.kind else { return None };
-    let angle = match (angle, self::spot(scene, *first), self::spot(scene, *second)) {
-        (Some(given), ..) => Told::angle(given),
-        (None, Some(a), Some(b)) => {
-            let value = (b.at() - a.at()).angle();
-            Told { value, text: direction(&a, &b) }
-        }
-        (None, ..) => return None,
-    };
-    let local = locals(scene, link, pivot, angle.value)?;
-    let rate = |given: &Given, unit: &str| if given.value == 0.0 { format!("0 {unit}") } else { given.text.clone() };
-    let a = d.acceleration.as_ref();
-    Some(OnPivot {
-        pivot,
-        spot,
-        driver,
-        angle,
-        rate: d.rate.value,
-        rate_text: rate(&d.rate, "rad/s"),
-        acceleration: a.map_or(0.0, |a| a.value),
-        acceleration_text: a.map_or_else(|| "0 rad/s^2".into(), |a| rate(a, "rad/s^2")),
-        local,
-    })
 }
 
 /// The text of the direction from one point to another.
@@ -176,7 +138,9 @@ pub(super) fn apart(scene: &Scene, a: PointId, b: PointId) -> Option<Told> {
 pub(super) fn locals(scene: &Scene, link: LinkId, pivot: PointId, angle: f64) -> Option<Vec<(PointId, Vec2)>> {
     let points = &scene.links[link.0].points;
     let mut known: Vec<(PointId, Vec2)> = Vec::new();
-    if let Some(spots) = points.iter().map(|p| spot(scene, *p)).collect::<Option<Vec<_>>>() {
+    if link == scene.ground {
+        known.extend(points.iter().filter_map(|p| Some((*p, spot(scene, *p)?.at()))));
+    } else if let Some(spots) = points.iter().map(|p| spot(scene, *p)).collect::<Option<Vec<_>>>() {
         let back = Vec2::from_angle(-angle);
         known.extend(points.iter().zip(spots).map(|(p, s)| (*p, s.at().rotate_by(back))));
     } else {
@@ -223,32 +187,6 @@ fn local(scene: &Scene, p: PointId, at: &dyn Fn(PointId) -> Option<Vec2>, points
             Some(a + u * foot + u.perp() * if left { height } else { -height })
         }
     }
-}
-
-/// The follower, where it runs in a fixed guide or turns about a fixed pivot.
-pub(super) fn follower(scene: &Scene, link: LinkId) -> Option<Carried> {
-    let guide = scene.guides.iter().find(|g| g.slider == Some(link) && g.on == scene.ground);
-    if let Some(g) = guide {
-        let pin = g.pin?;
-        let GuidePath::Line { through, direction, offset: None } = &g.path else { return None };
-        let through = match through {
-            Through::At(xy) => Spot::of(xy),
-            Through::Point(p) => spot(scene, *p)?,
-            Through::Pin => spot(scene, pin)?,
-        };
-        let angle = match direction {
-            Direction::Instant(angle) => Told::angle(angle),
-            Direction::Along(a, b, None) => {
-                let (a, b) = (spot(scene, *a)?, spot(scene, *b)?);
-                Told { value: (b.at() - a.at()).angle(), text: self::direction(&a, &b) }
-            }
-            Direction::Along(..) | Direction::Own => return None,
-        };
-        return Some(Carried::Guide { through, angle, pin });
-    }
-    let mut fixed = pivots(scene, link);
-    let (pivot, None) = (fixed.next()?, fixed.next()) else { return None };
-    Some(Carried::Pivot { pivot, spot: spot(scene, pivot)? })
 }
 
 /// The sense in which an arm goes out: what the scene says of the side, its sketch, its coordinates; counter-clockwise where it says nothing.

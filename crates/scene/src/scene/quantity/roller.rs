@@ -87,5 +87,9 @@ fn normal<N: Real, K: Known<N>>(pair: &Cam, known: &K, at: Vec2<N>) -> Option<Ve
     let station = turning.disc.station(turning.phi, turning.side)?;
     let n = station.normal.rotate_by(Vec2::from_angle(turning.disc.sense * turning.phi));
     let number = |x: f64| N::from_bounded(x, LOST);
-    Some(Vec2 { x: number(n.x)?, y: number(n.y)? })
+    let n = Vec2 { x: number(n.x)?, y: number(n.y)? };
+    match turning.axis(known.scene()) {
+        Some([a, b]) => Some(n.rotate_by((known.point(b)?.to_vec2() - known.point(a)?.to_vec2()).unit()?)),
+        None => Some(n),
+    }
 }

@@ -1,0 +1,179 @@
+//! A worksheet on mobility: the freedoms of a mechanism to be counted, and the mechanism to be split into groups.
+//!
+//! The problem shows the mechanism with its dimensions, nothing of it dashed and no count told; what the author says of the scene asks for its motion
+//! and may give away what repeats what, and is left out. The solution counts in a table with every special case in words,
+//! and draws the groups apart.
+
+use super::{Block, Document, Maker, Options, Sides, Table, TableKind, document};
+use crate::certified::steps;
+use crate::figure::groups;
+use crate::figure::label::Label;
+use crate::mechanism::{Counts, ForDrivers};
+use crate::paper::phrase::Phrase;
+use crate::report::math::Math;
+use crate::report::mobility::{Counted, class, kinds};
+use crate::report::plan::group_words;
+use crate::scene::{Driver, DriverKind, Guide, Lang, LinkId, Scene};
+use crate::worked::Worked;
+
+/// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
+pub fn mobility(scene: &Scene, worked: &Worked, options: &Options) -> Document {
+    let told = steps(scene, worked, None);
+    let maker = Maker { scene, worked, options: &options.sheet, certified: &[], told: &told };
+    let counted = Counted::of(scene);
+    let mut blocks = Vec::new();
+    if options.sides != Sides::Solution {
+        maker.asked_to_count(&mut blocks);
+    }
+    if options.sides != Sides::Problem {
+        maker.count(&mut blocks, &counted);
+        maker.split(&mut blocks, &counted);
+    }
+    document(scene, options, blocks)
+}
+
+impl Maker<'_> {
+    fn asked_to_count(&self, blocks: &mut Vec<Block>) {
+        blocks.push(self.heading(1, "Problem", "题目"));
+        blocks.push(
+            self.paragraph("The figure shows a planar mechanism; the arrow marks what is driven.", "图示为一平面机构，箭头所示为原动件。"),
+        );
+        blocks.push(self.whole());
+        blocks.push(self.heading(2, "Given", "已知"));
+        blocks.push(Block::List { numbered: false, members: self.givens().list() });
+        blocks.push(self.heading(2, "Wanted", "求"));
+        let members = [
+            self.tr(
+                "Compound hinges, local freedoms and virtual constraints, each with its reason.",
+                "指出复合铰链、局部自由度和虚约束，并说明理由。",
+            ),
+            self.tr(
+                "The degree of freedom $F = 3n - (2p_l + p_h - p') - F'$; does the mechanism move as its drivers say?",
+                "计算自由度 $F = 3n - (2p_l + p_h - p') - F'$；机构是否具有确定的运动？",
+            ),
+            self.tr(
+                "The groups into which it is taken apart, beginning far from the drivers, each with its class; and the class of the mechanism.",
+                "由远离原动件处开始拆杆组，指出各杆组的级别，并确定机构的级别。",
+            ),
+        ];
+        blocks.push(Block::List { numbered: true, members: members.map(Phrase::new).to_vec() });
+    }
+
+    /// The mechanism, what repeats others drawn as everything else.
+    fn whole(&self) -> Block {
+        let mut bare = self.worked.clone();
+        bare.mechanism.redundant.clear();
+        Maker { worked: &bare, ..*self }.given_mechanism()
+    }
+
+    fn said(&self, both: &crate::diag::Both) -> Phrase {
+        Phrase::of_words(if self.lang() == Lang::En { &both.en } else { &both.zh })
+    }
+
+    fn count(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+        blocks.push(self.heading(1, "Solution", "解"));
+        blocks.push(self.heading(2, "Degree of freedom", "自由度"));
+        let Counts { moving, lower, higher } = counted.survey.counts;
+        let head = [self.tr("quantity", "量"), self.tr("number", "数目"), self.tr("which", "说明")].map(Phrase::new).to_vec();
+        let mut rows = vec![head];
+        let mut row = |name: &str, number: usize, reasons: Vec<Phrase>| {
+            let mut reasons = reasons.into_iter();
+            rows.push(vec![Phrase::new(name), Phrase::new(&format!("${number}$")), reasons.next().unwrap_or_default()]);
+            rows.extend(reasons.map(|r| vec![Phrase::default(), Phrase::default(), r]));
+        };
+        let links = (0..self.scene.links.len()).map(LinkId).filter(|l| *l != self.scene.ground);
+        let names: Vec<&str> = links.map(|l| self.link(l)).collect();
+        let which = if names.len() == moving { names.join(self.words().comma) } else { String::new() };
+        row(self.tr("moving links $n$", "活动构件 $n$"), moving, vec![Phrase::of_words(&which)]);
+        row(self.tr("lower pairs $p_l$", "低副 $p_l$"), lower, counted.compound(self.scene).iter().map(|b| self.said(b)).collect());
+        row(self.tr("higher pairs $p_h$", "高副 $p_h$"), higher, Vec::new());
+        let local: Vec<Phrase> = counted.local().iter().map(|b| self.said(b)).collect();
+        row(self.tr("local freedoms $F'$", "局部自由度 $F'$"), local.len(), local.clone());
+        row(self.tr("virtual constraints $p'$", "虚约束 $p'$"), counted.sure, counted.repeats().iter().map(|b| self.said(b)).collect());
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+        let f = counted.survey.counts.freedom(counted.sure, local.len());
+        let formula = format!(
+            "F = 3n - (2p_l + p_h - p') - F' = 3 \\times {moving} - (2 \\times {lower} + {higher} - {}) - {} = {f}",
+            counted.sure,
+            local.len()
+        );
+        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+        self.substituted(blocks, counted);
+        let drivers = self.scene.own_drivers() as i64;
+        let verdict = match (f == drivers, self.lang()) {
+            (true, Lang::En) => format!("As many freedoms as drivers ({drivers}): the motion is determined."),
+            (true, Lang::Zh) => format!("自由度等于原动件数（{drivers}），机构具有确定的运动。"),
+            (false, Lang::En) => format!("{f} freedoms, {drivers} drivers: what carried parts do by themselves is not driven."),
+            (false, Lang::Zh) => format!("自由度为 {f}，原动件数为 {drivers}：其余自由度不由原动件确定。"),
+        };
+        blocks.push(Block::Paragraph(Phrase::new(&verdict)));
+    }
+
+    fn substituted(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+        let s = counted.substituted();
+        if s == counted.survey.counts {
+            return;
+        }
+        blocks.push(self.paragraph(
+            "Without local freedoms and virtual constraints, every higher pair replaced by a link with two lower pairs:",
+            "去掉局部自由度和虚约束，并将高副低代：",
+        ));
+        let (n, p) = (s.moving, s.lower);
+        let formula = format!("n = {n} ,\\quad p_l = {p} ,\\quad F = 3 \\times {n} - 2 \\times {p} = {}", s.freedom(0, 0));
+        blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
+    }
+
+    fn split(&self, blocks: &mut Vec<Block>, counted: &Counted) {
+        let given = counted.survey.choices.iter().find(|c| c.given);
+        let Some(given) = given.or(counted.survey.choices.first()) else { return };
+        blocks.push(self.heading(2, "Groups", "杆组"));
+        let (driven, highest) = (self.driven(given), class(given, self.lang()));
+        blocks.push(Block::Paragraph(Phrase::of_words(&match self.lang() {
+            Lang::En => format!("Driven: {driven}. Taken off from the far end, where they leave the rest moving as before:"),
+            Lang::Zh => format!("原动件为{driven}。由远离原动件处开始，依次拆下："),
+        })));
+        let members = given.from_the_far_end().map(|g| Phrase::of_words(&group_words(&given.scene, &given.mechanism, g, self.lang())));
+        blocks.push(Block::List { numbered: true, members: members.collect() });
+        let (style, notation) = (&self.options.style, &self.options.notation);
+        let figure = groups::figure(self.scene, self.worked, style, notation, self.lang());
+        blocks.push(Block::Figure { name: "groups", figure: Box::new(figure) });
+        blocks.push(Block::Paragraph(Phrase::of_words(&match self.lang() {
+            Lang::En => {
+                format!("What is left is driven with the ground. The highest class of a group is that of the mechanism: class {highest}.")
+            }
+            Lang::Zh => format!("最后剩下原动件和机架。机构的级别取决于杆组的最高级别：{highest}级机构。"),
+        })));
+        let others: Vec<&ForDrivers> = counted.survey.choices.iter().filter(|c| !c.given).collect();
+        if others.is_empty() {
+            return;
+        }
+        blocks.push(self.heading(2, "Other drivers", "换用其他原动件"));
+        let head = [self.tr("driver", "原动件"), self.tr("class", "机构级别"), self.tr("groups from the far end", "由远端拆下的杆组")];
+        let mut rows = vec![head.map(Phrase::new).to_vec()];
+        for c in others {
+            let cells = [self.driven(c), class(c, self.lang()).to_owned(), kinds(c, self.lang())];
+            rows.push(cells.iter().map(|c| Phrase::of_words(c)).collect());
+        }
+        blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
+    }
+
+    /// What drivers move: `link 2`, `the slider at C`.
+    fn driven(&self, choice: &ForDrivers) -> String {
+        let scene = &choice.scene;
+        let link = |l: LinkId| format!("{} {}", self.tr("link", "构件"), scene.link_name(l));
+        let one = |d: &Driver| match (&d.kind, self.lang()) {
+            (DriverKind::Turn { link: l, against, .. }, _) if *against == scene.ground => link(*l),
+            (DriverKind::Turn { link: l, against, .. }, Lang::En) => format!("{} against {}", link(*l), link(*against)),
+            (DriverKind::Turn { link: l, against, .. }, Lang::Zh) => format!("{}（相对{}）", link(*l), link(*against)),
+            (DriverKind::Slide { guide, .. }, lang) => match (&scene.guides[guide.0], lang) {
+                (Guide { slider: Some(l), .. }, _) => link(*l),
+                (Guide { pin, .. }, Lang::En) => format!("the pin {} in its slot", pin.map_or("", |p| scene.point_name(p))),
+                (Guide { pin, .. }, Lang::Zh) => format!("槽中的销 {}", pin.map_or("", |p| scene.point_name(p))),
+            },
+            (DriverKind::Cylinder { a, b, .. }, _) => {
+                format!("{} {}{}", self.tr("the cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
+            }
+        };
+        scene.drivers.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
+    }
+}

@@ -1,0 +1,240 @@
+//! Cams whose pivot and follower are carried by a moving link, and cams that are the ground itself with a carrier driven round them: against the same
+//! cam on the ground, against differences of positions, and over a sweep; and what is said where a law has no meaning.
+
+use hodograph::answer::Value;
+use hodograph::mechanism::Mechanism;
+use hodograph::scene::{self, Angle, Scene};
+use hodograph::sweep::{self, Placed, Stations, Width};
+use hodograph::worked::{Scope, work};
+
+/// Angles (rad) and rates of cam and carrier at the instant.
+const CAM: [f64; 3] = [0.0, 3.0, -2.0];
+const ARM: [f64; 3] = [0.4, 1.7, 0.6];
+
+/// A driver's text at a time (s) from the instant.
+fn driver(link: &str, against: &str, start: [f64; 3], t: f64) -> String {
+    let [angle, w, a] = start;
+    let (angle, rate) = (angle + w * t + 0.5 * a * t * t, w + a * t);
+    format!(
+        r#"{{"link": "{link}", "against": "{against}", "angle": "{angle:?} rad", "omega": "{rate:?} rad/s", "alpha": "{a:?} rad/s^2"}}"#
+    )
+}
+
+/// What touches, and the profile.
+fn cam(kind: &str) -> &'static str {
+    match kind {
+        "law slide" => {
+            r#""roller": {"pin": "B", "radius": "9 mm"}, "profile": {"base": "40 mm", "start": "15 deg", "law": [{"dwell": "40 deg"},
+            {"rise": "18 mm", "over": "130 deg", "law": "cycloidal"}, {"dwell": "70 deg"}, {"return": "18 mm", "over": "120 deg", "law": "3-4-5"}]}"#
+        }
+        "law flat" => {
+            r#""face": {}, "profile": {"base": "60 mm", "turns": "clockwise", "law": [{"rise": "12 mm", "over": "130 deg", "law": "harmonic"},
+            {"dwell": "110 deg"}, {"return": "12 mm", "over": "120 deg", "law": "modified-sine"}]}"#
+        }
+        "law swing" => {
+            r#""roller": {"pin": "B", "radius": "9 mm"}, "profile": {"base": "40 mm", "law": [{"dwell": "40 deg"},
+            {"rise": "17 deg", "over": "130 deg", "law": "modified-trapezoidal"}, {"dwell": "70 deg"}, {"return": "17 deg", "over": "120 deg", "law": "4-5-6-7"}]}"#
+        }
+        "arcs slide" => {
+            r#""roller": {"pin": "B", "radius": "9 mm"}, "profile": [{"centre": "O", "radius": "30 mm"}, "tangent", {"centre": "Q", "radius": "14 mm"}, "tangent"]"#
+        }
+        "arcs swing" => {
+            r#""roller": {"pin": "B", "radius": "9 mm"}, "profile": [{"centre": "O", "radius": "30 mm"}, "tangent", {"centre": "Q", "radius": "14 mm"}, "tangent"]"#
+        }
+        "arcs swinging face" => {
+            r#""face": {"through": "P", "cam": "left"}, "profile": [{"centre": "O", "radius": "30 mm"}, {"radius": "70 mm"}, {"centre": "Q", "radius": "4 mm"}, {"radius": "75 mm"}]"#
+        }
+        other => panic!("{other}"),
+    }
+}
+
+const KINDS: [&str; 6] = ["law slide", "law flat", "law swing", "arcs slide", "arcs swing", "arcs swinging face"];
+
+/// On what the cam stands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum On {
+    /// Cam 2 and follower 3 on the ground.
+    Ground,
+    /// On link 4, which turns about G on the ground.
+    Arm,
+    /// Link 4 turns about the cam, which is the ground.
+    Still,
+}
+
+/// The scene at an angle of the cam in its carrier, at a time from the instant.
+fn text(kind: &str, on: On, angle: f64, t: f64, find: &str) -> String {
+    let (slides, face) = (!kind.contains("swing"), kind.ends_with("face"));
+    let carrier = if on == On::Ground { "1" } else { "4" };
+    let guide = match on {
+        On::Ground => r#""through": "T", "angle": "80 deg""#,
+        On::Arm => r#""through": "T", "line": "GH", "angle": "80 deg""#,
+        On::Still => r#""through": "T", "line": "OH", "angle": "80 deg""#,
+    };
+    let guides = if slides { format!(r#""guides": [{{"pin": "B", "slider": "3", "on": "{carrier}", {guide}}}],"#) } else { String::new() };
+    let third = match (slides, face) {
+        (true, _) => "",
+        (false, true) => r#", "3": ["P"]"#,
+        (false, false) => r#", "3": ["P", "B"]"#,
+    };
+    let with = if slides { r#""T""# } else { r#""P""# };
+    let (x, y) = if slides { (6.0, 3.0) } else { (95.0, 10.0) };
+    let name = if slides { "T" } else { "P" };
+    let arm = if slides || face { "" } else { r#", "PB": "75 mm""# };
+    let cam_of = if on == On::Still { "1" } else { "2" };
+    let cam_driver = [angle, CAM[1], CAM[2]];
+    let (links, points, drivers) = match on {
+        On::Ground => (
+            format!(r#""1": ["O", {with}], "2": ["O", "Q"]"#),
+            format!(r#""O": [0, 0], "{name}": ["{x} mm", "{y} mm"]"#),
+            driver("2", "1", cam_driver, t),
+        ),
+        On::Arm => (
+            format!(r#""1": ["G"], "4": ["G", "H", "O", {with}], "2": ["O", "Q"]"#),
+            format!(
+                r#""G": [0, 0], "O": {{"base": "GH", "x": "50 mm", "y": "20 mm"}}, "{name}": {{"base": "GH", "x": "{} mm", "y": "{} mm"}}"#,
+                50.0 + x,
+                20.0 + y
+            ),
+            format!("[{}, {}]", driver("2", "4", cam_driver, t), driver("4", "1", ARM, t)),
+        ),
+        On::Still => (
+            format!(r#""1": ["O", "Q"], "4": ["O", "H", {with}]"#),
+            format!(r#""O": [0, 0], "Q": ["35 mm", 0], "{name}": {{"base": "OH", "x": "{x} mm", "y": "{y} mm"}}"#),
+            // The cam turns in its carrier against the carrier's own sense.
+            driver("4", "1", [-angle, -CAM[1], -CAM[2]], t),
+        ),
+    };
+    let mut lengths: Vec<&str> = Vec::new();
+    lengths.extend((on == On::Arm).then_some(r#""GH": "200 mm""#));
+    lengths.extend((on == On::Still).then_some(r#""OH": "120 mm""#));
+    lengths.extend((on != On::Still).then_some(r#""OQ": "35 mm""#));
+    let side = if slides || face { "" } else { r#""side": {"B": "right of PO"},"# };
+    format!(
+        r#"{{"links": {{{links}{third}}}, "ground": "1", "points": {{{points}}}, "lengths": {{{}{arm}}}, {guides} {side}
+        "cams": [{{"cam": "{cam_of}", "follower": "3", {}}}], "driver": {drivers}, "find": [{find}]}}"#,
+        lengths.join(", "),
+        cam(kind)
+    )
+}
+
+fn read(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Scene {
+    let text = text(kind, on, angle, t, find);
+    scene::read(&text).unwrap_or_else(|f| panic!("{kind} {on:?} at {angle}: {f}\n{text}")).value
+}
+
+/// All answers, by the loop equations, and as drawn.
+fn answers(kind: &str, on: On, angle: f64, t: f64, find: &str) -> Vec<f64> {
+    let scene = read(kind, on, angle, t, find);
+    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{kind} {on:?} at {angle}: {f}")).value;
+    assert!(worked.unanswered.is_empty(), "{kind} {on:?} at {angle}");
+    for r in &worked.results {
+        assert!(r.agreement.is_none_or(|a| a.holds()), "{kind} {on:?} at {angle}: {}", scene.find[r.find].text);
+    }
+    let numbers = |v: Value| match v {
+        Value::Scalar(s) => vec![s],
+        Value::Vector(v) => vec![v.x, v.y],
+        Value::Point(p) => vec![p.x, p.y],
+    };
+    worked.results.iter().flat_map(|r| numbers(r.computed)).collect()
+}
+
+/// The point whose motion is looked at.
+fn point(kind: &str) -> &'static str {
+    if kind.ends_with("face") { "W" } else { "B" }
+}
+
+/// In its carrier a follower moves as on the ground.
+#[test]
+fn a_carried_follower_swings_in_its_carrier_as_on_the_ground() {
+    for kind in KINDS.into_iter().filter(|k| k.contains("swing")) {
+        for k in 0..12 {
+            let angle = 0.05 + 0.5 * k as f64;
+            let still = answers(kind, On::Ground, angle, 0.0, r#""omega_3", "alpha_3""#);
+            for on in [On::Arm, On::Still] {
+                let carried = answers(kind, on, angle, 0.0, r#""omega_3/4", "alpha_3/4""#);
+                for (a, b) in still.iter().zip(&carried) {
+                    assert!((a - b).abs() < 1e-11 * a.abs().max(1.0), "{kind} {on:?} at {angle}: {still:?} {carried:?}");
+                }
+            }
+        }
+    }
+}
+
+/// Velocities and accelerations are what differences of positions make.
+#[test]
+fn carried_followers_move_as_differences_say() {
+    let h = 1e-4;
+    for kind in KINDS {
+        for on in [On::Arm, On::Still] {
+            for k in 0..12 {
+                let angle = 0.05 + 0.5 * k as f64;
+                let p = point(kind);
+                let exact = answers(kind, on, angle, 0.0, &format!(r#""v_{p}", "a_{p}""#));
+                let at = |t: f64| answers(kind, on, angle, t, &format!(r#""x_{p}", "y_{p}""#));
+                let (low, now, high) = (at(-h), at(0.0), at(h));
+                for i in 0..2 {
+                    let v = (high[i] - low[i]) / (2.0 * h);
+                    let a = (high[i] - 2.0 * now[i] + low[i]) / (h * h);
+                    assert!((v - exact[i]).abs() < 1e-6, "{kind} {on:?} at {angle}: {v} {exact:?}");
+                    assert!((a - exact[2 + i]).abs() < 1e-4, "{kind} {on:?} at {angle}: {a} {exact:?}");
+                }
+            }
+        }
+    }
+}
+
+/// A sweep over the cam's driver, from piece to piece, says what each pose says.
+#[test]
+fn sweeps_of_carried_cams_say_what_each_pose_says() {
+    for kind in KINDS {
+        let p = point(kind);
+        let find = format!(r#""v_{p}", "a_{p}""#);
+        for on in [On::Ground, On::Arm, On::Still] {
+            let swept = read(kind, on, 0.3, 0.0, &find).over_a_turn();
+            assert_eq!(swept.kept_cams().count(), 0, "{kind} {on:?}");
+            let mechanism = Mechanism::new(&swept).unwrap().value;
+            let placed = Placed::new(&swept, &mechanism).unwrap_or_else(|f| panic!("{kind} {on:?}: {f}"));
+            let way = if on == On::Still { -1.0 } else { 1.0 };
+            let stations = Stations::turned(Angle::Deg(2.0), Angle::Deg(362.0), 20);
+            let table = sweep::run(&placed, 0, &stations, Width::Widest).unwrap();
+            assert_eq!(table.rows(), 21, "{kind} {on:?}: {:?}", table.notes);
+            for k in 0..21 {
+                let angle = (2.0 + 18.0 * k as f64).to_radians() * way;
+                let exact = answers(kind, on, angle, 0.0, &find);
+                let row: Vec<f64> = table.columns.iter().skip(1).map(|c| c.values[k]).collect();
+                // Behind the driver: v_B.x, v_B.y, v_B, a_B.x, ...
+                for (got, exact) in [row[0], row[1], row[3], row[4]].into_iter().zip(exact) {
+                    assert!((got - exact).abs() < 1e-9 * exact.abs().max(1e-2), "{kind} {on:?} row {k}: {got} {exact}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_law_without_a_carrier_says_why_it_has_no_meaning() {
+    let whole = text("law slide", On::Arm, 0.3, 0.0, "\"v_B\"");
+    let cases = [
+        // The follower slides on the ground, the cam turns on the arm.
+        (
+            r#""on": "4", "through": "T", "line": "GH", "angle": "80 deg""#,
+            r#""on": "1", "through": [0, 0], "angle": "80 deg""#,
+            "no link carries both",
+        ),
+        (r#""against": "4""#, r#""against": "1""#, "no driver turns cam"),
+        (r#""line": "GH", "angle": "80 deg""#, r#""angle": "80 deg""#, "not a straight one that is fixed"),
+        (r#""T": {"base": "GH", "x": "56 mm", "y": "23 mm"}"#, r#""T": {"base": "GO", "x": "56 mm", "y": "23 mm"}"#, "not told"),
+    ];
+    for (from, to, said) in cases {
+        assert!(whole.contains(from), "{from}");
+        let changed = whole.replacen(from, to, 1);
+        match scene::read(&changed) {
+            Ok(_) => assert!(said.is_empty(), "{to} is taken"),
+            Err(faults) => {
+                let all = faults.list.iter().map(|d| d.message.en.clone()).collect::<Vec<_>>();
+                assert!(!said.is_empty() && all.iter().any(|m| m.contains(said)), "{to}: {all:?}");
+                assert!(faults.list.iter().all(|d| !d.message.zh.is_empty()));
+            }
+        }
+    }
+}

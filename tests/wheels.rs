@@ -1,0 +1,191 @@
+//! Wheels that only repeat what others do 虚约束: further planets, further wheels of a cart, two gear pairs of one ratio; and those that nearly do, that
+//! hold in one pose only, and that lock.
+
+use hodograph::answer::Value;
+use hodograph::diag::{Diagnostic, Faults, Severity};
+use hodograph::mechanism::{Mechanism, Opened, Survey};
+use hodograph::position::redundant::{Reason, Verdict, check};
+use hodograph::report::mobility;
+use hodograph::scene::{self, Scene};
+use hodograph::worked::{Scope, Worked, work};
+
+fn read(text: &str) -> Scene {
+    scene::read(text).unwrap_or_else(|f| panic!("{f}\n{text}")).value
+}
+
+fn errors(f: &Faults) -> Vec<&'static str> {
+    f.list.iter().filter(|d| d.severity == Severity::Error).map(|d| d.code).collect()
+}
+
+fn scalar(scene: &Scene, worked: &Worked, find: &str) -> f64 {
+    let i = scene.find.iter().position(|f| f.text == find).unwrap();
+    match worked.results.iter().find(|r| r.find == i).unwrap_or_else(|| panic!("{find}")).computed {
+        Value::Scalar(s) => s,
+        other @ (Value::Vector(_) | Value::Point(_)) => panic!("{find} = {other:?}"),
+    }
+}
+
+fn agree(scene: &Scene, worked: &Worked) {
+    assert!(worked.unanswered.is_empty());
+    for r in &worked.results {
+        assert!(r.agreement.is_none_or(|a| a.holds()), "{}: {:?}", scene.find[r.find].text, r.agreement);
+    }
+}
+
+/// A sun, a ring and planets of these radii (mm) on circles that leave no play, at even distances.
+fn planetary(planets: &[f64]) -> String {
+    let (sun, ring) = (50.0, 100.0);
+    let (mut on_arm, mut links, mut points, mut gears, mut find) = (String::new(), String::new(), String::new(), Vec::new(), String::new());
+    for (k, r) in planets.iter().enumerate() {
+        let (p, l) = (format!("P{k}"), 4 + k);
+        let (d, angle) = (0.5 * (sun + ring), 0.3 + k as f64 * std::f64::consts::TAU / planets.len() as f64);
+        on_arm.push_str(&format!(r#", "{p}""#));
+        links.push_str(&format!(r#", "{l}": ["{p}"]"#));
+        points.push_str(&format!(r#", "{p}": [{:?}, {:?}]"#, d * angle.cos(), d * angle.sin()));
+        gears.push(format!(r#"{{"links": ["2", "{l}"], "centres": ["O", "{p}"], "radii": ["{:?} mm", "{r:?} mm"]}}"#, d - r));
+        gears.push(format!(r#"{{"links": ["{l}", "1"], "centres": ["{p}", "O"], "radii": ["{r:?} mm", "{:?} mm"], "ring": "1"}}"#, d + r));
+        find.push_str(&format!(r#", "omega_{l}", "alpha_{l}""#));
+    }
+    format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O"], "2": ["O"], "3": ["O"{on_arm}]{links}}}, "ground": "1", "points": {{"O": [0, 0]{points}}},
+        "gears": [{}], "driver": {{"link": "2", "omega": "9 rad/s", "alpha": "6 rad/s^2"}}, "find": ["omega_3", "alpha_3"{find}]}}"#,
+        gears.join(", ")
+    )
+}
+
+#[test]
+fn further_planets_are_solved_and_told() {
+    for count in [2, 3, 4, 5] {
+        let text = planetary(&vec![25.0; count]);
+        let scene = read(&text);
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{count}: {f}"));
+        assert_eq!(worked.value.redundant.len(), count - 1);
+        for r in &worked.value.redundant {
+            assert_eq!((r.verdict, r.positions), (Verdict::Virtual, 5));
+            assert!(matches!(r.reason, Reason::RepeatedPlanets(_)), "{r:?}");
+        }
+        agree(&scene, &worked.value);
+        // Willis: the arm makes a third of the sun's turns, a planet as many as the sun the other way.
+        for (find, exact) in [("omega_3", 3.0), ("alpha_3", 2.0)] {
+            assert!((scalar(&scene, &worked.value, find) - exact).abs() < 1e-12);
+        }
+        for k in 0..count {
+            assert!((scalar(&scene, &worked.value, &format!("omega_{}", 4 + k)) + 9.0).abs() < 1e-12);
+        }
+        let survey = Survey::of(&scene);
+        assert_eq!(survey.counts.freedom(count - 1, survey.local.len()), 1, "{count}: {:?}", survey.counts);
+    }
+}
+
+/// A planet whose ratios are not those of the others.
+#[test]
+fn a_planet_that_nearly_fits_warns_and_another_locks() {
+    for (last, code) in [(25.000001, None), (25.5, Some("locked"))] {
+        let text = planetary(&[25.0, 25.0, last]);
+        match (work(&read(&text), Scope::Questions), code) {
+            (Ok(done), None) => {
+                let warned = |d: &&Diagnostic| d.code == "almost-virtual" && d.severity == Severity::Warning;
+                assert!(done.notes.iter().any(|d| warned(&d)), "{:?}", done.notes);
+            }
+            (Err(faults), Some(code)) => assert_eq!(errors(&faults), [code], "{faults}"),
+            (done, code) => panic!("{last}: {code:?} {:?}", done.map(|_| ())),
+        }
+    }
+}
+
+/// A cart on wheels of these radii (mm) along a line, the axle of the last this much too high.
+fn cart(radii: &[f64], high: f64) -> String {
+    let (mut axles, mut links, mut points, mut rolling, mut find) = (Vec::new(), String::new(), String::new(), Vec::new(), String::new());
+    for (k, r) in radii.iter().enumerate() {
+        let (p, l, last) = (format!("A{k}"), 2 + k, k + 1 == radii.len());
+        axles.push(format!(r#""{p}""#));
+        links.push_str(&format!(r#", "{l}": ["{p}"]"#));
+        points.push_str(&format!(r#", "{p}": [{:?}, {:?}]"#, 130.0 * k as f64, r + if last { high } else { 0.0 }));
+        let wheel = r + if last && high < 0.0 { high } else { 0.0 };
+        rolling.push(format!(r#"{{"wheel": "{l}", "centre": "{p}", "radius": "{wheel:?} mm", "through": [0, 0], "angle": "0 deg"}}"#));
+        find.push_str(&format!(r#", "omega_{l}""#));
+    }
+    format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O"]{links}, "c": [{}]}}, "ground": "1", "points": {{"O": [0, 0]{points}}},
+        "rolling": [{}], "driver": {{"link": "2", "omega": "-2 rad/s", "alpha": "-1 rad/s^2"}}, "find": ["v_A0", "a_A0", "omega_c"{find}]}}"#,
+        axles.join(", "),
+        rolling.join(", ")
+    )
+}
+
+/// The third wheel of a cart touches because its axle keeps it there; its rolling stays.
+#[test]
+fn further_wheels_of_a_cart_touch_by_themselves() {
+    for radii in [&[100.0, 100.0, 100.0][..], &[100.0, 60.0, 80.0], &[50.0, 60.0, 70.0, 80.0]] {
+        let scene = read(&cart(radii, 0.0));
+        let m = Mechanism::new(&scene).unwrap().value;
+        assert_eq!(m.redundant.len(), radii.len() - 2);
+        for r in &m.redundant {
+            assert!(matches!(r.opened, Opened::Guide(g) if scene.guides[g.0].rolling.is_some()), "{r:?}");
+        }
+        for c in check(&scene, &m).unwrap_or_else(|f| panic!("{f}")) {
+            assert_eq!((c.verdict, c.positions), (Verdict::Virtual, 5), "{c:?}");
+            assert!(matches!(c.reason, Reason::ParallelGuides(_)), "{c:?}");
+        }
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{radii:?}: {f}")).value;
+        agree(&scene, &worked);
+        for (k, r) in radii.iter().enumerate() {
+            let omega = scalar(&scene, &worked, &format!("omega_{}", 2 + k));
+            assert!((omega + 2.0 * radii[0] / r).abs() < 1e-12, "{radii:?}: {omega}");
+        }
+        let (survey, checked) = mobility::surveyed(&scene);
+        let json = mobility::json(&scene, &survey, &checked);
+        assert_eq!((json["F"].as_i64(), json["p_virtual"].as_u64()), (Some(1), Some(radii.len() as u64 - 2)), "{json}");
+        let s = &json["substituted"];
+        assert_eq!(3 * s["n"].as_i64().unwrap() - 2 * s["p_l"].as_i64().unwrap(), 1, "{s}");
+    }
+}
+
+/// A last wheel on the top of a round track: in the pose, and to first order, it touches; a little farther on it does not.
+#[test]
+fn a_wheel_on_the_top_of_a_hump_only_shakes() {
+    let text = r#"{"units": {"length": "mm"}, "links": {"1": ["O", "K"], "2": ["A"], "3": ["B"], "4": ["C"], "5": ["A", "B", "C"]}, "ground": "1",
+        "points": {"O": [0, 0], "K": [300, -400], "A": [0, 100], "B": [150, 100], "C": [300, 100]},
+        "rolling": [{"wheel": "2", "centre": "A", "radius": "100 mm", "through": [0, 0], "angle": "0 deg"},
+        {"wheel": "3", "centre": "B", "radius": "100 mm", "through": [0, 0], "angle": "0 deg"},
+        {"wheel": "4", "centre": "C", "radius": "100 mm", "on": "1", "track": "K", "track_radius": "400 mm"}],
+        "driver": {"link": "2", "omega": "-2 rad/s"}, "find": ["v_A"]}"#;
+    assert_eq!(errors(&work(&read(text), Scope::Questions).unwrap_err()), ["shaky"]);
+}
+
+/// Two pairs of gears on the same two shafts: of one ratio the second repeats, of another it locks; so do three gears that mesh in a ring.
+#[test]
+fn gears_side_by_side_repeat_or_lock() {
+    let pair = |second: [u32; 2]| {
+        format!(
+            r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["O", "A"], "2": ["O"], "3": ["A"]}}, "ground": "1", "points": {{"O": [0, 0], "A": [100, 0]}},
+            "gears": [{{"links": ["2", "3"], "centres": ["O", "A"], "teeth": [20, 40]}}, {{"links": ["2", "3"], "centres": ["O", "A"], "teeth": {second:?}}}],
+            "driver": {{"link": "2", "omega": "2 rad/s"}}, "find": ["omega_3"]}}"#
+        )
+    };
+    assert!(work(&read(&pair([30, 60])), Scope::Questions).is_ok_and(|w| w.value.redundant[0].verdict == Verdict::Virtual));
+    assert_eq!(errors(&work(&read(&pair([30, 61])), Scope::Questions).unwrap_err()), ["locked"]);
+    let ring = r#"{"units": {"length": "mm"}, "links": {"1": ["O", "A", "B"], "2": ["O"], "3": ["A"], "4": ["B"]}, "ground": "1",
+        "points": {"O": [0, 0], "A": [100, 0], "B": [50, 80]}, "gears": [{"links": ["2", "3"], "centres": ["O", "A"], "teeth": [20, 20]},
+        {"links": ["3", "4"], "centres": ["A", "B"], "teeth": [20, 20]}, {"links": ["4", "2"], "centres": ["B", "O"], "teeth": [20, 20]}],
+        "driver": {"link": "2", "omega": "2 rad/s"}, "find": ["omega_4"]}"#;
+    assert_eq!(errors(&work(&read(ring), Scope::Questions).unwrap_err()), ["locked"]);
+}
+
+/// Two wheels of a floating arm that mesh while neither is known: answered, as by instantaneous centres, and told why it is not drawn.
+#[test]
+fn wheels_that_wait_for_one_another_are_told() {
+    let text = r#"{"units": {"length": "mm"}, "links": {"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["D", "E"]}, "ground": "1",
+        "points": {"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": [60, 150], "D": [180, 130]},
+        "gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}],
+        "driver": {"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}, "find": ["omega_3", "omega_5", "alpha_5"]}"#;
+    let scene = read(text);
+    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
+    let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{:?}", worked.notes));
+    assert!(note.message.en.contains("3 and 5 roll on one another") && note.help.as_ref().unwrap().en.contains("centres"), "{note:?}");
+    // Against the arm the two turn as their teeth say.
+    let [three, five] = ["omega_3", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
+    let arm = scene::read(text.replace(r#""omega_3", "omega_5", "alpha_5""#, r#""omega_4""#).as_str()).unwrap().value;
+    let arm = scalar(&arm, &work(&arm, Scope::Questions).unwrap().value, "omega_4");
+    assert!((30.0 * (five - arm) + 20.0 * (three - arm)).abs() < 1e-10, "{three} {five} {arm}");
+}
