@@ -14,6 +14,7 @@ pub mod html;
 pub mod markdown;
 mod mistake;
 pub mod pages;
+mod particle;
 mod problem;
 mod results;
 mod solution;
@@ -33,6 +34,7 @@ use crate::worked::Worked;
 
 pub use design::design;
 pub use mistake::find_the_mistake;
+pub use particle::particle;
 
 /// Which sides of a worksheet are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
