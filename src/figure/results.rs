@@ -5,7 +5,7 @@ use crate::answer::Value;
 use crate::centres::{Centre, Centres, Origin, Place, centres};
 use crate::certified::ladder::{Certified, Number, READING_DIGITS, Why};
 use crate::construct::ShownAs;
-use crate::digits::{inked, significant};
+use crate::digits::inked;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, fill};
 use crate::plan::notation::Notation;
@@ -171,7 +171,7 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
 }
 
 /// The drawing of the centres, where one of them is asked.
-fn drawn_centres(scene: &Scene) -> Option<Centres> {
+pub fn drawn_centres(scene: &Scene) -> Option<Centres> {
     let asks = scene.find.iter().any(|f| matches!(f.what, Asked::InstantCentre(_)));
     asks.then(|| centres(scene).ok()).flatten().map(|found| found.value)
 }
@@ -184,24 +184,24 @@ fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
 }
 
 /// How the ruler finds a centre: `23·34 × 12·14`.
-fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
+pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
     let c = by_ruler(found, find)?;
     let told = report_of_centres::Words::new(found, words.lang());
     Some(Label::text(if matches!(c.origin, Some(Origin::Crossing(_))) { told.found_by(c) } else { told.how(c) }))
 }
 
 /// How far the centres that the ruler finds are from those that the velocities of the loop equations tell, as a part of the mechanism's size.
-fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
+pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
     let size = worked.configuration.extent();
     let off = |r: &Outcome| {
         let (Some(Place::At(at)), Value::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else { return None };
         Some(at.distance(p) / (size + p.to_vec2().norm()))
     };
     let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
-    let told = if worst < 1e-15 { "0".to_owned() } else { significant(worst, 1) };
+    let digits = if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
     Some(Phrase::new(&match words.lang() {
-        Lang::En => format!("Centres by lines (figure `centres`) and by the velocities of the loop equations differ by {told}"),
-        Lang::Zh => format!("瞬心：作图（瞬心图）与回路方程的速度相差 {told}"),
+        Lang::En => format!("Centres by lines and by the velocities of the loop equations agree to {digits} digits."),
+        Lang::Zh => format!("瞬心作图与回路方程的速度结果有 {digits} 位数字一致。"),
     }))
 }
 
