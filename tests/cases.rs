@@ -235,7 +235,7 @@ fn the_list_of_cases_is_true() {
     // Of each case its files and the values expected in them.
     let mut found: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     // Those without a mechanism are solved in tests/particle.rs.
-    for file in files().into_iter().chain(files_of("tests/cases/motions")) {
+    for file in files().into_iter().chain(files_of("tests/motions")) {
         let case: Json = serde_json::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
         let centres = case["centres"].as_array().map_or(0, Vec::len);
         let expected = case["expect"].as_array().unwrap().len() + centres;

@@ -24,7 +24,7 @@ fn scalar(text: &str, find: &str) -> f64 {
 /// The cases, each file with what it expects.
 #[test]
 fn cases_of_motions_without_a_mechanism() {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cases/motions");
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/motions");
     let mut seen = 0;
     for file in std::fs::read_dir(folder).unwrap() {
         let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
