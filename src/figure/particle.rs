@@ -337,7 +337,7 @@ impl Maker<'_> {
         let now = place(t)?;
         Ok(match way {
             Way::Line { from, angle, .. } => {
-                let (s, c) = angle.at(t)?.sin_cos();
+                let (s, c) = crate::particle::law::sine_cosine(angle, t)?;
                 let along = Vec2::new(s.0[0], c.0[0]);
                 let value = |k: usize| crate::particle::law::jet(&from[k], t).map(|j| j.0[0] / mu);
                 let start = Point::new(value(0)?, value(1)?);

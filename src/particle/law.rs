@@ -49,7 +49,10 @@ pub fn jet<N: Real>(law: &Law, t: N) -> Result<Jet<N>, Diagnostic> {
 }
 
 /// Sine and cosine of the angle of a law, which may be written in degrees.
-fn sin_cos<N: Real>(law: &Law, t: N) -> Result<(Jet<N>, Jet<N>), Diagnostic> {
+///
+/// # Errors
+/// Where it has no value.
+pub fn sine_cosine<N: Real>(law: &Law, t: N) -> Result<(Jet<N>, Jet<N>), Diagnostic> {
     law.at(t).map(|v| v.sin_cos())
 }
 
@@ -65,7 +68,7 @@ impl Way {
     pub fn at<N: Real>(&self, t: N) -> Result<Pair<N>, Diagnostic> {
         match self {
             Way::Line { from, angle, from_axis, s } => {
-                let ([x, y], s, (sine, cosine)) = (pair(from, t)?, jet(s, t)?, sin_cos(angle, t)?);
+                let ([x, y], s, (sine, cosine)) = (pair(from, t)?, jet(s, t)?, sine_cosine(angle, t)?);
                 let (along, up) = if *from_axis { (sine, cosine) } else { (cosine, sine) };
                 Ok([x + s * along, y + s * up])
             }
@@ -73,7 +76,7 @@ impl Way {
                 let ([x, y], r, s) = (pair(centre, t)?, jet(radius, t)?, jet(s, t)?);
                 let (sine, cosine) = (s / r).sin_cos();
                 let (s0, c0) = match angle {
-                    Some(angle) => sin_cos(angle, t)?,
+                    Some(angle) => sine_cosine(angle, t)?,
                     None => (Jet::from_f64(0.0), Jet::from_f64(1.0)),
                 };
                 Ok([x + r * (cosine * c0 - sine * s0), y + r * (sine * c0 + cosine * s0)])
@@ -135,7 +138,7 @@ impl Turning {
         match self {
             Turning::Law(law) => {
                 let [_, omega, alpha] = jet(law, t)?.0;
-                let (sin, cos) = sin_cos(law, t)?;
+                let (sin, cos) = sine_cosine(law, t)?;
                 Ok(Turn { sin, cos, omega, alpha })
             }
             Turning::Now { angle, omega, alpha } => {
