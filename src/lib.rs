@@ -68,6 +68,7 @@
 //! - [`trains`]: gear trains by Willis' method, from numbers of teeth alone, beside what drawing and analysis say.
 //! - [`attempts`]: wrong solutions: where a known mistake can be made, and what its equations, drawn on the same board, give.
 //! - [`composite`]: composite motion of a point: which moving points and frames serve and why not, the parts of the motion, projections.
+//! - [`particle`]: motions without a mechanism: pursuit, integrated with a bound of its error; a plate that turns in space, in two views.
 //! - [`sweep`]: all positions of a driver: the scene compiled to operations over chunks of positions; limits and extremes of the
 //!   motion; batches of mechanisms.
 //! - [`synthesis`]: from what a linkage is to do to scenes that do it: closed formulas, the construction with ruler and paper, judging by sweeping.
@@ -125,11 +126,12 @@
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
 //! synthesis  diag json digits number geom scene mechanism position sweep
-//! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis
-//! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
-//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts synthesis report figure
+//! particle   diag json digits number geom scene construct
+//! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
+//! figure     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
+//! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure
 //! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified synthesis report figure
-//! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions synthesis report figure worksheet lesson
+//! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
 //! ```
 //!
 //! # What grows
@@ -181,6 +183,7 @@ pub mod figure;
 pub mod gears;
 pub mod inversions;
 pub mod lesson;
+pub mod particle;
 pub mod report;
 pub mod synthesis;
 pub mod trains;

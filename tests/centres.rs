@@ -245,6 +245,21 @@ fn a_stalled_closure_is_told() {
     assert!(told.message.zh.contains("28") && told.message.zh.contains("P13"), "{}", told.message.zh);
 }
 
+/// What opens a stalled closure is drawn: the normals to two velocities of a link cross in its centre.
+#[test]
+fn normals_to_two_velocities_open_a_stalled_closure() {
+    let found = centres(&read(templates::get("double-butterfly").unwrap())).unwrap().value;
+    let (c, [a, b]) = found.list.iter().find_map(|c| Some((c, found.normals(c)?))).expect("one centre is taken from velocities");
+    let centre = c.place.unwrap().point().unwrap();
+    for n in [a, b] {
+        let off = n.velocity.dot(centre - n.at).abs() / (n.velocity.norm() * (centre - n.at).norm());
+        assert!(off < 1e-12, "{off}");
+    }
+    assert_ne!(a.point, b.point);
+    // No other centre needs them.
+    assert_eq!(found.list.iter().filter(|c| found.normals(c).is_some()).count(), 1);
+}
+
 /// Two drivers: what the theorem finds holds always, the rest for the rates that are given.
 #[test]
 fn with_two_drivers_some_centres_rest_on_their_rates() {

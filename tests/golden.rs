@@ -313,6 +313,24 @@ fn pictures_of_motion_look_as_accepted() {
     finish(&failures);
 }
 
+/// Motions without a mechanism, each template in both languages.
+#[test]
+fn motions_look_as_they_are_drawn() {
+    use hodograph::{figure::particle::figures, particle};
+    let mut failures = Vec::new();
+    for name in particle::templates::names() {
+        let problem = particle::read(particle::templates::get(name).unwrap()).unwrap().value;
+        let (solved, drawn) = (particle::solve(&problem).unwrap(), particle::board::draw(&problem).unwrap());
+        for (lang, suffix) in [(Lang::En, "en"), (Lang::Zh, "zh")] {
+            for (_, figure) in figures(&problem, &solved, &drawn, &Style::default(), lang).unwrap() {
+                let drawn = svg::write(&figure).unwrap().value;
+                check_png(&golden("motions", &format!("{name}.{suffix}.png")), &raster::render(&drawn, 110.0).unwrap(), &mut failures);
+            }
+        }
+    }
+    finish(&failures);
+}
+
 /// The gallery shows every template there is.
 #[test]
 fn the_gallery_is_current() {

@@ -46,6 +46,7 @@ const PLATFORM_FUNCTIONS_ALLOWED: &[(&str, &str)] = &[
     ("crates/mechanism/src/position/assemble.rs", "positions in any kind of number; `sin_cos` of the inputs"),
     ("crates/mechanism/src/position/rolling.rs", "phases in any kind of number; `sin_cos` of the inputs"),
     ("crates/mechanism/src/position/shape.rs", "shapes of links in any kind of number; `sin_cos` of the inputs"),
+    ("src/particle/", "laws and ways of points in any kind of number"),
     ("src/effort/truth.rs", "differences in longer numbers"),
     ("src/certified/ladder.rs", "directions in intervals"),
     ("src/certified/steps.rs", "angles of crossings in intervals"),

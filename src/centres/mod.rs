@@ -17,6 +17,7 @@
 
 mod lines;
 mod locate;
+mod normals;
 mod primary;
 mod rounds;
 mod uses;
@@ -24,6 +25,7 @@ mod velocities;
 
 pub use lines::Place;
 pub use locate::{Centre, Origin, Undetermined};
+pub use normals::Normal as ByVelocity;
 pub use primary::{Normal, Primary};
 pub use rounds::{Closure, How, Line, Pair, Step};
 pub use uses::{By, Motion, Speed, Turning, Uses};

@@ -88,6 +88,9 @@ pub enum Command {
         /// That of the synthesis file instead
         #[arg(long)]
         synthesis: bool,
+        /// That of files of motions without a mechanism
+        #[arg(long, conflicts_with = "synthesis")]
+        motions: bool,
     },
 }
 

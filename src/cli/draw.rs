@@ -28,6 +28,9 @@ pub fn run(a: args::Draw) -> Run {
         return super::synth::draw(&a, &style);
     }
     super::synth::no_pick(a.pick)?;
+    if super::particle::is_problem(&a.common.scene) {
+        return super::particle::draw(&a, &style);
+    }
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let drafting = input.pencil(a.drafting.as_deref())?;
     if a.poses > 0 || !a.path.is_empty() {

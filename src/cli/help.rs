@@ -291,6 +291,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("new", "output", "写入这个文件，而不是标准输出"),
     ("templates", "", "列出各模板及其参数"),
     ("schema", "synthesis", "改为综合文件格式的 JSON Schema"),
+    ("schema", "motions", "改为无机构运动文件格式的 JSON Schema"),
     ("schema", "", "输出机构文件格式的 JSON Schema"),
     ("help", "", "显示本说明或某命令的说明"),
 ];

@@ -21,6 +21,7 @@ mod lang;
 mod long;
 mod mobility;
 mod part;
+mod particle;
 mod path;
 mod plan;
 mod readings;
@@ -89,8 +90,9 @@ pub fn main() -> ExitCode {
         Command::Readings(a) => readings::run(a),
         Command::New { template, set, output } => template::new(&template, &set, output.as_deref()),
         Command::Templates => template::list(),
-        Command::Schema { synthesis: true } => files::print(crate::synthesis::schema::schema()),
-        Command::Schema { synthesis: false } => files::print(scene::schema::schema()),
+        Command::Schema { synthesis: true, .. } => files::print(crate::synthesis::schema::schema()),
+        Command::Schema { motions: true, .. } => files::print(crate::particle::schema::schema()),
+        Command::Schema { .. } => files::print(scene::schema::schema()),
     };
     result.unwrap_or_else(Failure::say)
 }
@@ -223,6 +225,9 @@ impl Input {
         scene::language_of(&bytes).into_iter().for_each(lang::take);
         if crate::synthesis::is_task(&bytes) {
             return Err(Failure::input(synth::no_scene(), &name, &source));
+        }
+        if crate::particle::is_problem(&bytes) {
+            return Err(Failure::input(particle::no_scene(), &name, &source));
         }
         match read(&bytes) {
             Ok(Warned { value, .. }) if statement::faults(&value).has_errors() => {
@@ -372,6 +377,9 @@ fn lesson(a: args::Lesson) -> Run {
 }
 
 fn solve(a: args::Solve) -> Run {
+    if particle::is_problem(&a.common.scene) {
+        return particle::solve(&a);
+    }
     let mut input = Input::read(&a.common)?;
     let drafting = input.pencil(a.drafting.as_deref())?;
     let mut worked = input.work(Scope::Questions)?;

@@ -1,13 +1,14 @@
 //! `hodograph new` and `hodograph templates`.
 
 use super::{Failure, Run, files, values};
+use crate::particle::templates as motions;
 use crate::scene::{edit, templates};
 use crate::synthesis::templates as wishes;
 use std::process::ExitCode;
 
 /// Writes a template's scene.
 pub fn new(template: &str, set: &[String], output: Option<&str>) -> Run {
-    let text = match wishes::get(template) {
+    let text = match wishes::get(template).or_else(|| motions::get(template)) {
         Some(text) => values::with_values(set, |values| edit::with_parameters(text, values))?,
         None => {
             templates::get(template).map_err(|d| Failure::argument("TEMPLATE", template, d))?;
@@ -37,6 +38,10 @@ pub fn list() -> Run {
     for name in wishes::names() {
         let title = wishes::title(name);
         out.push_str(&format!("{name} (synthesis · 综合文件)\n    {} · {}\n", title.en, title.zh));
+    }
+    for name in motions::names() {
+        let title = motions::title(name);
+        out.push_str(&format!("{name} (motion without a mechanism · 无机构的运动)\n    {} · {}\n", title.en, title.zh));
     }
     files::print(&out)
 }

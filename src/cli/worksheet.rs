@@ -25,6 +25,9 @@ pub fn run(a: args::Worksheet) -> Run {
         return super::synth::worksheet(&a, style, sides, write);
     }
     super::synth::no_pick(a.pick)?;
+    if super::particle::is_problem(&a.common.scene) {
+        return super::particle::worksheet(&a, style, sides, write);
+    }
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     let worked = input.work(Scope::Figure)?;
     let (lang, notation) = choices(&input.scene, &a.common);

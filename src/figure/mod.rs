@@ -23,6 +23,7 @@ mod inversions;
 mod kutzbach;
 pub mod list;
 pub mod mechanism;
+pub mod particle;
 pub mod path;
 mod plot;
 pub mod polygon;

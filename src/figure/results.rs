@@ -1,6 +1,8 @@
 //! The results: for each question the length measured, the scale, the value with unit and sense; then how far drawing
 //! and loop equations are apart.
 
+use crate::answer::Value;
+use crate::centres::{Centre, Centres, Origin, Place, centres};
 use crate::certified::ladder::{Certified, Number, READING_DIGITS, Why};
 use crate::construct::ShownAs;
 use crate::digits::inked;
@@ -9,8 +11,9 @@ use crate::paper::phrase::{Phrase, fill};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
+use crate::report::centres as report_of_centres;
 use crate::report::drafting::{self, Amount};
-use crate::scene::{Book, Find, Kind, Scene};
+use crate::scene::{Asked, Book, Find, Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 
 use crate::report::amount::{amount, number, sense, symbol};
@@ -82,6 +85,7 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
     };
     let mut rows = Vec::new();
     let mut lines = Vec::new();
+    let centres = drawn_centres(scene);
     for line in by_question(worked, certified) {
         let (r, c) = match line {
             Line::Answer(r, c) => (r, c),
@@ -112,7 +116,16 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         let value = r.value();
         // Where nothing moves there is no polygon to measure.
         let nothing = worked.construction.is_empty(find.what.level());
-        let measured = if nothing || column.is_some_and(|c| !c.1) { None } else { measured(&scene.book, r, c, find, words) };
+        let by_lines = || by_lines(centres.as_ref()?, find, words);
+        let measured = if column.is_some_and(|c| !c.1) {
+            None
+        } else if let Some(read) = by_lines() {
+            Some(read)
+        } else if nothing {
+            None
+        } else {
+            measured(&scene.book, r, c, find, words)
+        };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
             None => [None, None],
@@ -137,6 +150,9 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
     items.extend(grid::set(&[Row { cells: vec![Some(heading)], height_mm: -HEADING_MM }], 0.0));
     let others = pencil(answers).into_iter().chain(remarks(answers)).enumerate();
     lines.extend(others.map(|(k, remark)| ("remark", format!("remark-{}", k + 1), remark)));
+    lines.extend(
+        centres.as_ref().and_then(|found| crossings_agree(found, scene, worked, words)).map(|text| ("agreement", "centres".into(), text)),
+    );
     lines.extend(agreement(worked, words).map(|text| ("agreement", "agreement".into(), text)));
     let mut below = rows.len() as f64 * ROW_MM + 1.1 * ROW_MM;
     for (class, id, line) in lines {
@@ -152,6 +168,41 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         }
     }
     drawing::Part::of(items)
+}
+
+/// The drawing of the centres, where one of them is asked.
+pub fn drawn_centres(scene: &Scene) -> Option<Centres> {
+    let asks = scene.find.iter().any(|f| matches!(f.what, Asked::InstantCentre(_)));
+    asks.then(|| centres(scene).ok()).flatten().map(|found| found.value)
+}
+
+/// The centre that a question asks for, if the ruler finds it: by its pair, or by two lines.
+fn by_ruler<'a>(found: &'a Centres, find: &Find) -> Option<&'a Centre> {
+    let Asked::InstantCentre(q) = find.what else { return None };
+    let c = found.of(q.links[0].0, q.links[1].0)?;
+    matches!(c.origin, Some(Origin::Pair | Origin::Crossing(_))).then_some(c)
+}
+
+/// How the ruler finds a centre: `23·34 × 12·14`.
+pub fn by_lines(found: &Centres, find: &Find, words: &Words) -> Option<Label> {
+    let c = by_ruler(found, find)?;
+    let told = report_of_centres::Words::new(found, words.lang());
+    Some(Label::text(if matches!(c.origin, Some(Origin::Crossing(_))) { told.found_by(c) } else { told.how(c) }))
+}
+
+/// How far the centres that the ruler finds are from those that the velocities of the loop equations tell, as a part of the mechanism's size.
+pub fn crossings_agree(found: &Centres, scene: &Scene, worked: &Worked, words: &Words) -> Option<Phrase> {
+    let size = worked.configuration.extent();
+    let off = |r: &Outcome| {
+        let (Some(Place::At(at)), Value::Point(p)) = (by_ruler(found, &scene.find[r.find])?.place, r.computed) else { return None };
+        Some(at.distance(p) / (size + p.to_vec2().norm()))
+    };
+    let worst = worked.results.iter().filter_map(off).reduce(f64::max)?;
+    let digits = if worst < 1e-15 { 15 } else { (-libm::ceil(libm::log10(worst))).max(0.0) as usize };
+    Some(Phrase::new(&match words.lang() {
+        Lang::En => format!("Centres by lines and by the velocities of the loop equations agree to {digits} digits."),
+        Lang::Zh => format!("瞬心作图与回路方程的速度结果有 {digits} 位数字一致。"),
+    }))
 }
 
 /// A cell of the list.

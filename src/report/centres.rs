@@ -3,7 +3,8 @@
 use crate::answer::Value;
 use crate::centres::{By, Centre, Centres, How, Line, Motion, Origin, Pair, Place, Primary, Speed, Turning, omega, velocity};
 use crate::digits::{direction_degrees, significant};
-use crate::paper::phrase::{fill, tr};
+use crate::paper::phrase::{Phrase, fill, tr};
+use crate::plan::names::name_label;
 use crate::scene::{GuidePath, Kind, Lang, LinkId, Scene};
 use unicode_width::UnicodeWidthStr;
 
@@ -142,19 +143,34 @@ impl<'a> Words<'a> {
             (How::Lines(_), Some(Origin::Velocities)) => {
                 tr(self.lang, "velocities, as its lines coincide", "速度（所作的线重合）").to_owned()
             }
-            (How::Velocities, Some(Origin::Velocities)) => tr(self.lang, "velocities of the analysis", "解析法的速度").to_owned(),
+            (How::Velocities, Some(Origin::Velocities)) => {
+                let how = tr(self.lang, "velocities of the analysis", "解析法的速度");
+                self.normals(c).map_or_else(
+                    || how.to_owned(),
+                    |normals| format!("{how}{}{}", tr(self.lang, ", ", "，"), Phrase::new(&normals).plain()),
+                )
+            }
             (_, Some(Origin::Pair) | None) => "–".to_owned(),
         };
         format!("{how}{given}")
     }
 
-    /// How a centre that is not of a pair is found, in a few words for a list: `23·34 × 12·14`.
+    /// How a centre that is not of a pair is found, in a few words for a list, symbols between dollar signs: `23·34 × 12·14`.
     pub fn found_by(&self, c: &Centre) -> String {
         match c.origin {
             Some(Origin::Crossing([a, b])) => format!("{} × {}", self.line(c.step.pair, a), self.line(c.step.pair, b)),
-            Some(Origin::Velocities) => tr(self.lang, "from velocities", "由速度求得").to_owned(),
+            Some(Origin::Velocities) => self.normals(c).unwrap_or_else(|| tr(self.lang, "from velocities", "由速度求得").to_owned()),
             Some(Origin::Pair) | None => "–".to_owned(),
         }
+    }
+
+    /// The two velocities whose normals give a centre that the theorem does not find.
+    fn normals(&self, c: &Centre) -> Option<String> {
+        let [a, b] = self.found.normals(c)?.map(|n| name_label(self.scene.point_name(n.point)));
+        Some(match self.lang {
+            Lang::En => format!("normals to $v_{{{a}}}$, $v_{{{b}}}$"),
+            Lang::Zh => format!("$v_{{{a}}}$、$v_{{{b}}}$ 的垂线"),
+        })
     }
 
     fn primary(&self, primary: Primary) -> String {

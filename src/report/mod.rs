@@ -20,6 +20,7 @@ pub mod inversions;
 pub mod limits;
 pub mod math;
 pub mod mobility;
+pub mod particle;
 pub mod plan;
 pub mod plan_json;
 pub mod price;

@@ -15,6 +15,7 @@ pub mod markdown;
 mod mistake;
 mod mobility;
 pub mod pages;
+mod particle;
 mod problem;
 mod results;
 mod solution;
@@ -35,6 +36,7 @@ use crate::worked::Worked;
 pub use design::design;
 pub use mistake::find_the_mistake;
 pub use mobility::mobility;
+pub use particle::particle;
 
 /// Which sides of a worksheet are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use crate::certified::ladder::Why;
 use crate::digits::shortest;
 use crate::figure::label::Label;
 use crate::figure::remarks::{agreement, remarks};
-use crate::figure::results::{Answers, measured, named};
+use crate::figure::results::{Answers, by_lines, crossings_agree, drawn_centres, measured, named};
 use crate::paper::phrase::{Phrase, fill};
 use crate::report::amount::{amount, number, sense, symbol};
 use crate::report::answers::{Line, at_infinity, lines, reason, verdict};
@@ -26,6 +26,7 @@ impl Maker<'_> {
             [self.tr("quantity", "量"), self.tr("measured", "量取"), self.tr("value", "值"), self.tr("sense or direction", "转向或方向")];
         let mut rows = vec![head.map(Phrase::new).to_vec()];
         let mut said = Vec::new();
+        let centres = drawn_centres(scene);
         for line in lines(self.worked, self.certified) {
             let (r, c) = match line {
                 Line::Answer(r, c) => (r, c),
@@ -49,9 +50,11 @@ impl Maker<'_> {
             if let Some(why) = c.why.as_ref().filter(|w| !matches!(w, Why::NextOrder(_))) {
                 said.push(Phrase::new(&fill(words.uncertain, &[("", &format!("${name}$")), ("why", &why.words(self.lang()))])));
             }
+            let by_ruler = centres.as_ref().and_then(|found| by_lines(found, find, words));
+            let read = by_ruler.or_else(|| measured(&scene.book, r, c, find, words));
             rows.push(vec![
                 math(&named(&self.writer(), find, r)),
-                measured(&scene.book, r, c, find, words).map_or(Phrase::default(), |l| of_label(&l)),
+                read.map_or(Phrase::default(), |l| of_label(&l)),
                 math(&amount(&scene.book, find, value, c, digits)),
                 of_label(&sense(find, value, c, words, digits)),
             ]);
@@ -59,6 +62,7 @@ impl Maker<'_> {
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
         let answers = Answers { scene, worked: self.worked, certified: self.certified, notation: self.notation(), words, digits };
         said.extend(remarks(&answers));
+        said.extend(centres.as_ref().and_then(|found| crossings_agree(found, scene, self.worked, words)));
         said.dedup();
         if !said.is_empty() {
             blocks.push(Block::List { numbered: false, members: said });

@@ -76,7 +76,7 @@ pub const ASKED: [(&str, &str); 6] = [
 ];
 
 /// What the gallery shows beside the sheets: title, the command that draws it, the picture.
-pub const SHOWN: [(&str, &str, &str); 21] = [
+pub const SHOWN: [(&str, &str, &str); 23] = [
     ("Dimensions: to draw the mechanism again", "draw --dimensions", "crank-rocker/dimensions.en.png"),
     ("Vectors, positions and the path of a point", "draw --vectors velocity --poses 6 --path S", "offset-slider-crank/overlay.png"),
     ("The groups drawn apart", "mobility -o", "shaper/groups.png"),
@@ -95,6 +95,8 @@ pub const SHOWN: [(&str, &str, &str); 21] = [
     ("Gear trains: Kutzbach's plan", "draw --figure kutzbach", "planetary-gear/kutzbach.en.png"),
     ("Gears with their teeth", "draw --figure gears", "planetary-gear/gears.en.png"),
     ("Composite motion of a point", "draw --figure composite", "turning-plate/composite.en.png"),
+    ("A pursuit with its course", "draw", "motions/pursuit-of-a-ship.en.png"),
+    ("A plate that turns in space, in two views", "draw", "motions/plate-in-space.en.png"),
     ("A wrong solution over the right one", "draw --figure attempts", "flat-face-mistake/attempts.en.png"),
     ("The style for slides", "draw --style slides", "shaper/slides.png"),
     ("The style for a dark room", "draw --style dark", "jansen-leg/dark.png"),
@@ -102,6 +104,9 @@ pub const SHOWN: [(&str, &str, &str); 21] = [
 
 /// Worksheets on mobility: a virtual constraint; a compound hinge and higher pairs.
 pub const MOBILITY: [&str; 2] = ["third-crank", "planetary-gear"];
+/// Motions without a mechanism.
+pub const MOTIONS: [&str; 4] = ["pursuit", "pursuit-of-a-ship", "plate-in-space", "ring-in-space"];
+
 pub const WORKSHEETS: [&str; 4] = ["crank-rocker", "shaper", "class-iii-six-bar", "pump-jack"];
 
 fn root() -> PathBuf {
@@ -130,6 +135,7 @@ pub fn kept() -> BTreeSet<String> {
     }
     DESIGNS.iter().for_each(|(kind, figure)| in_both("synthesis", &[&format!("{kind}-{figure}.LANG.png")]));
     MOBILITY.iter().for_each(|t| in_both(t, &["mobility.LANG.md", "mobility.LANG.typ", "mobility.LANG.html"]));
+    MOTIONS.iter().for_each(|t| in_both("motions", &[&format!("{t}.LANG.png")]));
     WORKSHEETS.iter().for_each(|t| in_both(t, &["worksheet.LANG.md", "worksheet.LANG.typ", "worksheet.LANG.html"]));
     all.extend(PLANS_AS_JSON.iter().map(|(t, lang)| format!("{t}/plan.{lang}.json")));
     all

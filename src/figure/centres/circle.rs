@@ -10,6 +10,7 @@ use crate::figure::list::Wanted;
 use crate::figure::style::Style;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
+use crate::paper::phrase::Phrase;
 use crate::plan::names::name_label;
 use crate::report::centres::Words;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -143,7 +144,7 @@ fn list(w: &Wanted, found: &Centres, corner: Point) -> Vec<Item> {
         }
         let row = (k - 1) % per_column.max(1);
         let by = if c.step.how == How::Velocities { ": " } else { " = " };
-        let text = Label::math(symbol(w.scene, c.step.pair)).then(Label::text(format!("{by}{}", words.found_by(c))));
+        let text = Label::math(symbol(w.scene, c.step.pair)).then(Phrase::new(&format!("{by}{}", words.found_by(c))).label());
         let base = Point::new(left, corner.y - line * (row as f64 + 1.0));
         let disc = radius_of_badge(style);
         let mut number = badge(style, base + Vec2::new(disc, style.small_mm * 0.25), k);

@@ -10,6 +10,7 @@ use crate::figure::mechanism;
 use crate::figure::place::LabelRequest;
 use crate::figure::symbols as sym;
 use crate::geom::{Point, Vec2};
+use crate::plan::names::name_label;
 use crate::position::Path;
 
 use super::rays::{Paper, Ray, Spot, clipped, holds};
@@ -23,6 +24,8 @@ const EDGE_MM: f64 = 6.0;
 const SAME_MM: f64 = 0.6;
 /// Length of the arrow to a centre at infinity that no line leads to.
 const ARROW_MM: f64 = 16.0;
+/// The longer of two velocities whose normals give a centre.
+const VELOCITY_MM: f64 = 16.0;
 /// How far lines stand back behind the mechanism.
 const LINES: Colour = Colour::grey(120);
 
@@ -37,6 +40,7 @@ pub fn part(w: &Wanted, found: &Centres) -> Part {
     let paper = Paper { found, to_paper: &to_paper, window };
     let mut over = Over { w, found, paper: &paper, d: &mut d, told: vec![false; found.list.len()] };
     over.lines();
+    over.normals();
     over.spots();
     over.far();
     d.finish()
@@ -73,6 +77,28 @@ impl Over<'_, '_> {
         });
         for (ray, owner) in rays.iter().zip(owners) {
             self.arrows(ray, owner);
+        }
+    }
+
+    /// What opens a stalled closure: two velocities of a link, and their normals, which cross in the centre.
+    fn normals(&mut self) {
+        let style = &self.w.options.style;
+        let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
+        for c in &self.found.list {
+            let (Some(two), Some(Spot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
+            let longest = two.iter().map(|n| n.velocity.norm()).fold(0.0, f64::max);
+            for n in two {
+                let at = (self.paper.to_paper)(n.at);
+                self.d.behind(|d| {
+                    d.shape("velocity-normal", "centre normal", Shape::Line { from: at, to: centre, stroke: thin });
+                });
+                let (tip, name) = (at + n.velocity * (VELOCITY_MM / longest), name_label(self.w.scene.point_name(n.point)));
+                let stroke = style.vector;
+                let arrow = Shape::Arrow { from: at, to: tip, stroke, head: style.head };
+                let owner = self.d.shape(&format!("velocity-{name}"), "centre velocity", arrow);
+                let request = LabelRequest::along(Label::math(format!("v_{{{name}}}")), style.small_mm, at, tip, stroke.width_mm / 2.0);
+                self.d.label(&format!("velocity-{name}"), "centre velocity", request.owned(owner));
+            }
         }
     }
 

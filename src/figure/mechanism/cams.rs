@@ -72,6 +72,22 @@ impl Draft<'_> {
         self.scene.cams.iter().find(of).map_or(Vec2::ZERO, |c| tangent * (ROD_MM + self.mm(c.follows.radius().unwrap_or(0.0))))
     }
 
+    /// Of the knife edge of a follower that no joint is at: the direction in which the follower goes on from it.
+    pub(super) fn knife_edge(&self, p: PointId) -> Option<Vec2> {
+        let c = self.scene.cams.iter().find(|c| matches!(c.follows, Follows::Edge(q) if q == p))?;
+        if self.scene.carriers(p).any(|l| l != c.follower) {
+            return None;
+        }
+        let slides = |g: &usize| self.scene.guides[*g].slider == Some(c.follower) && self.scene.guides[*g].pin == Some(p);
+        if let Some(g) = (0..self.scene.guides.len()).find(slides) {
+            let Some(Path::Line { direction, .. }) = self.guide(GuideId(g)) else { return None };
+            return Some(direction);
+        }
+        let at = self.point(p)?;
+        let others = self.scene.links[c.follower.0].points.iter().filter(|q| **q != p);
+        others.filter_map(|q| self.point(*q)).find_map(|q| (q - at).unit())
+    }
+
     pub(super) fn mm(&self, length: f64) -> f64 {
         length / self.worked.construction.diagram.mu_l
     }

@@ -355,6 +355,8 @@ impl<'a> Draft<'a> {
             if self.is_fixed_pivot(p) {
                 let items = sym::fixed_pivot(self.style, at, self.support_side(p));
                 self.d.draw(&format!("pivot-{name}"), "", items);
+            } else if let Some(away) = self.knife_edge(p) {
+                self.d.draw(&format!("edge-{name}"), "knife-edge", vec![sym::wedge(self.style, at, away)]);
             } else if self.is_pin(p) {
                 self.d.draw(&format!("pin-{name}"), "", sym::pin(self.style, at));
             } else if self.is_reference(p) || self.scene.carriers(p).any(|l| self.forms[l.0].is_some()) {

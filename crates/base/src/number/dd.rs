@@ -89,6 +89,12 @@ impl Dd {
     }
 }
 
+impl From<f64> for Dd {
+    fn from(x: f64) -> Dd {
+        Dd::of(x, 0.0)
+    }
+}
+
 impl Add for Dd {
     type Output = Dd;
     #[inline]

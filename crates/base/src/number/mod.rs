@@ -11,12 +11,14 @@ mod big;
 mod dd;
 pub mod decimal;
 mod float;
+pub mod jet;
 #[cfg(test)]
 mod turns;
 
 pub use ball::Ball;
 pub use big::{Big, Kept, within};
 pub use dd::Dd;
+pub use jet::Jet;
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -22,7 +22,7 @@ const MAX_ENTRIES: usize = 5000;
 /// Longest title, in characters: it is one line of a figure, and of half a thousand letters already one of two metres.
 const MAX_TITLE: usize = 500;
 /// Longest statement: some pages, broken into lines word by word.
-const MAX_STATEMENT: usize = 10_000;
+pub(super) const MAX_STATEMENT: usize = 10_000;
 
 /// Decodes a whole file. Faults are collected; what could be read is returned, so that later stages find theirs too.
 ///
@@ -177,7 +177,7 @@ fn words(node: Option<&Node>, what: impl Into<What>, faults: &mut Faults) -> Vec
     items(node, &what, faults).iter().filter_map(|n| word(n, both!("an entry of {}", "{}的一项", what), faults)).collect()
 }
 
-fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
+pub(super) fn localized(node: &Node, what: &'static str, most: usize, faults: &mut Faults) -> Option<RawLocalized> {
     if let Kind::Object(_) = node.kind {
         let f = Fields::open(node, what, keys::TEXT, faults)?;
         let mut text = |key: &str| {

@@ -5,15 +5,16 @@
 
 use super::decode;
 use super::eval::{NoValue, Value, evaluate};
-use super::expr::Expr;
+use super::expr::{Expr, ExprKind};
 use super::model::{Lang, Localized, Paper};
 use super::raw::{RawQuantity, RawScene};
 use super::resolve;
 use super::units::{Dim, Wanted};
 use super::values::Values;
-use crate::diag::{Diagnostic, Faults, both};
+use crate::diag::{Both, Diagnostic, Faults, Span, both};
 use crate::json::Node;
 use crate::json::fields::What;
+use crate::number::{Jet, Real};
 
 /// The keys of a front.
 pub const KEYS: [&str; 6] = ["title", "parameters", "units", "paper", "language", "notation"];
@@ -73,6 +74,28 @@ impl<'a> Front<'a> {
         self.values.curve(&quantity, variable).map_err(|d| faults.push(d)).ok()
     }
 
+    /// A law of time: an expression in `t` and the parameters, whose value at the instant `t` (s) is of the wanted kind.
+    pub fn law(&self, node: &Node, wanted: Wanted, t: f64, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
+        let quantity = decode::quantity(node, what, faults)?;
+        self.values.law(&quantity, wanted, t).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
+    }
+
+    /// A time; a law that does not depend on itself.
+    pub fn time(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<Law> {
+        let quantity = decode::quantity(node, what, faults)?;
+        self.values.time(&quantity).map_err(|d| d.into_iter().for_each(|d| faults.push(d))).ok()
+    }
+
+    /// A text, or one in each language.
+    pub fn localized(&self, node: &Node, what: &'static str, faults: &mut Faults) -> Option<Localized> {
+        resolve::localized(&decode::localized(node, what, decode::MAX_STATEMENT, faults))
+    }
+
+    /// The parameters as written: name and value.
+    pub fn parameters(&self) -> Vec<(String, String)> {
+        self.raw.parameters.iter().map(|(name, q)| (name.text.clone(), q.text.clone())).collect()
+    }
+
     /// Warnings about parameters that nothing uses; to be asked when everything has been read.
     pub fn unused(&self) -> Vec<Diagnostic> {
         self.values.unused(&self.raw.parameters)
@@ -107,5 +130,72 @@ impl Curve {
             Err(NoValue::Fault(d)) => Err(Diagnostic { span: None, ..d }),
             Err(NoValue::Reported) => Err(Diagnostic::error("expression", both!("the function has no value", "函数无值"))),
         }
+    }
+}
+
+/// The name of the time in laws.
+pub const TIME: &str = "t";
+
+/// A law of time over the parameters of its file, kept as written: it has a value in any number.
+#[derive(Clone, Debug)]
+pub struct Law {
+    /// As written.
+    pub text: String,
+    pub(super) expr: Expr,
+    /// Names and values of the parameters, in the order of the file: later ones use earlier ones.
+    pub(super) parameters: Vec<(String, Expr)>,
+}
+
+impl Law {
+    fn constant(text: &str, expr: Expr) -> Law {
+        Law { text: text.to_owned(), expr, parameters: Vec::new() }
+    }
+
+    /// Zero.
+    pub fn zero() -> Law {
+        Law::constant("0", Expr { kind: ExprKind::Number("0".to_owned()), span: Span::new(0, 1) })
+    }
+
+    /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
+    ///
+    /// # Errors
+    /// Where it has no value, or no derivative.
+    pub fn at<N: Real>(&self, t: N) -> Result<Value<Jet<N>>, Diagnostic> {
+        let time = Value { number: Jet::variable(t), dim: Dim::TIME, degrees: false };
+        let mut known: Vec<(&str, Value<Jet<N>>)> = vec![(TIME, time)];
+        for (name, expr) in &self.parameters {
+            let value = valued(expr, &known)?;
+            known.push((name, value));
+        }
+        let value = valued(&self.expr, &known)?;
+        // A value that the numbers do not tell is undecided as a whole: who needs it takes longer ones.
+        if value.number.is_decided() || !value.number.0[0].is_decided() {
+            return Ok(value);
+        }
+        let message: Both = both!("`{}` has no derivative at t = {} s", "`{}` 在 t = {} s 处不可导", self.text, t.approx());
+        Err(Diagnostic::error("law", message))
+    }
+
+    /// Whether the time is in it.
+    pub fn depends_on_time(&self) -> bool {
+        mentions(&self.expr)
+    }
+}
+
+fn valued<N: Real>(expr: &Expr, known: &[(&str, Value<Jet<N>>)]) -> Result<Value<Jet<N>>, Diagnostic> {
+    let lookup = |name: &str| known.iter().find(|(n, _)| *n == name).map(|(_, v)| *v);
+    evaluate(expr, &lookup).map_err(|e| match e {
+        NoValue::Fault(d) => d,
+        NoValue::Reported => Diagnostic::error("expression", both!("a parameter has no value", "参数无值")),
+    })
+}
+
+/// Whether the time is in an expression.
+pub(super) fn mentions(e: &Expr) -> bool {
+    match &e.kind {
+        ExprKind::Number(_) | ExprKind::Pi | ExprKind::Unit(_) => false,
+        ExprKind::Parameter(name) => name == TIME,
+        ExprKind::Neg(u) | ExprKind::Call(_, u) => mentions(u),
+        ExprKind::Binary(_, a, b) => mentions(a) || mentions(b),
     }
 }

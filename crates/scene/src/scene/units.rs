@@ -20,6 +20,9 @@ impl Dim {
     /// An angle.
     pub const ANGLE: Dim = Dim::new(0, 0, 1);
 
+    /// A time.
+    pub const TIME: Dim = Dim::new(0, 1, 0);
+
     const fn new(length: i32, time: i32, angle: i32) -> Dim {
         Dim { length, time, angle }
     }

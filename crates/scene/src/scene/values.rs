@@ -6,6 +6,7 @@ use std::collections::{HashMap, HashSet};
 use super::eval::{NoValue, Value, evaluate};
 use super::exact;
 use super::expr::{self, Expr};
+use super::front::{self, Law};
 use super::model::{Angle, Given};
 use super::raw::RawQuantity;
 use super::units::{Dim, Wanted};
@@ -153,6 +154,55 @@ impl<'a> Values<'a> {
         self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
         let parameters = self.names.iter().filter(|n| **n != variable).filter_map(known).collect();
         Ok(super::front::Curve { expr, variable: variable.to_owned(), parameters })
+    }
+
+    /// A law of time: its dimension is looked at where it is wanted. Without the time in it a bare number takes the unit of the table.
+    pub fn law(&self, quantity: &RawQuantity, wanted: Wanted, t: f64) -> Result<Law, Vec<Diagnostic>> {
+        let located = |d: Diagnostic| vec![self.locate(quantity, d)];
+        let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
+        if !law.depends_on_time() {
+            let mut faults = Faults::default();
+            let Some((text, ..)) = self.value(quantity, wanted, &mut faults) else { return Err(faults.list) };
+            return self.unchecked_law(&text, quantity).map_err(located);
+        }
+        let value = law.at(t).map_err(located)?;
+        if value.dim.serves(wanted.dim()) {
+            return Ok(law);
+        }
+        let text = &quantity.text;
+        let message = both!("{} is wanted here, `{text}` is {}", "此处需要{}，`{text}` 是{}", wanted.describe(), value.dim.describe());
+        let d = Diagnostic::error("dimension", message).help(both!("write it in {}", "请以 {} 为单位", wanted.usual_unit()));
+        Err(vec![d.at(quantity.span)])
+    }
+
+    /// A time of the file, kept as written.
+    pub fn time(&self, quantity: &RawQuantity) -> Result<Law, Vec<Diagnostic>> {
+        let located = |d: Diagnostic| vec![self.locate(quantity, d)];
+        let law = self.unchecked_law(&quantity.text, quantity).map_err(located)?;
+        let value = law.at(0.0).map_err(located)?;
+        let zero = value.dim == Dim::NUMBER && value.number.0[0] == 0.0;
+        if value.dim == Dim::TIME && !law.depends_on_time() || zero {
+            return Ok(law);
+        }
+        let message = both!("a time is wanted here, `{}` is {}", "此处需要时间，`{}` 是{}", quantity.text, value.dim.describe());
+        let d = Diagnostic::error("dimension", message).help(both!("write it in s", "请以 s 为单位"));
+        Err(vec![d.at(quantity.span)])
+    }
+
+    fn unchecked_law(&self, text: &str, quantity: &RawQuantity) -> Result<Law, Diagnostic> {
+        let mut names = self.names.clone();
+        if !names.contains(&front::TIME) {
+            names.push(front::TIME);
+        }
+        let expr = expr::parse(text, &names)?;
+        let used = |name: &&str| quantity.text.contains(*name);
+        self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
+        let known = |(k, (name, text)): (usize, &(&str, &str))| {
+            let earlier: Vec<&str> = self.texts[..k].iter().map(|(n, _)| *n).collect();
+            Some(((*name).to_owned(), expr::parse(text, &earlier).ok()?))
+        };
+        let parameters = self.texts.iter().enumerate().filter(|(_, (n, _))| *n != front::TIME).filter_map(known).collect();
+        Ok(Law { text: text.to_owned(), expr, parameters })
     }
 
     /// Whether a parameter is called so.

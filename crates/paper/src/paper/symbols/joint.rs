@@ -50,3 +50,11 @@ pub fn fixed_pivot(style: &Style, at: Point, towards: Vec2) -> Vec<Item> {
     items.extend(pin(style, at));
     items
 }
+
+/// A knife edge: a wedge with its tip at a place, which goes on in a direction.
+pub fn wedge(style: &Style, tip: Point, away: Vec2) -> Item {
+    let (length, half) = (3.2 * style.pin_radius_mm, 1.1 * style.pin_radius_mm);
+    let (back, side) = (tip + away * length, away.perp() * half);
+    let points = vec![tip, back + side, back - side];
+    Item::new("", Shape::Polyline { points, closed: true, stroke: Some(style.outline), fill: Some(Colour::WHITE) })
+}

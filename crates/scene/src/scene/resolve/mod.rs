@@ -233,7 +233,7 @@ pub(super) fn width(quantity: &RawQuantity, source: &str, faults: &mut Faults) -
 }
 
 /// A text given in one language serves for both.
-fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
+pub(super) fn localized(raw: &Option<RawLocalized>) -> Option<Localized> {
     let raw = raw.as_ref()?;
     let text = |word: &Option<Word>| word.as_ref().map(|w| w.text.clone());
     let en = text(&raw.en).or_else(|| text(&raw.zh))?;

@@ -1,0 +1,57 @@
+//! A centre by the normals to two velocities: how a stalled closure is opened on paper.
+
+use super::{Centre, Centres, How, Place};
+use crate::answer::Source;
+use crate::geom::{Point, Vec2};
+use crate::mechanism::Level;
+use crate::scene::PointId;
+
+/// Two velocities nearer to one direction than this (sine) cross badly.
+const SQUARE: f64 = 0.02;
+
+/// A point of the first link of a pair, its place (m), and its velocity against the second (m/s).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Normal {
+    /// The point.
+    pub point: PointId,
+    /// Where it is.
+    pub at: Point,
+    /// Its velocity against the other link; the centre lies on the line square to it.
+    pub velocity: Vec2,
+}
+
+impl Centres {
+    /// Of a centre that the theorem does not find: the two points of one of its links whose velocities cross most squarely.
+    pub fn normals(&self, c: &Centre) -> Option<[Normal; 2]> {
+        if c.step.how != How::Velocities || !matches!(c.place?, Place::At(_)) {
+            return None;
+        }
+        let ground = self.scene.ground;
+        let [moving, against] = if c.step.pair.i == ground { [c.step.pair.j, ground] } else { [c.step.pair.i, c.step.pair.j] };
+        let place = |p: PointId| self.worked.configuration.points[p.0];
+        let velocity = |p: PointId, l| self.worked.solution.vector(Level::Velocity, p, Some(l));
+        let other = self.scene.links[against.0].points.iter().find_map(|p| Some((place(*p)?, velocity(*p, against)?)));
+        let turning = self.worked.solution.turning(Level::Velocity, against).unwrap_or(0.0);
+        let carried = |at: Point| match other {
+            _ if against == ground => Some(Vec2::ZERO),
+            Some((base, v)) => Some(v + (at - base).perp() * turning),
+            None => None,
+        };
+        let of = |p: &PointId| {
+            let at = place(*p)?;
+            let velocity = velocity(*p, moving)? - carried(at)?;
+            velocity.unit().map(|_| Normal { point: *p, at, velocity })
+        };
+        let all: Vec<Normal> = self.scene.links[moving.0].points.iter().filter_map(of).collect();
+        let mut best: Option<(f64, [Normal; 2])> = None;
+        for (k, a) in all.iter().enumerate() {
+            for b in &all[..k] {
+                let square = a.velocity.cross(b.velocity).abs() / (a.velocity.norm() * b.velocity.norm());
+                if square > best.map_or(SQUARE, |(most, _)| most) {
+                    best = Some((square, [*b, *a]));
+                }
+            }
+        }
+        best.map(|(_, pair)| pair)
+    }
+}

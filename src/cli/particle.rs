@@ -1,0 +1,169 @@
+//! Files of motions without a mechanism: `solve`, `draw` and `worksheet` take them as they take scenes.
+
+use super::together::Together;
+use super::values::Format;
+use super::worksheet::{Writer, stem};
+use super::{Failure, Run, args, draw, edit, files, lang, values};
+use crate::diag::{Diagnostic, Faults, Warned, both};
+use crate::figure::fit;
+use crate::figure::item::Figure;
+use crate::figure::particle as figure;
+use crate::figure::sheet;
+use crate::figure::style::Style;
+use crate::particle::board::Drawn;
+use crate::particle::{self, Problem, Solved, Value, board};
+use crate::render::pdf;
+use crate::report::particle as report;
+use crate::scene::{self, Lang};
+use crate::worksheet::{Options, Sides};
+use std::path::Path;
+use std::process::ExitCode;
+
+/// A file, read and solved.
+struct Input {
+    name: String,
+    source: String,
+    problem: Problem,
+    solved: Solved,
+    board: Vec<Drawn>,
+    notes: Vec<Diagnostic>,
+}
+
+/// Whether a file that can be looked at is one of motions without a mechanism.
+pub fn is_problem(path: &str) -> bool {
+    files::scene(path).is_ok_and(|(_, bytes)| particle::is_problem(&bytes))
+}
+
+/// What a command on scenes says of such a file.
+pub fn no_scene() -> Diagnostic {
+    let d = Diagnostic::error(
+        "not-a-scene",
+        both!("this file has motions without a mechanism: there are no links", "此文件是无机构的运动：没有构件"),
+    );
+    d.help(both!("`solve`, `draw` and `worksheet` take it", "请用 `solve`、`draw`、`worksheet`"))
+}
+
+impl Input {
+    fn read(common: &args::Common) -> Result<Input, Failure> {
+        let path = common.scene.as_str();
+        let (name, mut bytes) = files::scene(path).map_err(|d| Failure::input(d, path, ""))?;
+        // A text that cannot be changed has a fault, which the reader tells with its place.
+        if let Ok(text) = std::str::from_utf8(&bytes)
+            && edit::with_parameters(text, &[]).is_ok()
+        {
+            bytes = values::with_values(&common.set, |values| edit::with_parameters(text, values))?.into_bytes();
+        }
+        let source = String::from_utf8_lossy(&bytes).into_owned();
+        scene::language_of(&bytes).into_iter().for_each(lang::take);
+        let failed = |f: Faults| Failure::input(f, &name, &source);
+        let Warned { value: problem, notes } = particle::read(&bytes).map_err(failed)?;
+        let solved = particle::solve(&problem).map_err(failed)?;
+        let board = board::draw(&problem).map_err(|d| failed(d.into()))?;
+        Ok(Input { name, source, problem, solved, board, notes })
+    }
+
+    fn lang(&self) -> Lang {
+        lang::asked().or(self.problem.language).unwrap_or_default()
+    }
+
+    fn failed(&self, faults: impl Into<Faults>) -> Failure {
+        Failure::input(faults.into(), &self.name, &self.source)
+    }
+
+    fn say(&self, more: Vec<Diagnostic>) {
+        let list = self.notes.iter().cloned().chain(more).collect();
+        files::say_faults(&Faults { list }, &self.name, &self.source);
+    }
+
+    /// 3 where drawing and analysis disagree, 4 where an answer does not exist, else 0.
+    fn verdict(&self) -> ExitCode {
+        let off = |a: &particle::Answer| {
+            let drawn = report::drawn(&self.board, self.problem.find[a.find].what);
+            let size = report::largest(&self.problem, &self.solved, self.problem.find[a.find].what);
+            drawn.and_then(|d| report::apart(&a.value, d, size)).is_some_and(|off| off > 1e-9)
+        };
+        if self.solved.answers.iter().any(off) {
+            return ExitCode::from(3);
+        }
+        let none = self.solved.answers.iter().any(|a| matches!(a.value, Value::None(_)));
+        if none { ExitCode::from(4) } else { ExitCode::SUCCESS }
+    }
+}
+
+/// Refuses an option that is of scenes.
+fn not_of_these(option: &str) -> Failure {
+    let d = Diagnostic::error(
+        "not-a-scene",
+        both!("{option} is of mechanisms, and this file has none", "{option} 只用于机构，而此文件没有机构"),
+    );
+    Failure::argument(option, "", d.help(both!("leave {option} out", "请去掉 {option}")))
+}
+
+/// The answers.
+pub fn solve(a: &args::Solve) -> Run {
+    if a.drafting.is_some() {
+        return Err(not_of_these("--drafting"));
+    }
+    let input = Input::read(&a.common)?;
+    if a.json {
+        files::print(&format!("{:#}\n", report::json(&input.problem, &input.solved, &input.board, a.digits, &input.notes)))?;
+        return Ok(input.verdict());
+    }
+    files::print(&report::text(&input.problem, &input.solved, &input.board, a.digits, a.steps, input.lang()))?;
+    input.say(Vec::new());
+    Ok(input.verdict())
+}
+
+/// The figures.
+pub fn draw(a: &args::Draw, style: &Style) -> Run {
+    for (given, option) in
+        [(a.steps, "--steps"), (a.drafting.is_some(), "--drafting"), (a.poses > 0, "--poses"), (!a.path.is_empty(), "--path")]
+    {
+        if given {
+            return Err(not_of_these(option));
+        }
+    }
+    let input = Input::read(&a.common)?;
+    let mut figures: Vec<(String, Figure)> =
+        figure::figures(&input.problem, &input.solved, &input.board, style, input.lang()).map_err(|d| input.failed(d))?;
+    if let Some(width_mm) = draw::width(a)? {
+        figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| input.failed(f))?;
+    }
+    let mut notes = Vec::new();
+    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
+        let pages: Vec<Figure> = figures.into_iter().map(|f| f.1).collect();
+        let file = pdf::pdf(&pages).map_err(|f| input.failed(f))?;
+        files::write(Path::new(&a.output), &file.value)?;
+        files::print_names(&format!("{}\n", a.output))?;
+        notes.extend(file.notes);
+    } else {
+        let targets = draw::names(a, &input.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
+        let (mut all, mut written) = (Together::default(), String::new());
+        for ((_, figure), targets) in figures.iter().zip(targets) {
+            for (format, path) in targets {
+                let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| input.failed(f))?;
+                notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+                all.add(&path, &value)?;
+                written += &format!("{}\n", path.display());
+            }
+        }
+        all.appear()?;
+        files::print_names(&written)?;
+    }
+    input.say(notes);
+    Ok(input.verdict())
+}
+
+/// Problem and solution.
+pub fn worksheet(a: &args::Worksheet, style: Style, sides: Sides, write: Writer) -> Run {
+    if a.find_the_mistake.is_some() {
+        return Err(not_of_these("--find-the-mistake"));
+    }
+    let input = Input::read(&a.common)?;
+    let options = Options { sheet: sheet::Options { style, digits: a.digits, ..sheet::Options::of_language(input.lang()) }, sides };
+    let document = crate::worksheet::particle(&input.problem, &input.solved, &input.board, &options).map_err(|d| input.failed(d))?;
+    let written = write(&document, stem(&a.output)).map_err(|f| input.failed(f))?;
+    let notes = written.appear(&a.output)?;
+    input.say(notes);
+    Ok(input.verdict())
+}

@@ -1,0 +1,82 @@
+//! What can be asked of a motion without a mechanism, and how it is written.
+
+use super::plate::Part;
+use super::{Kind, Problem};
+use crate::diag::{Diagnostic, Span, both};
+use crate::json::fields::suggest;
+
+/// A question.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Find {
+    /// As written.
+    pub text: String,
+    /// Its meaning.
+    pub what: Asked,
+}
+
+/// What is asked; points by the place of their motion in the list.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// `T_AB`: when pursuer and target meet.
+    MeetingTime(usize),
+    /// `P_AB`: where they meet.
+    MeetingPlace(usize),
+    /// `l_AB`: their distance at the instant.
+    Distance(usize),
+    /// `omega_AB`: the rate of turning of the line from pursuer to target.
+    LineOmega(usize),
+    /// `r_A`: the place.
+    Place(usize),
+    /// `v_A`.
+    Velocity(usize),
+    /// `a_A`.
+    Acceleration(usize),
+    /// `rho_A`: radius of curvature of the path.
+    Curvature(usize),
+    /// `ve_M` and the like, of a point on a plate.
+    Part(usize, Part),
+}
+
+/// All questions of a problem with their texts, those that say most first.
+pub fn all(problem: &Problem) -> Vec<Find> {
+    let mut out: Vec<Find> = Vec::new();
+    let mut add = |text: String, what: Asked| out.push(Find { text, what });
+    for (k, m) in problem.motions.iter().enumerate() {
+        let name = &m.point;
+        if let Some((_, target)) = problem.chase(m) {
+            let pair = format!("{name}{target}");
+            add(format!("T_{pair}"), Asked::MeetingTime(k));
+            add(format!("P_{pair}"), Asked::MeetingPlace(k));
+            add(format!("l_{pair}"), Asked::Distance(k));
+            add(format!("omega_{pair}"), Asked::LineOmega(k));
+        }
+        add(format!("r_{name}"), Asked::Place(k));
+        add(format!("v_{name}"), Asked::Velocity(k));
+        add(format!("a_{name}"), Asked::Acceleration(k));
+        if let Kind::OnPlate(..) = m.kind {
+            for (word, part) in Part::ALL {
+                add(format!("{word}_{name}"), Asked::Part(k, part));
+            }
+        }
+        add(format!("rho_{name}"), Asked::Curvature(k));
+    }
+    out
+}
+
+/// The meaning of a question; a stroke and the number of the plate may stand behind a part (`ak_M/2`).
+pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
+    let known = all(problem);
+    let plain = |f: &&Find| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
+    let framed = |f: &&Find| match f.what {
+        Asked::Part(k, _) => match &problem.motions[k].kind {
+            Kind::OnPlate(plate, _) => text == format!("{}/{}", f.text, problem.plates[*plate].link),
+            Kind::Fixed(_) | Kind::Toward { .. } => false,
+        },
+        _ => false,
+    };
+    if let Some(found) = known.iter().find(plain).or_else(|| known.iter().find(framed)) {
+        return Ok(Find { text: text.to_owned(), what: found.what });
+    }
+    let d = Diagnostic::error("unknown-question", both!("`{text}` is no quantity of this file", "`{text}` 不是此文件中的量")).at(span);
+    Err(d.help(suggest(text, known.iter().map(|f| f.text.as_str()), both!("there are", "有"))))
+}

@@ -1,0 +1,324 @@
+//! The same by ruler and paper, at the instant: places, velocities and accelerations to scale, what is wanted measured.
+//!
+//! Given to the board are places, the laws' speeds and second derivatives along their ways, and the turning of a plate; directions are carried over with
+//! the ruler, lengths measured, turning rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
+//! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used.
+
+use super::ask::Asked;
+use super::law::{Way, jet};
+use super::plate::Part;
+use super::{Kind, Motion, Problem};
+use crate::construct::scale::choose;
+use crate::diag::{Both, Diagnostic, both};
+use crate::digits::significant;
+use crate::geom::{Point, Vec2};
+
+/// Room of a drawing (mm).
+pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
+
+/// A vector drawn: its symbol in the label language, tail and tip (mm).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arrow {
+    /// Its symbol.
+    pub symbol: String,
+    /// Tail.
+    pub from: Point,
+    /// Tip.
+    pub to: Point,
+    /// Whether it is the absolute one, which the others make up.
+    pub whole: bool,
+}
+
+/// The drawing of a motion.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// Which motion.
+    pub motion: usize,
+    /// m, m/s, m/s² for a millimetre.
+    pub mu: [f64; 3],
+    /// What is done, sentence by sentence.
+    pub steps: Vec<Both>,
+    /// What is read: vectors by their components, in SI.
+    pub readings: Vec<(Asked, Vec<f64>)>,
+    /// What is drawn.
+    pub views: Views,
+}
+
+/// The views of a drawing; all coordinates in mm.
+#[derive(Clone, Debug)]
+pub enum Views {
+    /// A pursuer, its target, and the polygons from their poles in the origin.
+    Chase {
+        /// Pursuer and target.
+        places: [Point; 2],
+        /// Velocities.
+        velocities: Vec<Arrow>,
+        /// The foot of the perpendicular from b on the line of v_A.
+        foot: Point,
+        /// Accelerations.
+        accelerations: Vec<Arrow>,
+    },
+    /// A plate: seen square to it (to the right: away from the axis, up: along it) and along its axis.
+    Plate {
+        /// The point in both views.
+        places: [Point; 2],
+        /// The direction of the plate in the view along the axis.
+        along: Vec2,
+        /// Velocities in both views, from the point.
+        velocities: [Vec<Arrow>; 2],
+        /// Accelerations in both views, from the point.
+        accelerations: [Vec<Arrow>; 2],
+    },
+}
+
+/// Draws all motions that have something to draw: chases and points on plates.
+///
+/// # Errors
+/// Laws without a value.
+pub fn draw(problem: &Problem) -> Result<Vec<Drawn>, Diagnostic> {
+    let mut out = Vec::new();
+    for (k, m) in problem.motions.iter().enumerate() {
+        match m.kind {
+            Kind::Toward { .. } => out.extend(chase(problem, k, m)?),
+            Kind::OnPlate(..) => out.extend(plate(problem, k, m)?),
+            Kind::Fixed(_) => {}
+        }
+    }
+    Ok(out)
+}
+
+fn mm(x: f64) -> String {
+    significant(x, 4).replace('-', "−")
+}
+
+fn arrow(symbol: &str, from: Point, by: Vec2, whole: bool) -> Arrow {
+    Arrow { symbol: symbol.to_owned(), from, to: from + by, whole }
+}
+
+/// The largest extent of vectors.
+fn most(all: &[Vec2]) -> [f64; 2] {
+    all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())])
+}
+
+fn chase(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
+    let Some((chase, target)) = problem.chase(m) else { return Ok(None) };
+    let t = problem.instant();
+    let Some(here) = super::solve::course(&chase, &[t])?.pop() else { return Ok(None) };
+    let [x, y] = chase.target.at(t)?;
+    let speed = jet(chase.speed, t)?.0;
+    let (b, v_b) = (Point::new(x.0[0], y.0[0]), Vec2::new(x.0[1], y.0[1]));
+    let a = b - Vec2::new(here.d[0], here.d[1]);
+    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(most(&[b - a]), ROOM_MM));
+    let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
+    let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
+    let mu_v = choose(most(&[v_b, along * speed[0]]), ROOM_MM);
+    let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
+    // The perpendicular from b on the line of v_A.
+    let foot = along * along.dot(tip_b);
+    let across = tip_b - foot;
+    let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
+    let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
+    let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
+    let whole = along * a_t + along.perp() * a_n;
+    let mu_a = choose(most(&[whole, along * a_t]), ROOM_MM);
+    let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
+    let velocities =
+        vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true)];
+    let mut accelerations = vec![arrow(&format!("a_{}", m.point), Point::ORIGIN, tip_t + tip_n, true)];
+    if a_t != 0.0 {
+        accelerations.push(arrow("a^t", Point::ORIGIN, tip_t, false));
+        accelerations.push(arrow("a^n", tip_t.to_point(), tip_n, false));
+    }
+    let closing = (tip_a - foot).dot(along) * mu_v;
+    let steps = vec![
+        both!(
+            "The course of {} is integrated; at the instant the line {}{target} measures {} mm",
+            "{} 的轨迹由数值积分得到；此瞬时连线 {}{target} 量得 {} mm",
+            m.point,
+            m.point,
+            mm(arm)
+        ),
+        both!(
+            "Lay off $v_{{{}}}$ along {}{target} from the pole, and $v_{{{target}}}$; the perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm",
+            "自极点沿 {1}{target} 作 $v_{{{0}}}$，再作 $v_{{{target}}}$；由 $v_{{{target}}}$ 的端点向 $v_{{{2}}}$ 作垂线，量得 {3} mm",
+            m.point,
+            m.point,
+            m.point,
+            mm(rate)
+        ),
+        both!(
+            "$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; the distance shrinks by {} m/s",
+            "$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；距离以 {} m/s 减小",
+            m.point,
+            mm(rate),
+            mm(arm),
+            mm(omega),
+            mm(closing)
+        ),
+        both!(
+            "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
+            "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
+            m.point,
+            mm((tip_t + tip_n).norm())
+        ),
+    ];
+    let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
+    let readings = vec![
+        (Asked::Distance(k), vec![arm * mu_l]),
+        (Asked::LineOmega(k), vec![omega]),
+        (Asked::Velocity(k), vec![v.x, v.y]),
+        (Asked::Acceleration(k), vec![acc.x, acc.y]),
+        (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
+    ];
+    let views = Views::Chase { places: [on_paper_a, on_paper_b], velocities, foot: foot.to_point(), accelerations };
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
+}
+
+/// Direction of the way in the view on the plate, speed along it, and the acceleration there with its normal part.
+struct OnPlate {
+    place: Point,
+    velocity: Vec2,
+    normal: Vec2,
+    tangential: Vec2,
+}
+
+fn on_plate(way: &Way, t: f64) -> Result<OnPlate, Diagnostic> {
+    let [r, z] = way.at(t)?;
+    let place = Point::new(r.0[0], z.0[0]);
+    Ok(match way {
+        Way::Line { angle, s, .. } => {
+            let (sine, cosine) = angle.at(t)?.sin_cos();
+            let (along, s) = (Vec2::new(sine.0[0], cosine.0[0]), jet(s, t)?.0);
+            OnPlate { place, velocity: along * s[1], normal: Vec2::ZERO, tangential: along * s[2] }
+        }
+        Way::Circle { centre, radius, s, .. } => {
+            let centre = Point::new(jet(&centre[0], t)?.0[0], jet(&centre[1], t)?.0[0]);
+            let (radius, s) = (jet(radius, t)?.0[0], jet(s, t)?.0);
+            let inward = (centre - place) * (1.0 / radius);
+            let along = -inward.perp();
+            OnPlate { place, velocity: along * s[1], normal: inward * (s[1] * s[1] / radius), tangential: along * s[2] }
+        }
+        Way::Free(_) => {
+            let (velocity, a) = (Vec2::new(r.0[1], z.0[1]), Vec2::new(r.0[2], z.0[2]));
+            let tangential = velocity.unit().map_or(a, |e| e * e.dot(a));
+            OnPlate { place, velocity, normal: a - tangential, tangential }
+        }
+    })
+}
+
+fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
+    let Kind::OnPlate(p, way) = &m.kind else { return Ok(None) };
+    let (plate, t) = (&problem.plates[*p], problem.instant());
+    let turn = plate.turning.at(t)?;
+    let offset = plate.offset.as_ref().map(|law| jet(law, t)).transpose()?.map_or(0.0, |j| j.0[0]);
+    let on = on_plate(way, t)?;
+    let (w, alpha) = (turn.omega, turn.alpha);
+    // The two views: u to the right and the axis up; the plate in its direction, its foot on the axis' side.
+    let along = Vec2::new(turn.cos.0[0], turn.sin.0[0]);
+    let seen = (along * on.place.x + along.perp() * offset).to_point();
+    let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
+    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(extent, [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]));
+    let (front, top) = ((on.place.to_vec2() * (1.0 / mu_l)).to_point(), (seen.to_vec2() * (1.0 / mu_l)).to_point());
+    let arm = top.to_vec2();
+    let reach = arm.norm() * mu_l;
+    let ring = arm.perp() * mu_l;
+    let (ve, vr) = (ring * w, along * on.velocity.x);
+    let mu_v = choose(most(&[ve, vr, ve + vr, on.velocity]), [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]);
+    let paper_v = |v: Vec2| v * (1.0 / mu_v);
+    // What is measured across in the view on the plate is what the view along the axis shows of v_r.
+    let across = paper_v(on.velocity).x;
+    let (aen, aet) = (arm * (-w * w * mu_l), ring * alpha);
+    let ak = along.perp() * (2.0 * w * across * mu_v);
+    let a_r = on.normal + on.tangential;
+    let ar = along * a_r.x;
+    let whole = aen + aet + ar + ak;
+    let mu_a = choose(most(&[aen, aet, ak, ar, whole, a_r]), [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]);
+    let paper_a = |v: Vec2| v * (1.0 / mu_a);
+    let add = |all: &mut Vec<Arrow>, symbol: &str, at: Point, v: Vec2, whole: bool| {
+        if v.norm() > 0.5 {
+            all.push(arrow(symbol, at, v, whole));
+        }
+    };
+    let (mut v_front, mut v_top, mut a_front, mut a_top) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    add(&mut v_front, "v_r", front, paper_v(on.velocity), true);
+    let v_top_whole = paper_v(ve) + paper_v(vr);
+    for (symbol, v, whole) in [("v_e", paper_v(ve), false), ("v_r'", paper_v(vr), false), ("v_a'", v_top_whole, true)] {
+        add(&mut v_top, symbol, top, v, whole);
+    }
+    if on.normal.norm() > 0.0 && on.tangential.norm() <= 1e-9 * on.normal.norm() {
+        add(&mut a_front, "a_r^n", front, paper_a(on.normal), true);
+    } else if on.normal.norm() > 0.0 {
+        for (symbol, v, whole) in [("a_r^n", on.normal, false), ("a_r^t", on.tangential, false), ("a_r", a_r, true)] {
+            add(&mut a_front, symbol, front, paper_a(v), whole);
+        }
+    } else {
+        add(&mut a_front, "a_r", front, paper_a(a_r), true);
+    }
+    for (symbol, v, whole) in [("a_e^n", aen, false), ("a_e^t", aet, false), ("a_r'", ar, false), ("a_k", ak, false), ("a_a'", whole, true)]
+    {
+        add(&mut a_top, symbol, top, paper_a(v), whole);
+    }
+    let order = plate.axis.order();
+    let space = |flat: Vec2, up: f64| {
+        let mut out = vec![0.0; 3];
+        for (place, value) in order.into_iter().zip([flat.x, flat.y, up]) {
+            out[place] = value;
+        }
+        out
+    };
+    let flat = |v: Vec2| space(along * v.x, v.y);
+    let part = |part: Part, v: Vec<f64>| (Asked::Part(k, part), v);
+    let readings = vec![
+        (Asked::Place(k), space(seen.to_vec2(), front.y * mu_l)),
+        (Asked::Velocity(k), space(v_top_whole * mu_v, paper_v(on.velocity).y * mu_v)),
+        (Asked::Acceleration(k), space(paper_a(whole) * mu_a, paper_a(a_r).y * mu_a)),
+        part(Part::TransportVelocity, space(ve, 0.0)),
+        part(Part::RelativeVelocity, flat(on.velocity)),
+        part(Part::Transport, space(aen + aet, 0.0)),
+        part(Part::TransportNormal, space(aen, 0.0)),
+        part(Part::TransportTangential, space(aet, 0.0)),
+        part(Part::Relative, flat(a_r)),
+        part(Part::RelativeNormal, flat(on.normal)),
+        part(Part::RelativeTangential, flat(on.tangential)),
+        part(Part::Coriolis, space(ak, 0.0)),
+    ];
+    let steps = vec![
+        both!(
+            "View on the plate: lay off $v_r$ along the path, {} mm; across the axis it measures {} mm, along it {} mm, which is $v_{{{}}}$",
+            "板面视图：沿轨迹作 $v_r$，长 {} mm；量得垂直于轴的分量 {} mm，沿轴的分量 {} mm，即 $v_{{{}}}$",
+            mm(paper_v(on.velocity).norm()),
+            mm(across.abs()),
+            mm(paper_v(on.velocity).y.abs()),
+            plate.axis.letter()
+        ),
+        both!(
+            "View along the axis: the arm measures {} mm; $v_e$ = $\\omega$ · {} m square to it, $v_r'$ = {} mm along the plate; the diagonal is {} mm",
+            "沿轴视图：量得臂长 {} mm；$v_e$ = $\\omega$ · {} m，与臂垂直；$v_r'$ = {} mm，沿板；对角线长 {} mm",
+            mm(arm.norm()),
+            mm(reach),
+            mm(across.abs()),
+            mm(v_top_whole.norm())
+        ),
+        both!(
+            "$a_c = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
+            "$a_k = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
+            mm(across.abs()),
+            mm(ak.norm())
+        ),
+        both!(
+            "View along the axis: $a^n_e$ = $\\omega^2$ · {} m toward the axis{}; the sum of all parts measures {} mm; along the axis $a_{{{}}}$ = {} mm in the view on the plate",
+            "沿轴视图：$a^n_e$ = $\\omega^2$ · {} m，指向轴{}；各分量之和量得 {} mm；板面视图上沿轴 $a_{{{}}}$ = {} mm",
+            mm(reach),
+            if alpha == 0.0 {
+                both!("", "")
+            } else {
+                both!(", $a^t_e$ = $\\alpha$ · {} m square to it", "，$a^t_e$ = $\\alpha$ · {} m，与之垂直", mm(reach))
+            },
+            mm(paper_a(whole).norm()),
+            plate.axis.letter(),
+            mm(paper_a(a_r).y)
+        ),
+    ];
+    let views = Views::Plate { places: [front, top], along, velocities: [v_front, v_top], accelerations: [a_front, a_top] };
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
+}

@@ -1,0 +1,132 @@
+//! The spatial turning plate: where its point is, and the parts of its motion, in any number.
+//!
+//! u is the direction in the plate square to the axis, n the plate's normal (to the side of positive turning), k the axis: the point is
+//! r u + e n + z k. The absolute motion is the derivative of the coordinates; the parts come from the theorem of composite motion, so that
+//! their sum proves both.
+
+use super::law::{Turn, jet};
+use super::{Kind, Motion, Plate, Problem};
+use crate::diag::Diagnostic;
+use crate::number::{Jet, Real};
+
+/// A vector in space, by x, y, z.
+pub type Space<N> = [N; 3];
+
+/// A part of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// v_e.
+    TransportVelocity,
+    /// v_r.
+    RelativeVelocity,
+    /// a_e.
+    Transport,
+    /// a_eⁿ, toward the axis.
+    TransportNormal,
+    /// a_eᵗ, square to it.
+    TransportTangential,
+    /// a_r.
+    Relative,
+    /// a_rⁿ, square to the path on the plate.
+    RelativeNormal,
+    /// a_rᵗ, along it.
+    RelativeTangential,
+    /// a_k = 2ω v_r sin θ, square to the plate.
+    Coriolis,
+}
+
+impl Part {
+    /// All, as they are asked for.
+    pub const ALL: [(&'static str, Part); 9] = [
+        ("ve", Part::TransportVelocity),
+        ("vr", Part::RelativeVelocity),
+        ("ae", Part::Transport),
+        ("aen", Part::TransportNormal),
+        ("aet", Part::TransportTangential),
+        ("ar", Part::Relative),
+        ("arn", Part::RelativeNormal),
+        ("art", Part::RelativeTangential),
+        ("ak", Part::Coriolis),
+    ];
+
+    /// Whether it is of the velocity.
+    pub fn is_velocity(self) -> bool {
+        matches!(self, Part::TransportVelocity | Part::RelativeVelocity)
+    }
+}
+
+/// Plate and point at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct State<N> {
+    /// The plate's turn.
+    pub turn: Turn<N>,
+    /// Distance from the axis along the plate.
+    pub r: Jet<N>,
+    /// Height along the axis.
+    pub z: Jet<N>,
+    /// Distance of the plate from the axis.
+    pub e: N,
+    order: [usize; 3],
+}
+
+impl<N: Real> State<N> {
+    /// The point of a motion on a plate at a time.
+    ///
+    /// # Errors
+    /// Where a law has no value.
+    pub fn of(problem: &Problem, motion: &Motion, t: N) -> Result<Option<State<N>>, Diagnostic> {
+        let Kind::OnPlate(k, way) = &motion.kind else { return Ok(None) };
+        let Plate { axis, turning, offset, .. } = &problem.plates[*k];
+        let [r, z] = way.at(t)?;
+        let e = offset.as_ref().map(|law| jet(law, t)).transpose()?.map_or(N::from_f64(0.0), |j| j.0[0]);
+        Ok(Some(State { turn: turning.at(t)?, r, z, e, order: axis.order() }))
+    }
+
+    /// A vector by its parts along the two axes square to that of turning, and along it, as x, y, z.
+    fn space(&self, [one, two, along]: [N; 3]) -> Space<N> {
+        let mut out = [along; 3];
+        for (place, value) in self.order.into_iter().zip([one, two, along]) {
+            out[place] = value;
+        }
+        out
+    }
+
+    /// A vector by its parts along u, n, k.
+    pub fn of_plate(&self, [u, n, k]: [N; 3]) -> Space<N> {
+        let (s, c) = (self.turn.sin.0[0], self.turn.cos.0[0]);
+        self.space([u * c - n * s, u * s + n * c, k])
+    }
+
+    /// Place, velocity, acceleration: the coordinates, differentiated.
+    pub fn absolute(&self) -> [Space<N>; 3] {
+        let (s, c, e) = (self.turn.sin, self.turn.cos, Jet::constant(self.e));
+        let one = self.r * c - e * s;
+        let two = self.r * s + e * c;
+        [0, 1, 2].map(|k| self.space([one.0[k], two.0[k], self.z.0[k]]))
+    }
+
+    /// A part.
+    pub fn part(&self, part: Part) -> Space<N> {
+        let zero = N::from_f64(0.0);
+        let Turn { omega: w, alpha, .. } = self.turn;
+        let ([r, r1, r2], [_, z1, z2], e) = (self.r.0, self.z.0, self.e);
+        let normal = [-(w * w * r), -(w * w * e), zero];
+        let tangential = [-(alpha * e), alpha * r, zero];
+        // a_r along v_r; on a point that stands still for an instant all of it.
+        let v2 = r1 * r1 + z1 * z1;
+        let along = if v2.approx() == 0.0 { [r2, zero, z2] } else { [r1, zero, z1].map(|x| x * ((r1 * r2 + z1 * z2) / v2)) };
+        self.of_plate(match part {
+            Part::TransportVelocity => [-(w * e), w * r, zero],
+            Part::RelativeVelocity => [r1, zero, z1],
+            Part::Transport => [0, 1, 2].map(|k| normal[k] + tangential[k]),
+            Part::TransportNormal => normal,
+            Part::TransportTangential => tangential,
+            Part::Relative => [r2, zero, z2],
+            Part::RelativeNormal if v2.approx() == 0.0 => [zero; 3],
+            // Across it: (r₂z₁ − z₂r₁)(z₁, −r₁)/v².
+            Part::RelativeNormal => [z1, zero, -r1].map(|x| x * ((r2 * z1 - z2 * r1) / v2)),
+            Part::RelativeTangential => along,
+            Part::Coriolis => [zero, N::from_f64(2.0) * w * r1, zero],
+        })
+    }
+}

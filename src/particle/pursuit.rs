@@ -1,0 +1,240 @@
+//! Pursuit: a point that always runs toward another one, at a given speed. Its course has no closed form for a general target: it is
+//! integrated, here, and nowhere else in the program is a motion found so.
+//!
+//! The way D from pursuer to target obeys D′ = v_B(t) − v(t) D/|D|. The steps are those of Gragg, Bulirsch and Stoer: the modified midpoint
+//! rule with 2, 4, 6, ... parts, extrapolated in the square of the step. D/|D| is the gradient of a convex function, so two solutions
+//! never move apart: what a step does wrong never grows, and the sum of all errors of steps bounds the error of the place. The error of a step
+//! is taken as the difference of its last two extrapolations, which is that of the worse of the two.
+
+use super::law::{Way, jet};
+use crate::diag::{Diagnostic, both};
+use crate::number::{Ball, Dd, Real};
+use crate::scene::front::Law;
+
+/// More steps are not made.
+const MOST_STEPS: usize = 4000;
+/// No meeting within so many times the time that the pursuer would need to the first place of the target.
+const HORIZON: f64 = 1e4;
+/// Parts of the finest midpoint rule, over two.
+const COLUMNS: usize = 10;
+
+/// A pursuer and its target.
+#[derive(Clone, Copy, Debug)]
+pub struct Chase<'a> {
+    /// Where the pursuer is at t = 0.
+    pub from: &'a [Law; 2],
+    /// Its speed.
+    pub speed: &'a Law,
+    /// How the target moves.
+    pub target: &'a Way,
+}
+
+/// The way from pursuer to target at a time.
+#[derive(Clone, Copy, Debug)]
+pub struct State<N> {
+    /// The time (s).
+    pub t: N,
+    /// From the pursuer to the target (m).
+    pub d: [N; 2],
+    /// A bound of the error of d (m).
+    pub error: f64,
+}
+
+/// How a pursuit ends.
+#[derive(Clone, Copy, Debug)]
+pub enum End {
+    /// The two meet: when and where.
+    Meet {
+        /// The time (s).
+        time: Ball<Dd>,
+        /// The place (m).
+        place: [Ball<Dd>; 2],
+    },
+    /// They have not met up to this time (s), at which they are so far apart (m).
+    Apart {
+        /// The time (s).
+        until: f64,
+        /// The distance (m).
+        distance: f64,
+    },
+}
+
+impl<N: Real> State<N> {
+    /// |D|.
+    pub fn distance(&self) -> f64 {
+        self.d[0].hypot(self.d[1]).approx()
+    }
+
+    /// The way as numbers that know their error.
+    pub fn enclosed(&self) -> [Ball<Dd>; 2]
+    where
+        N: Into<Dd>,
+    {
+        self.d.map(|x| Ball::new(x.into(), self.error))
+    }
+}
+
+/// What the numbers can tell apart, and how near the two are when they count as met, both as parts of the first distance.
+fn fineness<N: Real>() -> (f64, f64) {
+    // Longer numbers than f64 tell more.
+    let third = N::from_f64(1.0) / N::from_f64(3.0);
+    let longer = (third - N::from_f64(third.approx())).approx() != 0.0;
+    if longer { (1e-29, 1e-22) } else { (2e-16, 1e-14) }
+}
+
+impl Chase<'_> {
+    /// The first state.
+    ///
+    /// # Errors
+    /// Where a law has no value.
+    pub fn start<N: Real>(&self) -> Result<State<N>, Diagnostic> {
+        let zero = N::from_f64(0.0);
+        let b = self.target.at(zero)?;
+        let place = |k: usize| Ok(b[k].0[0] - jet(&self.from[k], zero)?.0[0]);
+        Ok(State { t: zero, d: [place(0)?, place(1)?], error: 0.0 })
+    }
+
+    /// Speed of the pursuer and velocity of the target at a time.
+    fn rates<N: Real>(&self, t: N) -> Result<(N, [N; 2]), Diagnostic> {
+        let b = self.target.at(t)?;
+        Ok((jet(self.speed, t)?.0[0], [b[0].0[1], b[1].0[1]]))
+    }
+
+    fn slope<N: Real>(&self, t: N, d: [N; 2]) -> Result<[N; 2], Diagnostic> {
+        let (v, b) = self.rates(t)?;
+        let l = d[0].hypot(d[1]);
+        Ok([b[0] - v * d[0] / l, b[1] - v * d[1] / l])
+    }
+
+    /// The modified midpoint rule with `n` parts.
+    fn midpoint<N: Real>(&self, from: &State<N>, h: N, n: usize) -> Result<[N; 2], Diagnostic> {
+        let part = h / N::from_f64(n as f64);
+        let two = N::from_f64(2.0);
+        let ahead = |d: [N; 2], by: N, s: [N; 2]| [d[0] + by * s[0], d[1] + by * s[1]];
+        let mut before = from.d;
+        let mut here = ahead(from.d, part, self.slope(from.t, from.d)?);
+        for k in 1..n {
+            let next = ahead(before, two * part, self.slope(from.t + part * N::from_f64(k as f64), here)?);
+            (before, here) = (here, next);
+        }
+        let last = ahead(before, part, self.slope(from.t + h, here)?);
+        Ok([0, 1].map(|k| (here[k] + last[k]) / two))
+    }
+
+    /// One step of Gragg, Bulirsch and Stoer, and its error; `None` where the extrapolation has not come to rest.
+    fn step<N: Real>(&self, from: &State<N>, h: N, tolerance: f64) -> Result<Option<([N; 2], f64)>, Diagnostic> {
+        let mut row: Vec<[N; 2]> = Vec::new();
+        for k in 0..COLUMNS {
+            let n = 2 * (k + 1);
+            let mut next = vec![self.midpoint(from, h, n)?];
+            for j in 0..k {
+                // (n_k / n_{k−j−1})² − 1
+                let ratio = N::from_f64(n as f64) / N::from_f64((2 * (k - j)) as f64);
+                let over = ratio * ratio - N::from_f64(1.0);
+                let (fine, coarse) = (next[j], row[j]);
+                next.push([0, 1].map(|c| fine[c] + (fine[c] - coarse[c]) / over));
+            }
+            if k > 1 {
+                let (one, other) = (next[k], next[k - 1]);
+                let error = (one[0] - other[0]).hypot(one[1] - other[1]).approx();
+                if error <= tolerance {
+                    return Ok(Some((one, error)));
+                }
+            }
+            row = next;
+        }
+        Ok(None)
+    }
+
+    /// Goes on to a time, or until the two have all but met; every state on the way goes to `seen`.
+    ///
+    /// # Errors
+    /// Laws without a value, and a course that the steps do not follow.
+    pub fn follow<N: Real>(
+        &self,
+        start: State<N>,
+        until: Option<N>,
+        seen: &mut dyn FnMut(&State<N>),
+    ) -> Result<(State<N>, bool), Diagnostic> {
+        let (unit, near) = fineness::<N>();
+        let first = self.start::<N>()?.distance();
+        let mut here = start;
+        let mut wish: Option<f64> = None;
+        // Steps that were too long, in all.
+        let mut budget = MOST_STEPS;
+        seen(&here);
+        for _ in 0..MOST_STEPS {
+            let l = here.distance();
+            let left = until.map_or(f64::INFINITY, |u| (u - here.t).approx());
+            if l <= near * first || left <= 0.0 {
+                return Ok((here, l <= near * first));
+            }
+            let (v, b) = self.rates(here.t)?;
+            let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
+            if v.is_nan() || v <= 0.0 {
+                let t = here.t.approx();
+                let message = both!("the pursuer's speed is {v} m/s at t = {t} s", "t = {t} s 时追踪点的速率为 {v} m/s");
+                return Err(Diagnostic::error("pursuit", message).help(both!("it must be greater than zero", "应大于零")));
+            }
+            if !(l.is_finite() && v.is_finite() && w.is_finite()) {
+                break;
+            }
+            if until.is_none() && here.t.approx() > HORIZON * first / v {
+                return Ok((here, false));
+            }
+            let most = 0.5 * l / v.max((v - w).abs());
+            let mut h = wish.unwrap_or(0.1 * most).min(most);
+            let made = loop {
+                // The last step ends where it is to end.
+                let (by, last) =
+                    if h >= left * (1.0 - 1e-9) { (until.map_or(N::from_f64(h), |u| u - here.t), true) } else { (N::from_f64(h), false) };
+                if let Some((d, error)) = self.step(&here, by, 32.0 * unit * l.max(near * first))? {
+                    let t = if last { until.unwrap_or(here.t + by) } else { here.t + by };
+                    break Some(State { t, d, error: here.error + error + 64.0 * unit * first });
+                }
+                h *= 0.5;
+                budget -= 1;
+                if h < 1e-9 * most || budget == 0 {
+                    break None;
+                }
+            };
+            let Some(next) = made else { break };
+            wish = Some(2.0 * h);
+            here = next;
+            seen(&here);
+        }
+        let t = here.t.approx();
+        let message = both!("the pursuit cannot be followed beyond t = {t} s", "追踪运动在 t = {t} s 之后无法继续积分");
+        Err(Diagnostic::error("pursuit", message).help(both!("the laws change too fast there", "该处运动规律变化过快")))
+    }
+
+    /// When and where the two meet.
+    ///
+    /// # Errors
+    /// As [`Chase::follow`].
+    pub fn end<N: Real + Into<Dd>>(&self) -> Result<End, Diagnostic> {
+        let (last, met) = self.follow(self.start::<N>()?, None, &mut |_| {})?;
+        if !met {
+            return Ok(End::Apart { until: last.t.approx(), distance: last.distance() });
+        }
+        // What is left of the way is run through within these times, whatever the target does.
+        let (v, b) = self.rates(last.t)?;
+        let (v, w) = (v.approx(), b[0].hypot(b[1]).approx());
+        let [low, high] = [(last.distance() - last.error).max(0.0) / (v + w), (last.distance() + last.error) / closing(v, w, last.d, b)];
+        let [low, high] = [low * 0.999, high * 1.001];
+        let time =
+            Ball::new(last.t.into() + Dd::from_f64(0.5 * (low + high)), 0.5 * (high - low) + last.t.approx() * fineness::<N>().0 * 64.0);
+        let b = self.target.at(last.t)?;
+        let place = [0, 1].map(|k| Ball::new(b[k].0[0].into(), w * high + b[k].0[0].approx().abs() * fineness::<N>().0 * 64.0));
+        Ok(End::Meet { time, place })
+    }
+}
+
+/// The least rate at which the two come nearer: the faster pursuer gains in any case; another one only meets what runs against it.
+fn closing<N: Real>(v: f64, w: f64, d: [N; 2], b: [N; 2]) -> f64 {
+    if v > w {
+        return v - w;
+    }
+    let (x, y, l) = (d[0].approx(), d[1].approx(), d[0].hypot(d[1]).approx());
+    0.5 * (v - (b[0].approx() * x + b[1].approx() * y) / l).abs()
+}

@@ -1,0 +1,361 @@
+//! The file: its keys, and what belongs together.
+
+use super::ask;
+use super::law::{Turning, Way};
+use super::{Axis, Kind, Motion, Plate, Problem};
+use crate::diag::{Both, Diagnostic, Faults, Span, Warned, both};
+use crate::json::fields::{Fields, list, object, suggest, word};
+use crate::json::{self, Kind as NodeKind, Node, Word};
+use crate::scene::Localized;
+use crate::scene::front::{self, Front, Law, RawFront};
+use crate::scene::units::Wanted;
+
+/// The keys beside those of the front.
+pub(super) const KEYS: [&str; 6] = ["statement", "time", "points", "plates", "motions", "find"];
+/// The keys of a motion.
+pub(super) const MOTION: [&str; 12] = ["point", "on", "angle", "to_axis", "centre", "radius", "s", "x", "y", "toward", "speed", "from"];
+/// The keys of a plate.
+pub(super) const PLATE: [&str; 6] = ["link", "axis", "angle", "omega", "alpha", "offset"];
+/// More points are not taken.
+const MOST: usize = 20;
+/// Keys of scenes alone.
+const OF_SCENES: [&str; 4] = ["links", "ground", "driver", "synthesis"];
+
+/// Whether a file is one of motions without a mechanism: it has `motions`, and nothing of a linkage.
+pub fn is_problem(source: &[u8]) -> bool {
+    json::parse(source, &mut Faults::default()).is_ok_and(|(_, root)| match &root.kind {
+        NodeKind::Object(members) => {
+            let has = |key: &str| members.iter().any(|(k, _)| k.text == key);
+            has("motions") && !OF_SCENES.iter().any(|key| has(key))
+        }
+        NodeKind::Text(_) | NodeKind::Number(_) | NodeKind::Bool(_) | NodeKind::Null | NodeKind::Array(_) => false,
+    })
+}
+
+/// Reads a file: JSON in UTF-8.
+///
+/// # Errors
+/// All faults of the file in one list, each with its place as byte offsets into `source`.
+pub fn read(source: impl AsRef<[u8]>) -> Result<Warned<Problem>, Faults> {
+    let mut faults = Faults::default();
+    let (text, root) = json::parse(source.as_ref(), &mut faults)?;
+    let found = problem(&root, text, &mut faults);
+    match found {
+        Some(value) if !faults.has_errors() => Ok(Warned { value, notes: faults.list }),
+        _ => {
+            faults.list.retain(|d| !matches!(d.code, "unused-parameter" | "unused-point"));
+            faults.list.sort_by_key(|d| d.span.map_or(0, |s| s.start));
+            Err(faults)
+        }
+    }
+}
+
+/// The file, and where its faults go.
+struct Reader<'a> {
+    front: &'a Front<'a>,
+    faults: &'a mut Faults,
+    /// Places of points: name, coordinates.
+    places: Vec<(Word, [Law; 2])>,
+    /// The instant (s).
+    now: f64,
+}
+
+fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
+    let keys: Vec<&str> = front::KEYS.iter().chain(&KEYS).copied().collect();
+    let f = Fields::open(root, both!("a file of motions without a mechanism", "无机构的运动文件"), &keys, faults)?;
+    let raw = RawFront::decode(root, faults);
+    let front = Front::new(&raw, text, faults);
+    let zero = Law::zero();
+    let time = match f.get("time") {
+        Some(node) => front.time(node, "\"time\"", faults)?,
+        None => zero,
+    };
+    let now = time.at(0.0).map_or(0.0, |v| v.number.0[0]);
+    if now < 0.0 {
+        let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
+        faults.push(d.at(f.get("time").map_or(f.span(), |n| n.span)).help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")));
+    }
+    let mut r = Reader { front: &front, faults, places: Vec::new(), now };
+    r.points(f.get("points"));
+    let plates = r.plates(f.get("plates"));
+    let motions = r.motions(&f, &plates);
+    let used = |name: &Word, motions: &[Motion]| motions.iter().any(|m| m.point == name.text);
+    for (name, _) in &r.places {
+        if !used(name, &motions) {
+            let d = Diagnostic::warning("unused-point", both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text));
+            r.faults.push(d.at(name.span));
+        }
+    }
+    let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
+    let statement = statement.map(|s| filled(s, &front.parameters()));
+    let title = front.title.as_ref().map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
+    let mut out =
+        Problem { title, statement, language: front.language, paper: front.paper.clone(), time, plates, motions, find: Vec::new() };
+    if !r.faults.has_errors() {
+        out.find = r.find(&f, &out);
+    }
+    r.faults.list.extend(front.unused());
+    Some(out)
+}
+
+/// A statement with the values of the parameters as they are written.
+fn filled(text: Localized, parameters: &[(String, String)]) -> Localized {
+    let fill = |s: &str| parameters.iter().fold(s.to_owned(), |s, (name, value)| s.replace(&format!("{{{name}}}"), value));
+    Localized { en: fill(&text.en), zh: fill(&text.zh) }
+}
+
+fn usual_title(motions: &[Motion]) -> Both {
+    let chased = motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. }));
+    if chased { both!("Pursuit", "追踪问题") } else { both!("A point on a turning plate", "转动平板上的点") }
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, code: &'static str, at: Span, message: Both, help: Both) {
+        self.faults.push(Diagnostic::error(code, message).at(at).help(help));
+    }
+
+    fn law(&mut self, node: &Node, wanted: Wanted, key: &str) -> Option<Law> {
+        self.front.law(node, wanted, self.now, &format!("\"{key}\""), self.faults)
+    }
+
+    fn word(&mut self, f: &Fields, key: &'static str, example: &str) -> Option<Word> {
+        let node = f.need(key, example, self.faults)?;
+        word(node, &format!("\"{key}\""), self.faults)
+    }
+
+    fn need(&mut self, f: &Fields, key: &'static str, wanted: Wanted, example: &str) -> Option<Law> {
+        let node = f.need(key, example, self.faults)?;
+        self.law(node, wanted, key)
+    }
+
+    fn may(&mut self, f: &Fields, key: &'static str, wanted: Wanted) -> Option<Law> {
+        let node = f.get(key)?;
+        self.law(node, wanted, key)
+    }
+
+    /// Two lengths.
+    fn two(&mut self, node: &Node, key: &str) -> Option<[Law; 2]> {
+        let items = list(node, &format!("\"{key}\""), self.faults)?;
+        let [x, y] = items else {
+            let message = both!("\"{key}\" has two coordinates, this has {}", "\"{key}\" 有两个坐标，此处有 {} 个", items.len());
+            self.fault("wrong-count", node.span, message, both!("write [\"0 m\", \"3 km\"]", "请写 [\"0 m\", \"3 km\"]"));
+            return None;
+        };
+        let (x, y) = (self.law(x, Wanted::Length, key), self.law(y, Wanted::Length, key));
+        Some([x?, y?])
+    }
+
+    fn points(&mut self, node: Option<&Node>) {
+        let Some(members) = node.and_then(|n| object(n, "\"points\"", self.faults)) else { return };
+        for (name, place) in members {
+            if let Some(at) = self.two(place, &name.text) {
+                self.places.push((name.clone(), at));
+            }
+        }
+    }
+
+    fn place(&self, name: &str) -> Option<[Law; 2]> {
+        self.places.iter().find(|(n, _)| n.text == name).map(|(_, at)| at.clone())
+    }
+
+    fn plates(&mut self, node: Option<&Node>) -> Vec<Plate> {
+        let items = node.and_then(|n| list(n, "\"plates\"", self.faults)).unwrap_or_default();
+        let all: Vec<Plate> = items.iter().take(MOST).filter_map(|n| self.plate(n)).collect();
+        for (k, node) in items.iter().enumerate().take(MOST).skip(1) {
+            if all.len() == items.len() && all[..k].iter().any(|p| p.link == all[k].link) {
+                let message = both!("there are two plates `{}`", "有两块平板 `{}`", all[k].link);
+                self.fault("twice", node.span, message, both!("give each a number of its own", "请各用一个编号"));
+            }
+        }
+        all
+    }
+
+    fn plate(&mut self, node: &Node) -> Option<Plate> {
+        let f = Fields::open(node, both!("a plate", "平板"), &PLATE, self.faults)?;
+        let link = self.word(&f, "link", "\"2\"");
+        let axis = match f.get("axis") {
+            Some(n) => {
+                let found = word(n, "\"axis\"", self.faults)?;
+                let axis = Axis::ALL.into_iter().find(|a| a.letter() == found.text);
+                if axis.is_none() {
+                    let message = both!("there is no axis `{}`", "没有轴 `{}`", found.text);
+                    self.fault("unknown-word", found.span, message, both!("the axes are x, y, z", "轴有 x、y、z"));
+                }
+                axis?
+            }
+            None => Axis::Z,
+        };
+        let angle = self.need(&f, "angle", Wanted::Angle, "\"90 deg\", or a law such as \"1/3 rad/s*t\"");
+        let offset = self.may(&f, "offset", Wanted::Length);
+        let (omega, alpha) = (self.may(&f, "omega", Wanted::Omega), self.may(&f, "alpha", Wanted::Alpha));
+        let angle = angle?;
+        let turning = if angle.depends_on_time() {
+            for key in ["omega", "alpha"] {
+                if let Some(n) = f.get(key) {
+                    let message = both!("the angle is a law of time, which says `{key}` already", "转角已是时间的函数，`{key}` 由它给出");
+                    self.fault("given-twice", n.span, message, both!("leave `{key}` out", "请去掉 `{key}`"));
+                }
+            }
+            Turning::Law(angle)
+        } else {
+            let omega = if f.get("omega").is_some() { omega } else { self.need(&f, "omega", Wanted::Omega, "\"2 rad/s\"") };
+            Turning::Now { angle, omega: omega?, alpha }
+        };
+        if let Some(law) = offset.as_ref().filter(|law| law.depends_on_time()) {
+            let at = f.get("offset").map_or(node.span, |n| n.span);
+            let message = both!("the distance of the plate from the axis changes: `{}`", "平板到轴的距离在变化：`{}`", law.text);
+            self.fault("law", at, message, both!("it is a length that stays", "应为不变的长度"));
+        }
+        Some(Plate { link: link?.text, axis, turning, offset })
+    }
+
+    fn motions(&mut self, f: &Fields, plates: &[Plate]) -> Vec<Motion> {
+        let node = f.need("motions", "[{\"point\": \"A\", \"toward\": \"B\", \"speed\": \"5 m/s\"}]", self.faults);
+        let items = node.and_then(|n| list(n, "\"motions\"", self.faults)).unwrap_or_default();
+        if items.is_empty() || items.len() > MOST {
+            let message =
+                both!("\"motions\" has {} entries; 1 to {MOST} are wanted", "\"motions\" 有 {} 项，应为 1 到 {MOST} 项", items.len());
+            self.fault("wrong-count", node.map_or(f.span(), |n| n.span), message, both!("say how points move", "请给出点的运动"));
+            return Vec::new();
+        }
+        let (mut all, mut toward): (Vec<Motion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
+        for node in items {
+            let Some((point, kind, target)) = self.motion(node, plates) else { continue };
+            if all.iter().any(|m| m.point == point.text) {
+                let message = both!("the point `{}` has two motions", "点 `{}` 有两个运动", point.text);
+                self.fault("twice", point.span, message, both!("keep one of them", "请保留一个"));
+            }
+            toward.extend(target.map(|t| (all.len(), t)));
+            all.push(Motion { point: point.text, kind });
+        }
+        for (k, name) in toward {
+            let found = all.iter().position(|m| m.point == name.text);
+            match found.map(|t| (t, &all[t].kind)) {
+                Some((t, Kind::Fixed(_))) => {
+                    if let Kind::Toward { target, .. } = &mut all[k].kind {
+                        *target = t;
+                    }
+                }
+                Some((_, Kind::Toward { .. } | Kind::OnPlate(..))) => {
+                    let message = both!(
+                        "`{}` is no target: it has no law of its own in the plane",
+                        "`{}` 不能作目标：它在平面内没有自己的运动规律",
+                        name.text
+                    );
+                    let help = both!(
+                        "the target moves by a law: along a line, round a circle, or by x and y",
+                        "目标应按规律沿直线、圆或以 x、y 运动"
+                    );
+                    self.fault("pursuit", name.span, message, help);
+                }
+                None if self.faults.has_errors() => {}
+                None => {
+                    let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
+                    let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
+                    self.fault("unknown-point", name.span, message, near);
+                }
+            }
+        }
+        all
+    }
+
+    fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, Kind, Option<Word>)> {
+        let f = Fields::open(node, both!("a motion", "运动"), &MOTION, self.faults)?;
+        let point = self.word(&f, "point", "\"A\"")?;
+        if f.get("toward").is_some() || f.get("speed").is_some() {
+            let wrong = ["on", "angle", "to_axis", "centre", "radius", "s", "x", "y"];
+            self.none_of(&f, &wrong, &both!("a point that runs toward another one", "追踪运动"));
+            let target = self.word(&f, "toward", "\"B\"");
+            let speed = self.need(&f, "speed", Wanted::Velocity, "\"5 m/s\"");
+            let from = self.from(&f, &point, true);
+            return Some((point, Kind::Toward { from: from?, target: 0, speed: speed? }, Some(target?)));
+        }
+        let plate = match f.get("on") {
+            None => None,
+            Some(n) => {
+                let on = word(n, "\"on\"", self.faults)?;
+                let found = plates.iter().position(|p| p.link == on.text);
+                if found.is_none() {
+                    let message = both!("there is no plate `{}`", "没有平板 `{}`", on.text);
+                    let near = suggest(&on.text, plates.iter().map(|p| p.link.as_str()), both!("the plates are", "平板有"));
+                    self.fault("unknown-plate", on.span, message, near);
+                }
+                Some(found?)
+            }
+        };
+        let way = self.way(&f, &point, plate.is_some())?;
+        Some((point, plate.map_or(Kind::Fixed(way.clone()), |k| Kind::OnPlate(k, way)), None))
+    }
+
+    fn none_of(&mut self, f: &Fields, wrong: &[&'static str], what: &Both) {
+        for key in wrong {
+            if let Some(n) = f.get(key) {
+                let message = both!("{} has no `{key}`", "{}没有 `{key}`", what);
+                self.fault("motion", n.span, message, both!("leave `{key}` out", "请去掉 `{key}`"));
+            }
+        }
+    }
+
+    /// Where a point is at the start: of `from`, or of `points`.
+    fn from(&mut self, f: &Fields, point: &Word, needed: bool) -> Option<[Law; 2]> {
+        if let Some(n) = f.get("from") {
+            return self.two(n, "from");
+        }
+        let known = self.place(&point.text);
+        if known.is_none() && !needed {
+            return Some([Law::zero(), Law::zero()]);
+        }
+        if known.is_none() {
+            let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
+            let help = both!("add \"points\": {{\"{}\": [0, 0]}}", "请加 \"points\": {{\"{}\": [0, 0]}}", point.text);
+            self.fault("missing-key", point.span, message, help);
+        }
+        known
+    }
+
+    fn way(&mut self, f: &Fields, point: &Word, on_plate: bool) -> Option<Way> {
+        let has = |key: &str| f.get(key).is_some();
+        if has("x") || has("y") {
+            self.none_of(f, &["angle", "to_axis", "centre", "radius", "s", "from"], &both!("a motion by coordinates", "以坐标给出的运动"));
+            let (x, y) = (self.need(f, "x", Wanted::Length, "\"4 m/s*t\""), self.need(f, "y", Wanted::Length, "\"3 km\""));
+            return Some(Way::Free([x?, y?]));
+        }
+        let s = self.need(f, "s", Wanted::Length, "\"4 m/s*t\"");
+        if has("centre") {
+            self.none_of(f, &["to_axis", "from"], &both!("a motion on a circle", "圆周运动"));
+            let centre = f.get("centre").and_then(|n| self.two(n, "centre"));
+            let radius = self.need(f, "radius", Wanted::Length, "\"200 mm\"");
+            let angle = self.may(f, "angle", Wanted::Angle);
+            return Some(Way::Circle { centre: centre?, radius: radius?, angle, s: s? });
+        }
+        self.none_of(f, &["radius"], &both!("a motion along a line", "直线运动"));
+        let from = self.from(f, point, !on_plate);
+        let (key, example) = if on_plate { ("to_axis", "\"60 deg\", from the axis") } else { ("angle", "\"0 deg\"") };
+        let other = if on_plate { "angle" } else { "to_axis" };
+        self.none_of(
+            f,
+            &[other],
+            &if on_plate {
+                both!("a line on a plate", "平板上的直线")
+            } else {
+                both!("a line in the fixed plane", "定平面内的直线")
+            },
+        );
+        let angle = self.need(f, key, Wanted::Angle, example);
+        Some(Way::Line { from: from?, angle: angle?, from_axis: on_plate, s: s? })
+    }
+
+    fn find(&mut self, f: &Fields, problem: &Problem) -> Vec<ask::Find> {
+        let Some(node) = f.get("find") else { return ask::all(problem) };
+        let items = list(node, "\"find\"", self.faults).unwrap_or_default();
+        let mut out = Vec::new();
+        for n in items {
+            let Some(text) = word(n, "\"find\"", self.faults) else { continue };
+            match ask::meaning(problem, &text.text, text.span) {
+                Ok(found) => out.push(found),
+                Err(d) => self.faults.push(d),
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,275 @@
+//! The answers, with intervals that contain them.
+//!
+//! What follows from laws alone is evaluated in balls of `f64`, and of 256 bits where those leave fewer digits than are wanted. What rests on a pursuit
+//! starts from the integrated place with the bound of its error.
+
+use super::ask::Asked;
+use super::plate::State;
+use super::pursuit::{self, Chase, End};
+use super::{Kind, Motion, Problem};
+use crate::diag::{Diagnostic, Faults, both};
+use crate::number::decimal::{Certain, Enclosure};
+use crate::number::{Ball, Big, Dd, Real, within};
+
+/// Bits of the longer numbers.
+const BITS: usize = 256;
+
+/// An answer.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// Its place in the questions.
+    pub find: usize,
+    /// Its value; none where there is none, and why.
+    pub value: Value,
+}
+
+/// A value (SI).
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// A vector or place by x, y and, of space, z; and its magnitude.
+    Vector(Vec<Enclosure>, Enclosure),
+    /// A number.
+    Scalar(Enclosure),
+    /// There is none.
+    None(Diagnostic),
+}
+
+impl Value {
+    /// The number, to `f64`.
+    pub fn scalar(&self) -> Option<f64> {
+        match self {
+            Value::Scalar(e) => Some(e.approx),
+            Value::Vector(..) | Value::None(_) => None,
+        }
+    }
+
+    /// The components, to `f64`.
+    pub fn vector(&self) -> Option<Vec<f64>> {
+        match self {
+            Value::Vector(all, _) => Some(all.iter().map(|e| e.approx).collect()),
+            Value::Scalar(_) | Value::None(_) => None,
+        }
+    }
+}
+
+/// The answers of a problem.
+#[derive(Clone, Debug)]
+pub struct Solved {
+    /// One for each question, in order.
+    pub answers: Vec<Answer>,
+    /// How each pursuit ends: the place of its motion in the list.
+    pub ends: Vec<(usize, End)>,
+}
+
+/// Solves a problem.
+///
+/// # Errors
+/// Laws without a value at the instant, pursuits that cannot be followed, an instant after the meeting.
+pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
+    let mut ends = Vec::new();
+    let mut chases = Vec::new();
+    for (k, m) in problem.motions.iter().enumerate() {
+        let Some((chase, target)) = problem.chase(m) else { continue };
+        let end = ended(&chase)?;
+        chases.push((k, caught(problem, &chase, m, target, &end)?));
+        ends.push((k, end));
+    }
+    let answer = |(find, question): (usize, &super::Find)| {
+        let value = match question.what {
+            Asked::MeetingTime(k) | Asked::MeetingPlace(k) => meeting(problem, k, &ends, question.what),
+            Asked::Distance(k) | Asked::LineOmega(k) => of_chase(problem, k, &chases, question.what)?,
+            Asked::Place(k) | Asked::Velocity(k) | Asked::Acceleration(k) | Asked::Curvature(k) => match problem.motions[k].kind {
+                Kind::Toward { .. } => of_chase(problem, k, &chases, question.what)?,
+                Kind::Fixed(_) | Kind::OnPlate(..) => by_law(problem, k, question.what)?,
+            },
+            Asked::Part(k, _) => by_law(problem, k, question.what)?,
+        };
+        Ok(Answer { find, value })
+    };
+    let answers: Result<Vec<Answer>, Diagnostic> = problem.find.iter().enumerate().map(answer).collect();
+    Ok(Solved { answers: answers?, ends })
+}
+
+/// How a pursuit ends, in the longest numbers that its laws have values in.
+fn ended(chase: &Chase) -> Result<End, Diagnostic> {
+    if longer(chase)? { chase.end::<Dd>() } else { chase.end::<f64>() }
+}
+
+/// Whether double-double numbers tell the laws.
+fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
+    let start = chase.start::<Dd>()?;
+    Ok(start.d.iter().all(|x| x.is_decided()) && chase.target.at(start.t)?.iter().all(|j| j.is_decided()))
+}
+
+type Line = [Ball<Dd>; 2];
+
+/// The way from pursuer to target at the instant.
+fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: &End) -> Result<Line, Faults> {
+    let now = problem.instant();
+    if let End::Meet { time, .. } = end
+        && now >= time.approx() - time.radius()
+    {
+        let d = Diagnostic::error(
+            "pursuit",
+            both!(
+                "{} has caught {target} at {} s, before the instant of {now} s",
+                "{0} 在 {1} s 时已追上 {target}，早于所求时刻 {now} s",
+                m.point,
+                time.approx()
+            ),
+        );
+        return Err(d.help(both!("take a \"time\" before that", "请取更早的 \"time\"")).into());
+    }
+    Ok(if longer(chase)? { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
+}
+
+fn at_instant<N: Real + Into<Dd>>(problem: &Problem, chase: &Chase) -> Result<Line, Diagnostic> {
+    let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
+    let (state, _) = chase.follow(chase.start::<N>()?, Some(t), &mut |_| {})?;
+    Ok(state.enclosed())
+}
+
+/// The states of a pursuit at times in order, for figures.
+///
+/// # Errors
+/// As [`Chase::follow`].
+pub fn course(chase: &Chase, times: &[f64]) -> Result<Vec<pursuit::State<f64>>, Diagnostic> {
+    let mut here = chase.start::<f64>()?;
+    let mut out = Vec::new();
+    for t in times {
+        here = chase.follow(here, Some(*t), &mut |_| {})?.0;
+        out.push(here);
+    }
+    Ok(out)
+}
+
+fn undecided() -> Diagnostic {
+    Diagnostic::error("undecided", both!("its digits cannot be told apart from zero", "无法确定其数字"))
+}
+
+fn scalar<N: Certain>(x: N) -> Value {
+    x.enclosure().map_or_else(|| Value::None(undecided()), Value::Scalar)
+}
+
+fn vector<N: Certain>(all: &[N]) -> Value {
+    let zero = N::from_f64(0.0);
+    let size = all.iter().fold(zero, |s, x| s + *x * *x);
+    // A root of what is zero but for rounding would lose half of the digits.
+    let size = if all.iter().all(|x| x.approx() == 0.0 && x.radius() == 0.0) { zero } else { size.sqrt() };
+    let parts: Option<Vec<Enclosure>> = all.iter().map(|x| x.enclosure()).collect();
+    match (parts, size.enclosure()) {
+        (Some(parts), Some(size)) => Value::Vector(parts, size),
+        _ => Value::None(undecided()),
+    }
+}
+
+fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], what: Asked) -> Value {
+    let m = &problem.motions[k];
+    let target = problem.chase(m).map_or("", |c| c.1);
+    match ends.iter().find(|e| e.0 == k).map(|e| e.1) {
+        Some(End::Meet { time, place }) => match what {
+            Asked::MeetingPlace(_) => vector(&place),
+            _ => scalar(time),
+        },
+        Some(End::Apart { until, distance }) => Value::None(Diagnostic::error(
+            "never-meets",
+            both!(
+                "{} does not catch {target}: at {until:.4e} s they are {distance:.4e} m apart",
+                "{} 追不上 {target}：{until:.4e} s 时相距 {distance:.4e} m",
+                m.point
+            ),
+        )),
+        None => Value::None(undecided()),
+    }
+}
+
+fn cross<N: Real>(a: [N; 2], b: [N; 2]) -> N {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// What the way from pursuer to target tells at the instant: v along it, ω of it, a = v′ along it and vω square to it.
+fn of_chase(problem: &Problem, k: usize, chases: &[(usize, Line)], what: Asked) -> Result<Value, Diagnostic> {
+    type N = Ball<Dd>;
+    let m = &problem.motions[k];
+    let (Some((chase, _)), Some((_, d))) = (problem.chase(m), chases.iter().find(|c| c.0 == k)) else {
+        return Ok(Value::None(undecided()));
+    };
+    let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
+    // Where the longer numbers do not tell the laws, f64 with its bound does.
+    let short = |x: Ball<f64>| Ball::new(Dd::from_f64(x.middle()), x.radius());
+    let [x, y] = chase.target.at(t)?;
+    let [x, y] = if x.is_decided() && y.is_decided() {
+        [x.0, y.0]
+    } else {
+        chase.target.at(problem.time.at(Ball::<f64>::from_f64(0.0))?.number.0[0])?.map(|j| j.0.map(short))
+    };
+    let speed = super::law::jet(chase.speed, t)?.0;
+    let l = d[0].hypot(d[1]);
+    let e = [d[0] / l, d[1] / l];
+    let square = [-e[1], e[0]];
+    let omega = cross(e, [x[1], y[1]]) / l;
+    let across = speed[0] * omega;
+    Ok(match what {
+        Asked::Distance(_) => scalar(l),
+        Asked::LineOmega(_) => scalar(omega),
+        Asked::Place(_) => vector(&[x[0] - d[0], y[0] - d[1]]),
+        Asked::Velocity(_) => vector(&e.map(|c| c * speed[0])),
+        Asked::Acceleration(_) => vector(&[0, 1].map(|c| e[c] * speed[1] + square[c] * across)),
+        Asked::Curvature(_) if omega.contains_zero() => Value::None(straight(&m.point)),
+        Asked::Curvature(_) => scalar(if omega.approx() < 0.0 { -(speed[0] / omega) } else { speed[0] / omega }),
+        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Part(..) => Value::None(undecided()),
+    })
+}
+
+fn straight(point: &str) -> Diagnostic {
+    Diagnostic::error("straight", both!("the path of {point} does not bend at the instant", "此瞬时 {point} 的轨迹不弯曲（ρ = ∞）"))
+}
+
+/// What laws alone tell: in `f64` with its bound, in longer numbers where that leaves too few digits.
+fn by_law(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic> {
+    let fine = within(BITS, || in_numbers::<Ball<Big>>(problem, k, what))?;
+    match fine {
+        Value::None(d) if d.code == "undecided" => in_numbers::<Ball<f64>>(problem, k, what),
+        other => Ok(other),
+    }
+}
+
+fn in_numbers<N: Certain>(problem: &Problem, k: usize, what: Asked) -> Result<Value, Diagnostic> {
+    let t = problem.time.at(N::from_f64(0.0))?.number.0[0];
+    let m = &problem.motions[k];
+    let [place, v, a] = match &m.kind {
+        Kind::Fixed(way) => {
+            let [x, y] = way.at(t)?;
+            [0, 1, 2].map(|order| vec![x.0[order], y.0[order]])
+        }
+        Kind::OnPlate(..) => {
+            let Some(state) = State::of(problem, m, t)? else { return Ok(Value::None(undecided())) };
+            if let Asked::Part(_, part) = what {
+                return Ok(vector(&state.part(part)));
+            }
+            state.absolute().map(|v| v.to_vec())
+        }
+        Kind::Toward { .. } => return Ok(Value::None(undecided())),
+    };
+    Ok(match what {
+        Asked::Place(_) => vector(&place),
+        Asked::Velocity(_) => vector(&v),
+        Asked::Acceleration(_) => vector(&a),
+        _ => curvature(&m.point, &v, &a),
+    })
+}
+
+/// |v|³ / |v × a|.
+fn curvature<N: Certain>(point: &str, v: &[N], a: &[N]) -> Value {
+    let zero = N::from_f64(0.0);
+    let at = |v: &[N], k: usize| v.get(k).copied().unwrap_or(zero);
+    let turned = |i: usize, j: usize| at(v, i) * at(a, j) - at(v, j) * at(a, i);
+    let c = [turned(1, 2), turned(2, 0), turned(0, 1)];
+    let bend = c.iter().fold(zero, |s, x| s + *x * *x);
+    let v2 = v.iter().fold(zero, |s, x| s + *x * *x);
+    if bend.approx() <= 2.0 * bend.radius() || bend.approx() <= 1e-60 * v2.approx() * a.iter().fold(0.0, |s, x| s + x.approx() * x.approx())
+    {
+        return Value::None(straight(point));
+    }
+    scalar(v2 * v2.sqrt() / bend.sqrt())
+}

@@ -1,0 +1,232 @@
+//! Motions without a mechanism for people and programs: answers with their certain digits, the drawing beside them, and that a pursuit is integrated.
+
+use super::answers::diagnostic;
+use crate::diag::Diagnostic;
+use crate::digits::{plain, significant};
+use crate::number::decimal::Enclosure;
+use crate::paper::phrase::{Phrase, tr};
+use crate::particle::board::Drawn;
+use crate::particle::plate::Part;
+use crate::particle::pursuit::End;
+use crate::particle::{Asked, Kind, Problem, Solved, Value};
+use crate::scene::Lang;
+use serde_json::{Value as Json, json};
+
+/// The unit of an answer.
+pub fn unit(what: Asked) -> &'static str {
+    match what {
+        Asked::MeetingTime(_) => "s",
+        Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::Place(_) | Asked::Curvature(_) => "m",
+        Asked::LineOmega(_) => "rad/s",
+        Asked::Velocity(_) => "m/s",
+        Asked::Acceleration(_) => "m/s^2",
+        Asked::Part(_, part) if part.is_velocity() => "m/s",
+        Asked::Part(..) => "m/s^2",
+    }
+}
+
+/// A number to at most so many digits, all of them certain; zero where it is nothing beside `size`.
+pub fn number(e: &Enclosure, size: f64, digits: usize) -> String {
+    if e.contains_zero() && e.largest() <= 1e-10 * size || e.approx == 0.0 && e.radius == 0.0 {
+        return "0".to_owned();
+    }
+    let told = (1..=digits).rev().find_map(|d| e.rounded(d));
+    told.map_or_else(|| "?".to_owned(), |text| plain(&text))
+}
+
+/// The names of the components.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// The largest answer of the same kind: what is nothing beside it is printed as zero.
+pub fn largest(problem: &Problem, solved: &Solved, what: Asked) -> f64 {
+    let of = |a: &crate::particle::Answer| match &a.value {
+        Value::Vector(_, size) if unit(problem.find[a.find].what) == unit(what) => size.approx,
+        Value::Vector(..) | Value::Scalar(_) | Value::None(_) => 0.0,
+    };
+    solved.answers.iter().map(of).fold(0.0, f64::max)
+}
+
+/// The value of an answer: components, and the magnitude; `size` is that of the largest of its kind.
+pub fn value(what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -> String {
+    let unit = unit(what);
+    match value {
+        Value::None(d) => format!("{} ({})", tr(lang, "none", "无"), lang.of(&d.message)),
+        Value::Scalar(e) => format!("{} {unit}", number(e, e.approx.abs().max(size), digits)),
+        Value::Vector(parts, whole) => {
+            let size = whole.approx.max(size);
+            let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", number(e, size, digits))).collect();
+            match what {
+                Asked::MeetingPlace(_) | Asked::Place(_) => format!("({}) {unit}", each.join(", ")),
+                _ => format!("{} {unit} ({})", number(whole, size, digits), each.join(", ")),
+            }
+        }
+    }
+}
+
+/// What is said of a pursuit.
+pub fn integrated(lang: Lang) -> &'static str {
+    tr(
+        lang,
+        "The pursuit is integrated (Gragg, Bulirsch, Stoer; the errors of the steps are added up and bound all digits told); what follows at the instant is exact.",
+        "追踪运动由数值积分求得（Gragg–Bulirsch–Stoer 法，各步误差之和限定所给数字）；该瞬时的其余量由此精确导出。",
+    )
+}
+
+/// How far the drawing is from an answer, as a part of it.
+pub fn apart(answer: &Value, drawn: &[f64], largest: f64) -> Option<f64> {
+    let all = answer.vector().or_else(|| answer.scalar().map(|s| vec![s.abs()]))?;
+    let norm = |v: &mut dyn Iterator<Item = f64>| v.fold(0.0, |s, x| s + x * x).sqrt();
+    let drawn: Vec<f64> = if all.len() == 1 { vec![drawn[0].abs()] } else { drawn.to_vec() };
+    // What is small beside the others of its kind is compared with a thousandth of them.
+    let size = norm(&mut all.iter().copied()).max(1e-3 * largest);
+    let off = norm(&mut all.iter().zip(&drawn).map(|(a, b)| a - b));
+    Some(if size > 0.0 { off / size } else { off })
+}
+
+/// The drawn value of an answer.
+pub fn drawn(all: &[Drawn], what: Asked) -> Option<&[f64]> {
+    all.iter().flat_map(|d| &d.readings).find(|r| r.0 == what).map(|r| r.1.as_slice())
+}
+
+/// The report.
+pub fn text(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, steps: bool, lang: Lang) -> String {
+    let mut out = format!("{}\n", lang.of(&problem.title));
+    out += &format!("t = {} s\n\n", significant(problem.instant(), 6));
+    let wide = problem.find.iter().map(|f| f.text.chars().count()).max().unwrap_or(0);
+    for answer in &solved.answers {
+        let find = &problem.find[answer.find];
+        let size = largest(problem, solved, find.what);
+        let told = value(find.what, &answer.value, size, digits, lang);
+        let beside = drawn(board, find.what).and_then(|d| apart(&answer.value, d, size)).map_or(String::new(), |off| {
+            let off = if off < 1e-14 { "0".to_owned() } else { format!("{off:.0e}") };
+            format!("   {} {off}", tr(lang, "drawing differs by", "作图相差"))
+        });
+        out += &format!("{:wide$} = {told}{beside}\n", find.text);
+    }
+    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+        out += &format!("\n{}\n", integrated(lang));
+    }
+    if steps {
+        for d in board {
+            out += &format!(
+                "\n{}: μ_l = {} m/mm, μ_v = {} (m/s)/mm, μ_a = {} (m/s^2)/mm\n",
+                tr(lang, "Drawing", "作图"),
+                d.mu[0],
+                d.mu[1],
+                d.mu[2]
+            );
+            for (k, s) in d.steps.iter().enumerate() {
+                out += &format!("{}. {}\n", k + 1, Phrase::new(lang.of(s)).plain());
+            }
+        }
+    }
+    out
+}
+
+/// The same for programs, in SI.
+pub fn json(problem: &Problem, solved: &Solved, board: &[Drawn], digits: usize, notes: &[Diagnostic]) -> Json {
+    let told = |e: &Enclosure, size: f64| json!({"value": e.approx, "radius": e.radius, "text": number(e, size, digits)});
+    let answers: Vec<Json> = solved
+        .answers
+        .iter()
+        .map(|a| {
+            let find = &problem.find[a.find];
+            let size = largest(problem, solved, find.what);
+            let mut out = match &a.value {
+                Value::Scalar(e) => told(e, e.approx.abs()),
+                Value::Vector(parts, whole) => {
+                    let each: Vec<Json> = parts.iter().map(|e| told(e, whole.approx.max(size))).collect();
+                    json!({"value": parts.iter().map(|e| e.approx).collect::<Vec<_>>(), "components": each, "magnitude": told(whole, whole.approx.max(size))})
+                }
+                Value::None(d) => json!({"value": null, "why": diagnostic(d)}),
+            };
+            if let Some(object) = out.as_object_mut() {
+                object.insert("find".into(), json!(find.text));
+                object.insert("unit".into(), json!(unit(find.what)));
+                object.insert("drawn".into(), json!(drawn(board, find.what)));
+            }
+            out
+        })
+        .collect();
+    let ends: Vec<Json> = solved
+        .ends
+        .iter()
+        .map(|(k, end)| {
+            let point = &problem.motions[*k].point;
+            match end {
+                End::Meet { time, .. } => {
+                    json!({"pursuer": point, "integrated": true, "meets": true, "time": crate::number::Real::approx(*time)})
+                }
+                End::Apart { until, distance } => {
+                    json!({"pursuer": point, "integrated": true, "meets": false, "until": until, "distance": distance})
+                }
+            }
+        })
+        .collect();
+    json!({
+        "title": {"en": problem.title.en, "zh": problem.title.zh},
+        "time": problem.instant(),
+        "answers": answers,
+        "pursuits": ends,
+        "notes": notes.iter().map(diagnostic).collect::<Vec<_>>(),
+    })
+}
+
+/// The symbol of a question in the label language.
+pub fn symbol(problem: &Problem, what: Asked, lang: Lang) -> String {
+    let name = |k: usize| problem.motions[k].point.as_str();
+    let pair = |k: usize| {
+        let m = &problem.motions[k];
+        format!("{}{}", m.point, problem.chase(m).map_or("", |c| c.1))
+    };
+    match what {
+        Asked::MeetingTime(k) => format!("T_{{{}}}", pair(k)),
+        Asked::MeetingPlace(k) => format!("P_{{{}}}", pair(k)),
+        Asked::Distance(k) => format!("l_{{{}}}", pair(k)),
+        Asked::LineOmega(k) => format!("\\omega_{{{}}}", pair(k)),
+        Asked::Place(k) => name(k).to_owned(),
+        Asked::Velocity(k) => format!("v_{{{}}}", name(k)),
+        Asked::Acceleration(k) => format!("a_{{{}}}", name(k)),
+        Asked::Curvature(k) => format!("\\rho_{{{}}}", name(k)),
+        Asked::Part(_, part) => part_symbol(part, lang),
+    }
+}
+
+fn part_symbol(part: Part, lang: Lang) -> String {
+    match part {
+        Part::TransportVelocity => "v_e".to_owned(),
+        Part::RelativeVelocity => "v_r".to_owned(),
+        Part::Transport => "a_e".to_owned(),
+        Part::TransportNormal => "a^n_e".to_owned(),
+        Part::TransportTangential => "a^t_e".to_owned(),
+        Part::Relative => "a_r".to_owned(),
+        Part::RelativeNormal => "a^n_r".to_owned(),
+        Part::RelativeTangential => "a^t_r".to_owned(),
+        Part::Coriolis => format!("a_{}", tr(lang, "c", "k")),
+    }
+}
+
+/// The answers as sentences with formulas, a line each.
+pub fn lines(problem: &Problem, solved: &Solved, digits: usize, lang: Lang) -> Vec<Phrase> {
+    let mut out: Vec<Phrase> = solved
+        .answers
+        .iter()
+        .map(|a| {
+            let what = problem.find[a.find].what;
+            Phrase::new(&format!(
+                "${}$ = {}",
+                symbol(problem, what, lang),
+                inked_words(&value(what, &a.value, largest(problem, solved, what), digits, lang))
+            ))
+        })
+        .collect();
+    if problem.motions.iter().any(|m| matches!(m.kind, Kind::Toward { .. })) {
+        out.push(Phrase::of_words(integrated(lang)));
+    }
+    out
+}
+
+/// Numbers and units as they are printed: a minus as long as a plus, squares raised.
+fn inked_words(text: &str) -> String {
+    text.replace("m/s^2", "m/s²").replace('-', "−")
+}

@@ -1,0 +1,100 @@
+//! The worksheet of a motion without a mechanism: the problem as it is set; the drawing with its sentences, the formulas, the answers by both ways.
+
+use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
+use crate::diag::Diagnostic;
+use crate::digits::significant;
+use crate::figure::label::Label;
+use crate::figure::particle::within_text;
+use crate::paper::phrase::{Phrase, tr};
+use crate::particle::board::Drawn;
+use crate::particle::{Kind, Problem, Solved};
+use crate::report::math::Math;
+use crate::report::particle::{drawn, integrated, largest, symbol, unit, value};
+use crate::scene::Lang;
+
+/// Makes the worksheet.
+///
+/// # Errors
+/// Laws without a value on the way.
+pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options) -> Result<Document, Diagnostic> {
+    let lang = options.sheet.lang;
+    let heading = |level: u8, en: &'static str, zh: &'static str| Block::Heading(level, tr(lang, en, zh).into());
+    let mut blocks = Vec::new();
+    if options.sides != Sides::Solution {
+        blocks.push(heading(1, "Problem", "题目"));
+        if let Some(text) = &problem.statement {
+            blocks.extend(text.get(lang).lines().map(|l| Block::Paragraph(Phrase::new(l))));
+        }
+        let wanted = problem.find.iter().map(|f| Phrase::new(&format!("${}$", symbol(problem, f.what, lang)))).collect();
+        blocks.extend([heading(2, "Wanted", "求"), Block::List { numbered: false, members: wanted }]);
+    }
+    if options.sides != Sides::Problem {
+        blocks.push(heading(1, "Solution", "解"));
+        for d in board {
+            blocks.extend(equations(problem, d, lang));
+            let figure = within_text(problem, solved, d, &options.sheet.style, lang)?;
+            blocks.push(heading(2, "Drawing", "作图"));
+            blocks.push(Block::Figure { name: "motion", figure: Box::new(figure) });
+            let steps = d.steps.iter().map(|s| Phrase::new(lang.of(s))).collect();
+            blocks.push(Block::List { numbered: true, members: steps });
+        }
+        blocks.extend([heading(2, "Answers", "结果"), Block::Table(answers(problem, solved, board, options))]);
+    }
+    Ok(Document { title: one_line(lang.of(&problem.title)), lang, fonts: options.sheet.style.fonts.clone(), blocks })
+}
+
+/// The equations that are drawn.
+fn equations(problem: &Problem, d: &Drawn, lang: Lang) -> Vec<Block> {
+    let motion = &problem.motions[d.motion];
+    let say = |en: &'static str, zh: &'static str| Block::Paragraph(Phrase::new(tr(lang, en, zh)));
+    let formula = |source: &str| Block::Formula(vec![Math::Row(Label::math(source))]);
+    let k = tr(lang, "c", "k");
+    match &motion.kind {
+        Kind::Toward { .. } => {
+            let (a, b) = (&motion.point, problem.chase(motion).map_or("", |c| c.1));
+            vec![
+                Block::Paragraph(Phrase::of_words(integrated(lang))),
+                formula(&format!(
+                    "v_{{{a}}} \\parallel {a}{b} ,\\quad \\omega_{{{a}{b}}} = v_{{{b}\\perp}} / l_{{{a}{b}}} ,\\quad a_{{{a}}}^n = v_{{{a}}} \\omega_{{{a}{b}}} ,\\quad \\rho_{{{a}}} = v_{{{a}}} / \\omega_{{{a}{b}}}"
+                )),
+            ]
+        }
+        Kind::OnPlate(..) => vec![
+            say(
+                "Moving point: the point; frame: the plate. What is along the axis, and $v_r$, $a_r$, is seen on the plate; what is square to the axis is seen along it.",
+                "动点：该点；动系：平板。沿轴的分量以及 $v_r$、$a_r$ 在板面视图中示出真实长度；垂直于轴的分量在沿轴视图中示出。",
+            ),
+            formula("v_a = v_e + v_r ,\\quad v_e = \\omega \\times r"),
+            formula(&format!("a_a = a_e^n + a_e^t + a_r^n + a_r^t + a_{k} ,\\quad a_{k} = 2 \\omega v_r \\sin \\theta")),
+        ],
+        Kind::Fixed(_) => Vec::new(),
+    }
+}
+
+fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Options) -> Table {
+    let lang = options.sheet.lang;
+    let head = [tr(lang, "quantity", "量"), tr(lang, "drawing", "作图"), tr(lang, "analysis", "解析")];
+    let mut rows = vec![head.iter().map(|h| Phrase::of_words(h)).collect::<Vec<_>>()];
+    for a in &solved.answers {
+        let what = problem.find[a.find].what;
+        let read = drawn(board, what).map_or_else(
+            || "—".to_owned(),
+            |all| {
+                let size = all.iter().fold(0.0, |s, x| s + x * x).sqrt();
+                format!("{} {}", significant(size, 4), unit(what))
+            },
+        );
+        let cells = [
+            format!("${}$", symbol(problem, what, lang)),
+            printed(&read),
+            printed(&value(what, &a.value, largest(problem, solved, what), options.sheet.digits, lang)),
+        ];
+        rows.push(cells.iter().map(|c| Phrase::new(c)).collect());
+    }
+    Table { kind: TableKind::Values, rows }
+}
+
+/// Units with their squares raised, minus signs as long as a plus.
+fn printed(text: &str) -> String {
+    text.replace("m/s^2", "m/s²").replace('-', "−")
+}

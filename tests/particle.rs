@@ -1,0 +1,225 @@
+//! Motions without a mechanism: the cases of the collections with further numbers, pursuits against what is known of them in closed form, parts against
+//! the differentiated whole, drawing against analysis, and what is refused.
+
+use hodograph::figure::particle::figures;
+use hodograph::figure::style::Style;
+use hodograph::particle::plate::Part;
+use hodograph::particle::{Asked, Solved, board, read, solve, templates};
+use hodograph::report::particle as report;
+use hodograph::scene::Lang;
+use serde_json::Value as Json;
+
+fn solved(text: &str) -> (hodograph::particle::Problem, Solved) {
+    let problem = read(text).unwrap_or_else(|f| panic!("{f}")).value;
+    let solved = solve(&problem).unwrap_or_else(|f| panic!("{f}"));
+    (problem, solved)
+}
+
+fn scalar(text: &str, find: &str) -> f64 {
+    let (problem, solved) = solved(text);
+    let at = problem.find.iter().position(|f| f.text == find).unwrap_or_else(|| panic!("{find}"));
+    solved.answers[at].value.scalar().unwrap_or_else(|| panic!("{find}: {:?}", solved.answers[at].value))
+}
+
+/// The cases, each file with what it expects.
+#[test]
+fn cases_of_motions_without_a_mechanism() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/motions");
+    let mut seen = 0;
+    for file in std::fs::read_dir(folder).unwrap() {
+        let text = std::fs::read_to_string(file.unwrap().path()).unwrap();
+        let case: Json = serde_json::from_str(&text).unwrap();
+        let (problem, solved) = solved(&case["scene"].to_string());
+        let drawn = board::draw(&problem).unwrap();
+        for expect in case["expect"].as_array().unwrap() {
+            let find = expect["find"].as_str().unwrap();
+            let at = problem.find.iter().position(|f| f.text == find).unwrap_or_else(|| panic!("{find}"));
+            let pick = |all: Vec<f64>| match expect["component"].as_str() {
+                Some("x") => all[0],
+                Some("y") => all[1],
+                Some("z") => all[2],
+                Some("norm") => all.iter().map(|x| x * x).sum::<f64>().sqrt(),
+                _ => all[0],
+            };
+            let value = &solved.answers[at].value;
+            let exact: f64 = expect["exact"].as_str().unwrap().parse().unwrap();
+            let tolerance = expect["tolerance"].as_f64().unwrap() * exact.abs();
+            let found = pick(value.vector().or_else(|| value.scalar().map(|s| vec![s])).unwrap());
+            assert!((found - exact).abs() <= tolerance, "{}: {find} {found} {exact}", case["case"]);
+            if let Some(read) = report::drawn(&drawn, problem.find[at].what) {
+                assert!((pick(read.to_vec()) - exact).abs() <= tolerance.max(1e-9 * exact.abs()), "{}: {find} drawn", case["case"]);
+            }
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 18);
+}
+
+/// T = l v / (v² − u²) for a target square to the first line of sight, whatever the numbers.
+#[test]
+fn pursuit_of_a_straight_runner_ends_when_the_formula_says() {
+    for (l, u, v) in [(1.0, 0.1, 3.0), (2.0, 1.0, 2.0), (5.0, 1.9, 2.0), (0.02, 30.0, 70.0), (1e4, 1.0, 1.05)] {
+        let text = format!(
+            r#"{{"points": {{"A": [0, 0], "B": [0, "{l} m"]}}, "motions": [{{"point": "B", "angle": "0 deg", "s": "{u} m/s*t"}},
+                {{"point": "A", "toward": "B", "speed": "{v} m/s"}}], "find": ["T_AB"]}}"#
+        );
+        let (_, found) = solved(&text);
+        let value = &found.answers[0].value;
+        let exact = l * v / (v * v - u * u);
+        let hodograph::particle::Value::Scalar(e) = value else { panic!("{value:?}") };
+        assert!((e.approx - exact).abs() <= e.radius + 1e-15 * exact, "{l} {u} {v}: {} {exact} ± {}", e.approx, e.radius);
+        assert!(e.radius < 1e-11 * exact, "{l} {u} {v}: {}", e.radius);
+    }
+}
+
+/// Of any straight runner at an angle: d/dt of (D·(v e + u)) is v² − u² ... constant, so T = (v l + u·D)/(v² − u²) from any first line of sight.
+#[test]
+fn pursuit_from_any_side_and_at_any_instant_keeps_its_integral() {
+    for (x, y, angle) in [(3.0, 4.0, 10.0), (-2.0, 1.0, 200.0), (0.5, -7.0, 77.0)] {
+        let (u, v, x, y): (f64, f64, f64, f64) = (1.3, 2.1, x, y);
+        let text = format!(
+            r#"{{"time": "0.7 s", "points": {{"A": [0, 0], "B": ["{x} m", "{y} m"]}}, "motions": [{{"point": "B", "angle": "{angle} deg", "s": "{u} m/s*t"}},
+                {{"point": "A", "toward": "B", "speed": "{v} m/s"}}]}}"#
+        );
+        let along = f64::to_radians(angle);
+        let length = (x * x + y * y).sqrt();
+        let exact = (v * length + u * (x * along.cos() + y * along.sin())) / (v * v - u * u);
+        assert!((scalar(&text, "T_AB") - exact).abs() < 1e-12 * exact, "{x} {y} {angle}");
+        // The same of what is left at the instant.
+        let (problem, found) = solved(&text);
+        let value = |find: &str| found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector();
+        let (a, l) = (value("r_A").unwrap(), scalar(&text, "l_AB"));
+        let b = [x + u * 0.7 * along.cos(), y + u * 0.7 * along.sin()];
+        let left = (v * l + u * ((b[0] - a[0]) * along.cos() + (b[1] - a[1]) * along.sin())) / (v * v - u * u);
+        assert!((left + 0.7 - exact).abs() < 1e-12 * exact, "{x} {y} {angle}");
+    }
+}
+
+/// Velocity and acceleration of the pursuer are the differences of its integrated places.
+#[test]
+fn what_follows_at_the_instant_is_that_of_differences() {
+    let text = templates::get("pursuit-of-a-ship").unwrap();
+    let at = |t: f64| {
+        let (problem, found) = solved(&text.replace("\"15 s\"", &format!("\"{t} s\"")).replace("\"find\": [", "\"find\": [\"r_A\", "));
+        let value = |find: &str| found.answers[problem.find.iter().position(|f| f.text == find).unwrap()].value.vector().unwrap();
+        (value("r_A"), value("v_A"), value("a_A"))
+    };
+    let h = 1e-3;
+    let ((before, ..), (here, v, a), (after, ..)) = (at(15.0 - h), at(15.0), at(15.0 + h));
+    for k in 0..2 {
+        assert!(((after[k] - before[k]) / (2.0 * h) - v[k]).abs() < 1e-6, "{k}");
+        assert!(((after[k] - 2.0 * here[k] + before[k]) / (h * h) - a[k]).abs() < 1e-5, "{k}");
+    }
+}
+
+#[test]
+fn a_slower_pursuer_is_told_apart() {
+    let text = templates::get("pursuit").unwrap().replace("\"5 m/s\"", "\"3 m/s\"");
+    let (_, found) = solved(&text);
+    let hodograph::particle::Value::None(d) = &found.answers[0].value else { panic!() };
+    assert_eq!(d.code, "never-meets");
+}
+
+/// By drawing and analysis alike, of all templates and of plates in every direction; the parts make up the whole.
+#[test]
+fn parts_make_up_the_whole_and_drawing_agrees() {
+    let ring = templates::get("ring-in-space").unwrap();
+    let mut texts: Vec<String> = templates::names().map(|n| templates::get(n).unwrap().to_owned()).collect();
+    for axis in ["x", "y", "z"] {
+        for k in 0..8 {
+            let text = ring.replace("\"axis\": \"z\"", &format!("\"axis\": \"{axis}\", \"offset\": \"{} mm\"", 15 * k));
+            texts.push(text.replace("\"0.5 s\"", &format!("\"{} s\"", 0.1 + 0.4 * f64::from(k))).replace("w*t^2", "w*t^2 - 1 rad/s*t"));
+        }
+    }
+    for mut text in texts {
+        text.truncate(text.find("\"find\"").map_or(text.len(), |at| text[..at].rfind(',').unwrap()));
+        text += "}";
+        let (problem, found) = solved(&text);
+        let drawn = board::draw(&problem).unwrap();
+        for a in &found.answers {
+            let what = problem.find[a.find].what;
+            if let Some(read) = report::drawn(&drawn, what) {
+                let off = report::apart(&a.value, read, report::largest(&problem, &found, what)).unwrap_or(0.0);
+                assert!(off < 1e-11, "{}: {off} {text}", problem.find[a.find].text);
+            }
+        }
+        let value = |wanted: Asked| found.answers.iter().find(|a| problem.find[a.find].what == wanted).unwrap().value.vector().unwrap();
+        for (k, _) in problem.motions.iter().enumerate().filter(|(_, m)| matches!(m.kind, hodograph::particle::Kind::OnPlate(..))) {
+            let part = |p: Part| value(Asked::Part(k, p));
+            let sum = |all: &[Vec<f64>]| (0..3).map(|c| all.iter().map(|v| v[c]).sum::<f64>()).collect::<Vec<_>>();
+            let near = |a: Vec<f64>, b: Vec<f64>| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13);
+            assert!(near(value(Asked::Velocity(k)), sum(&[part(Part::TransportVelocity), part(Part::RelativeVelocity)])), "{text}");
+            let five = [Part::TransportNormal, Part::TransportTangential, Part::RelativeNormal, Part::RelativeTangential, Part::Coriolis];
+            assert!(near(value(Asked::Acceleration(k)), sum(&five.map(part))), "{text}");
+        }
+    }
+}
+
+/// Words and drawings of every template in both languages, at many instants: no label lies on another.
+#[test]
+fn figures_have_no_labels_on_one_another() {
+    for name in templates::names() {
+        for k in 0..24 {
+            let text = templates::get(name).unwrap();
+            // The instants of all templates are before their meetings.
+            let t = match name {
+                "pursuit" => format!("\"t1\": \"{} s\"", 60 * k),
+                "pursuit-of-a-ship" => format!("\"t1\": \"{} s\"", 0.85 * f64::from(k)),
+                _ => format!("\"t1\": \"{} s\"", 0.2 * f64::from(k)),
+            };
+            let text = text.replace("\"t1\": \"0 s\"", &t).replace("\"t1\": \"15 s\"", &t).replace("\"t1\": \"0.5 s\"", &t);
+            let text = text.replace("\"angle\": \"90 deg\"", &format!("\"angle\": \"{} deg\"", 15 * k));
+            let (problem, found) = solved(&text);
+            let drawn = board::draw(&problem).unwrap();
+            for lang in [Lang::En, Lang::Zh] {
+                for (_, figure) in figures(&problem, &found, &drawn, &Style::default(), lang).unwrap() {
+                    let boxes: Vec<_> =
+                        figure.items.iter().filter(|i| matches!(i.shape, hodograph::figure::item::Shape::Label { .. })).collect();
+                    for (i, one) in boxes.iter().enumerate() {
+                        for other in &boxes[..i] {
+                            let (Some(a), Some(b)) = (one.bounds(), other.bounds()) else { continue };
+                            assert!(a.overlap_mm2(b) < 0.05, "{name} {k} {lang:?}: {one:?} on {other:?}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// What is wrong is told, all of it, with its place.
+#[test]
+fn faults_are_told_with_their_places() {
+    for (text, codes) in [
+        (r#"{"motions": []}"#, vec!["wrong-count"]),
+        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key"]),
+        (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["unknown-point"]),
+        (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#, vec!["pursuit"]),
+        (
+            r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m", "s": "1 m"}, {"point": "B", "x": "1 s*t"}]}"#,
+            vec!["motion", "dimension", "dimension", "missing-key"],
+        ),
+        (
+            r#"{"plates": [{"link": "2", "axis": "w", "angle": "0 deg"}], "motions": [{"point": "M", "on": "3", "to_axis": "0 deg", "s": "1 m"}]}"#,
+            vec!["unknown-word", "unknown-plate"],
+        ),
+        (r#"{"time": "-1 s", "motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["time"]),
+        (r#"{"motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["unknown-question"]),
+    ] {
+        let faults = read(text).unwrap_err();
+        let mut told: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
+        let mut codes = codes;
+        told.sort_unstable();
+        codes.sort_unstable();
+        assert_eq!(told, codes, "{text}: {faults}");
+        assert!(faults.list.iter().all(|d| d.span.is_some()), "{text}: {faults}");
+    }
+    for (text, code) in [
+        (templates::get("pursuit").unwrap().replace("\"t1\": \"0 s\"", "\"t1\": \"2000 s\""), "pursuit"),
+        (templates::get("pursuit").unwrap().replace("\"5 m/s\"", "\"0 m/s\""), "pursuit"),
+        (templates::get("plate-in-space").unwrap().replace("b*sin(t/3*(1 rad/s))", "b*sqrt(t/(1 s) - pi/2)"), "law"),
+    ] {
+        let faults = read(text).and_then(|p| solve(&p.value)).unwrap_err();
+        assert_eq!(faults.list[0].code, code, "{faults}");
+    }
+}
