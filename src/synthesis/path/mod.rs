@@ -15,6 +15,7 @@ use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, meet, named_lengths};
+use super::nearest::{number, told};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
@@ -173,7 +174,10 @@ impl Wish for Path {
                 for left in sides {
                     match by_inversion(points, [*a, *d], [*crank, *be], *left, heading) {
                         Ok(draft) => drafts.push(draft),
-                        Err(fault) => faults.push(fault),
+                        Err(message) => {
+                            let told = Diagnostic::error("no-real-solution", message);
+                            faults.push(told.help(nearest(points, [*a, *d], [*crank, *be], sides, heading)));
+                        }
                     }
                 }
                 if drafts.is_empty() { Err(faults) } else { Ok(Found { drafts, ..Found::default() }) }
@@ -222,25 +226,51 @@ fn back_to_first(d: Point, b: [Point; 3], e: &[Point; 3], k: usize) -> Point {
     b[0] + local.rotate_by(e[0] - b[0])
 }
 
+/// The nearest BE, else the nearest crank, with which the places are reached.
+fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2], sides: &[bool], heading: &Heading) -> Both {
+    let works = |lengths: [f64; 2]| {
+        // A pivot of C farther off than a hundred times the frame is none.
+        let near =
+            |draft: Draft| draft.numbers.iter().all(|n| n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank));
+        lengths.iter().all(|l| *l > 0.0) && sides.iter().any(|left| by_inversion(e, pivots, lengths, *left, heading).is_ok_and(near))
+    };
+    let scale = (pivots[0].distance(pivots[1]) + pivots[0].distance(e[0])) * 1e3;
+    if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
+        return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
+    }
+    if let Some(mm) = number(crank * 1e3, scale, |mm| works([mm * 1e-3, be])) {
+        return both!("\"crank\": \"{} mm\" does", "\"crank\": \"{} mm\" 时可以", told(mm));
+    }
+    // BE between the nearest and the farthest place lets the shortest crank reach all.
+    let far = e.map(|p| p.distance(pivots[0]) * 1e3);
+    let middle = libm::rint((far.iter().copied().fold(f64::INFINITY, f64::min) + far.iter().copied().fold(0.0, f64::max)) / 2.0);
+    match number(crank * 1e3, scale, |mm| works([mm * 1e-3, middle * 1e-3])) {
+        Some(mm) => both!(
+            "\"crank\": \"{} mm\" with \"BE\": \"{} mm\" does",
+            "\"crank\": \"{} mm\"、\"BE\": \"{} mm\" 时可以",
+            told(mm),
+            told(middle)
+        ),
+        None => both!("move the pivots: both crank and BE must reach all three places", "请移动固定铰链：曲柄与 BE 须能到达三个位置"),
+    }
+}
+
 /// Three places by inversion.
-fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Diagnostic> {
+fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Both> {
     let mut b = [Point::ORIGIN; 3];
     for (k, at) in e.iter().enumerate() {
         b[k] = meet(a, crank, *at, be, left).ok_or_else(|| {
-            let far = a.distance(*at);
-            let message = both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, metres(far));
-            let help = both!("BE lies from {} to {}", "BE 应在 {} 到 {} 之间", metres((far - crank).abs()), metres(far + crank));
-            Diagnostic::error("no-real-solution", message).help(help)
+            let far = metres(a.distance(*at));
+            both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, far)
         })?;
     }
     let direction = |k: usize| e[k] - b[k];
     let [d1, d2, d3] = [d, back_to_first(d, b, e, 1), back_to_first(d, b, e, 2)];
     let Some((c, _)) = centre(d1, d2, d3) else {
-        let message =
-            both!("D, carried back into position 1, lies in line: C would be infinitely far", "D 反转到位置 1 后三点共线：C 在无穷远处");
-        return Err(
-            Diagnostic::error("no-real-solution", message).help(both!("move D, or take another crank or BE", "请移动 D，或改变曲柄、BE"))
-        );
+        return Err(both!(
+            "D, carried back into position 1, lies in line: C would be infinitely far",
+            "D 反转到位置 1 后三点共线：C 在无穷远处"
+        ));
     };
     let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
     let axis = (c - b[0]) * (1.0 / (c - b[0]).norm());
