@@ -124,7 +124,7 @@
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
-//! synthesis  diag json digits number geom scene mechanism position sweep
+//! synthesis  diag json digits number geom scene mechanism position construct sweep
 //! report     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions synthesis
 //! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions synthesis report
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts synthesis report figure

@@ -19,6 +19,7 @@
 
 pub mod board;
 pub mod body;
+pub mod by_hand;
 pub mod candidate;
 pub mod cognates;
 pub(crate) mod form;

@@ -124,7 +124,7 @@ impl SliderCrank {
         let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
         board.mark("O", centre);
         let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
-        let a = level.cross_circle(centre, radius)?[k];
+        let a = board.cut(&level, centre, radius)?[k];
         board.step(both!("The parallel to the guide at the offset e meets the circle in A", "在偏距 e 处作导路的平行线，与圆交于 A"));
         board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);

@@ -4,7 +4,7 @@ use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::digits::significant;
 use crate::geom::Point;
-use crate::synthesis::board::{Board, Line, Weight, cross_circles};
+use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::Draft;
 use crate::synthesis::told::of;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -47,7 +47,7 @@ impl CrankRocker {
             .mark("D", d)
             .mark("C_1", c1);
         let ray = Line::ray(a, (c1 - a).angle() + sense * self.ratio.theta);
-        let c2 = ray.cross_circle(d, radius)?[k];
+        let c2 = board.cut(&ray, d, radius)?[k];
         if (c2 - a).dot(ray.along) <= 0.0 {
             return None;
         }
@@ -78,7 +78,7 @@ impl CrankRocker {
             let line = Line::through(c1, c2)?;
             let a = match fixed {
                 Fixed::Frame(frame) => {
-                    let a = line.cross_circle(d, board.mm(frame))?[k];
+                    let a = board.cut(&line, d, board.mm(frame))?[k];
                     board.step(both!(
                         "θ = 0: A lies on the line C1C2, at the frame's length from D",
                         "θ = 0：A 在 C1C2 的延长线上，距 D 为机架长"
@@ -110,11 +110,11 @@ impl CrankRocker {
                 let opening = board.mm(frame);
                 board.step(both!("With the frame AD as opening about D cut the circle: A", "以 D 为圆心、机架长为半径截该圆得 A"));
                 board.circle(d, opening, Weight::Thin);
-                cross_circles(d, opening, centre, radius)?[k]
+                board.circles(d, opening, centre, radius)?[k]
             }
             Fixed::Line(given) => {
                 board.step(both!("The given line cuts the circle: A", "给定直线与该圆交于 A"));
-                let a = through(board, given)?.cross_circle(centre, radius)?[k];
+                let a = board.cut(&through(board, given)?, centre, radius)?[k];
                 board.line(board.at(given[0]), a, Weight::Given);
                 a
             }
@@ -126,7 +126,7 @@ impl CrankRocker {
                     "On the ray under β = {text}° from C2C1 (the best transmission angle) lies A",
                     "由 C2C1 作 β = {text}° 的射线（传动角最好）与圆交于 A"
                 ));
-                let crossings = ray.cross_circle(centre, radius)?;
+                let crossings = board.cut(&ray, centre, radius)?;
                 let far = crossings.into_iter().max_by(|p, q| p.distance(c2).total_cmp(&q.distance(c2)))?;
                 (k == 0).then_some(far)?
             }
