@@ -120,6 +120,11 @@ impl<'a> Form<'a> {
         self.front.number(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
+    /// A number without a dimension or an angle: as written, and for an angle whether it counts degrees.
+    pub fn number_or_angle(&self, key: &str) -> Option<(f64, Option<bool>)> {
+        self.front.number_or_angle(self.node(key)?, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+    }
+
     /// A function of a variable.
     pub fn curve(&self, key: &str, variable: &str) -> Option<Curve> {
         self.front.curve(self.node(key)?, variable, &format!("\"{key}\""), &mut self.faults.borrow_mut())

@@ -134,8 +134,21 @@ fn of_curve(form: &Form) -> Option<Read> {
     f.need("y", "\"ln(x)\"")?;
     let curve = f.curve("y", "x");
     let text = f.word("y").map_or_else(String::new, |w| w.text);
-    let end = |key: &str| f.number_of(f.need(key, "1")?, key);
+    let end = |key: &str| f.need(key, "1").and_then(|_| f.number_or_angle(key));
     let (from, to) = (end("from"), end("to"));
+    // A range of angles, such as 0 to 90 deg; zero needs no unit.
+    let angle = from.zip(to).and_then(|(p, q)| p.1.or(q.1));
+    if let Some((p, q)) = from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0)) {
+        let message = both!("the range goes from {} to {}: of two kinds or units", "范围 {} 到 {} 的量纲或单位不同", p.0, q.0);
+        let help = both!("write both in degrees, both in radians, or both without a unit", "请两端都用度、都用弧度或都不带单位");
+        form.fault(Diagnostic::error("dimension", message).at(f.span("to")).help(help));
+        return None;
+    }
+    let (from, to) = (from.map(|v| v.0), to.map(|v| v.0));
+    let curve = curve.map(|c| match angle {
+        Some(degrees) => c.of_angle(degrees),
+        None => c,
+    });
     let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
     let n = if fit_five {
         Some(5)
@@ -162,7 +175,11 @@ fn of_curve(form: &Form) -> Option<Read> {
         form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", "请写 \"to\": {}", from + 1.0)));
         return None;
     }
-    let value = |x: f64| curve.at(x).map_err(|d| form.fault(d.at(f.span("y")))).ok();
+    let hint = both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"");
+    let value = |x: f64| {
+        let faulty = |d: Diagnostic| form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")));
+        curve.at(x).map_err(faulty).ok()
+    };
     let values = [value(from)?, value(to)?];
     if values[0] == values[1] {
         let message = both!("y has the same value at both ends: the output's swing has no scale", "y 在两端的值相同：输出摆角无比例");
