@@ -60,7 +60,7 @@ impl Body {
     /// A joint that does not move between two positions: the pole, which is on no circle of a link.
     pub(super) fn still(&self, side: usize) -> Diagnostic {
         let given = if self.moving[side].is_some() { ["B", "C"] } else { ["A", "D"] }[side];
-        let own = self.moving[side].map_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2(), |v| v);
+        let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
         let message = both!("{given} is the pole of the two positions: it does not move", "{given} 是两位置的转动极，没有移动");
         let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does", "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以");
@@ -78,7 +78,7 @@ impl Body {
         };
         let [p, q] = names;
         let message = both!("{p} and {q} come out in one place: the two sides are one link", "{p} 与 {q} 重合：两侧成为同一构件");
-        let own = self.moving[1].map_or_else(|| self.ground[1].unwrap_or(Point::ORIGIN).to_vec2(), |v| v);
+        let own = self.moving[1].unwrap_or_else(|| self.ground[1].unwrap_or(Point::ORIGIN).to_vec2());
         let given = if self.moving[1].is_some() { "C" } else { "D" };
         let [x, y] = [own.x * 1e3 + self.scale(), own.y * 1e3].map(told);
         let help = both!("\"{given}\": [\"{x} mm\", \"{y} mm\"] does", "\"{given}\": [\"{x} mm\", \"{y} mm\"] 时可以");
@@ -87,7 +87,7 @@ impl Body {
 
     /// The given joint elsewhere along an axis.
     fn joint(&self, side: usize, given: &str, axis: usize) -> Option<Change> {
-        let own = self.moving[side].map_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2(), |v| v);
+        let own = self.moving[side].unwrap_or_else(|| self.ground[side].unwrap_or(Point::ORIGIN).to_vec2());
         let mut at = [own.x * 1e3, own.y * 1e3];
         let from = at[axis];
         let with = |v: f64, mut at: [f64; 2]| {
