@@ -38,6 +38,18 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
         grown += usize::from(at_bound(&f.linkage, size));
         grown <= 1 || !at_bound(&f.linkage, size)
     });
+    // Along a flat valley steps end before its bottom: what lies beside a better one is that one.
+    let near = |a: &Fit, b: &Fit| {
+        let longest = a.linkage.lengths.into_iter().fold(0.0, f64::max);
+        b.rms <= 1.01 * a.rms && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 0.05 * longest)
+    };
+    let mut bottoms: Vec<Fit> = Vec::new();
+    for fit in found.fits {
+        if !bottoms.iter().any(|better| near(better, &fit)) {
+            bottoms.push(fit);
+        }
+    }
+    found.fits = bottoms;
     let twins: Vec<Fit> = found.fits.iter().filter_map(twin).collect();
     for twin in twins {
         if !found.fits.iter().any(|f| same(f, &twin)) {
