@@ -125,7 +125,7 @@
 //! attempts   diag digits geom scene mechanism position answer plan construct worked
 //! curvature  diag geom scene mechanism position answer analytic sweep worked centres
 //! inversions diag scene mechanism position sweep worked curvature
-//! synthesis  diag json digits number geom scene mechanism position sweep
+//! synthesis  diag json digits number geom scene mechanism position construct sweep
 //! particle   diag json digits number geom scene construct
 //! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
 //! figure     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report

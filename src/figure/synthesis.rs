@@ -92,8 +92,18 @@ fn window(board: &Board) -> Option<Rect> {
         Drawn::Line(p, q) => vec![p, q],
         Drawn::Circle(c, r) | Drawn::Arc(c, r, _) => vec![c - Vec2::new(r, r), c + Vec2::new(r, r)],
     });
-    around(marks.chain(ends))
+    let own = around(marks.chain(ends))?;
+    // Where the compasses strike, too, as long as that makes the drawing little larger.
+    let struck = board.steps.iter().flat_map(|s| &s.strokes).filter_map(|(stroke, _)| match *stroke {
+        Drawn::Arc(c, r, at) => Some(c + Vec2::from_angle(at) * r),
+        Drawn::Line(..) | Drawn::Circle(..) => None,
+    });
+    let room = |grown: Rect| grown.width_mm().max(grown.height_mm()) <= MORE * own.width_mm().max(own.height_mm());
+    Some(struck.fold(own, |window, at| Some(window.union(Rect::new(at, at))).filter(|w| room(*w)).unwrap_or(window)))
 }
+
+/// So much larger a drawing may become to show where the compasses strike.
+const MORE: f64 = 1.2;
 
 fn around(points: impl Iterator<Item = Point>) -> Option<Rect> {
     points.map(|p| Rect::new(p, p)).reduce(Rect::union)
@@ -146,7 +156,11 @@ pub fn construction(task: &Task, candidate: &Candidate, board: &Board, set: Set)
         let class = format!("step-{k} construction");
         let mut numbered = false;
         for (stroke, weight) in &step.strokes {
-            for points in clipped(&chain(stroke), window) {
+            let whole = chain(stroke);
+            let pieces = clipped(&whole, window);
+            // Of an arc at the edge a piece would tell nothing: it is all there, or not at all.
+            let cut = matches!(stroke, Drawn::Arc(..)) && pieces.iter().map(Vec::len).sum::<usize>() < whole.len();
+            for points in pieces.into_iter().filter(|_| !cut) {
                 // The number of the step stands at its first stroke.
                 if !numbered && points.len() > 4 {
                     let at = points.len() / 3;

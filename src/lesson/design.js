@@ -15,6 +15,12 @@
   const words = () => data.words[lang];
   const pick = (both) => both[lang === "en" ? 0 : 1];
 
+  // What has no construction has no steps to go through.
+  if (!data.steps.length) {
+    $("left").remove();
+    $("right").style.gridColumn = "1 / -1";
+  }
+
   // ---- the construction -------------------------------------------------------------------------------------------
 
   const drawn = [...document.querySelectorAll("[data-step]")];
@@ -164,4 +170,5 @@
 
   toFrame(data.stops.length ? data.stops[0] : 0);
   speak();
+  document.documentElement.dataset.ready = "";
 })();

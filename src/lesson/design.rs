@@ -83,6 +83,9 @@ pub struct Options {
     pub style: Style,
 }
 
+/// Names of the drawings over those of a sheet.
+const LARGER: f64 = 1.6;
+
 /// The page of a candidate of a synthesis task.
 ///
 /// ```
@@ -98,7 +101,9 @@ pub struct Options {
 /// Drawing and formula disagree; a scene of ours that cannot be placed; those of the SVG writer.
 pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<String, Faults> {
     let board = figure::to_scale(task, candidate)?;
-    let set = Set { style: &options.style, lang: options.lang, whole: false };
+    // Read from the last row, not from a sheet in the hand.
+    let style = Style { small_mm: options.style.small_mm * LARGER, ..options.style.clone() };
+    let set = Set { style: &style, lang: options.lang, whole: false };
     let mut drawn: Vec<Elements> = Vec::new();
     let construction = match &board {
         Some(board) => stepped(&figure::construction(task, candidate, board, set), &mut drawn, options.lang)?,

@@ -5,8 +5,11 @@
 //! are laid off with the protractor; halves, bisectors and circles through points are drawn.
 
 use super::candidate::Draft;
+use crate::construct::pencil::{Blunt, Pencil};
 use crate::diag::{Both, both};
 use crate::geom::{Point, Vec2, cross_lines};
+use crate::mechanism::Level;
+use std::cell::RefCell;
 
 /// How strongly a stroke is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -61,7 +64,12 @@ pub struct Board {
     pub steps: Vec<Step>,
     /// What has been read.
     pub readings: Vec<Reading>,
+    /// A hand that misses; none puts every mark where it is meant.
+    hand: RefCell<Option<Blunt>>,
 }
+
+/// Circles whose lines are nearer than this are seen to touch (mm).
+const LINE_MM: f64 = 0.5;
 
 /// A way to draw a task.
 pub type Way<'a> = dyn Fn(&mut Board) -> Option<()> + 'a;
@@ -126,7 +134,43 @@ pub fn cross_circles(p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
 impl Board {
     /// An empty sheet.
     pub fn new(mu_l: f64) -> Board {
-        Board { mu_l, steps: Vec::new(), readings: Vec::new() }
+        Board { mu_l, steps: Vec::new(), readings: Vec::new(), hand: RefCell::new(None) }
+    }
+
+    /// An empty sheet for a pencil that misses: what is laid off and pricked, openings of the compasses, readings.
+    pub fn by_hand(mu_l: f64, pencil: Blunt) -> Board {
+        Board { hand: RefCell::new(Some(pencil)), ..Board::new(mu_l) }
+    }
+
+    /// Where a mark falls that is meant to be at a place.
+    fn pricked(&self, at: Point) -> Point {
+        self.hand.borrow_mut().as_mut().map_or(at, |pencil| pencil.mark(Level::Position, at))
+    }
+
+    /// Where two circles cross, left of the line of centres first; a hand pricks them where they miss by no more than a pencil's line.
+    pub fn circles(&self, p: Point, r: f64, q: Point, s: f64) -> Option<[Point; 2]> {
+        let touching = || {
+            let gap = (p.distance(q) - r - s).max((r - s).abs() - p.distance(q));
+            let along = Line::through(p, q).filter(|_| self.misses() && gap < LINE_MM)?;
+            let at = along.place(if r >= s || p.distance(q) > s { r } else { -r });
+            Some([at, at])
+        };
+        let found = cross_circles(p, r, q, s).or_else(touching)?;
+        Some(found.map(|at| self.pricked(at)))
+    }
+
+    /// Where a line crosses a circle, in the line's order; see [`Board::circles`].
+    pub fn cut(&self, line: &Line, centre: Point, radius_mm: f64) -> Option<[Point; 2]> {
+        let touching = || {
+            let foot = line.place(line.along.dot(centre - line.at));
+            (self.misses() && foot.distance(centre) - radius_mm < LINE_MM).then_some([foot, foot])
+        };
+        let found = line.cross_circle(centre, radius_mm).or_else(touching)?;
+        Some(found.map(|at| self.pricked(at)))
+    }
+
+    fn misses(&self) -> bool {
+        self.hand.borrow().is_some()
     }
 
     /// What a reading stands for (m or rad).
@@ -136,12 +180,14 @@ impl Board {
 
     /// A length on paper.
     pub fn mm(&self, length_m: f64) -> f64 {
-        length_m / self.mu_l
+        let length = length_m / self.mu_l;
+        // Taken between the points of the compasses along a ruler: what counts of a miss is its part along it.
+        length + self.pricked(Point::ORIGIN).x
     }
 
     /// A place on paper.
     pub fn at(&self, place: Point) -> Point {
-        Point::new(self.mm(place.x), self.mm(place.y))
+        self.pricked(Point::new(place.x / self.mu_l, place.y / self.mu_l))
     }
 
     /// Begins a step.
@@ -184,7 +230,7 @@ impl Board {
 
     /// Reads a length.
     pub fn read(&mut self, name: &str, p: Point, q: Point) -> &mut Board {
-        self.readings.push(Reading { name: name.to_owned(), measured: p.distance(q), angle: false });
+        self.readings.push(Reading { name: name.to_owned(), measured: self.pricked(p).distance(self.pricked(q)), angle: false });
         self
     }
 
@@ -198,7 +244,7 @@ impl Board {
     pub fn bisector(&mut self, p: Point, q: Point) -> Option<Line> {
         // An opening well over the half makes the crossings sharp.
         let opening = 0.7 * p.distance(q);
-        let [one, other] = cross_circles(p, opening, q, opening)?;
+        let [one, other] = cross_circles(p, opening, q, opening)?.map(|at| self.pricked(at));
         let line = Line::through(one, other)?;
         for (centre, at) in [(p, one), (q, one), (p, other), (q, other)] {
             self.arc(centre, at);
@@ -211,13 +257,13 @@ impl Board {
     /// The middle of two places.
     pub fn middle(&mut self, p: Point, q: Point) -> Option<Point> {
         let line = self.bisector(p, q)?;
-        line.cross(&Line::through(p, q)?)
+        line.cross(&Line::through(p, q)?).map(|at| self.pricked(at))
     }
 
     /// The centre of the circle through three places: two bisectors crossed.
     pub fn centre(&mut self, p: Point, q: Point, r: Point) -> Option<Point> {
         let (one, other) = (self.bisector(p, q)?, self.bisector(q, r)?);
-        let centre = one.cross(&other)?;
+        let centre = self.pricked(one.cross(&other)?);
         for (line, a, b) in [(one, p, q), (other, q, r)] {
             let middle = a + (b - a) * 0.5;
             if middle.distance(centre) > 0.0 && line.along.norm2() > 0.0 {
@@ -234,7 +280,7 @@ impl Board {
         let lean = side * (std::f64::consts::FRAC_PI_2 - angle);
         let chord = q - p;
         let (one, other) = (Line::ray(p, chord.angle() + lean), Line::ray(q, (p - q).angle() - lean));
-        let centre = one.cross(&other)?;
+        let centre = self.pricked(one.cross(&other)?);
         self.line(p, centre, Weight::Thin).line(q, centre, Weight::Thin);
         let radius = centre.distance(p);
         self.circle(centre, radius, Weight::Thin);
@@ -256,6 +302,7 @@ impl Board {
             // In line with the two points the circles touch.
             None => to[0] + (to[1] - to[0]) * ((at - from[0]).dot(from[1] - from[0]) / (from[1] - from[0]).norm2()),
         };
+        let found = self.pricked(found);
         self.arc(to[0], found).arc(to[1], found);
         Some(found)
     }
@@ -264,7 +311,7 @@ impl Board {
     pub fn halve(&mut self, a: Point, c: [Point; 2]) -> Option<()> {
         let far = usize::from(a.distance(c[1]) > a.distance(c[0]));
         let (long, short) = (c[far], c[1 - far]);
-        let reach = a.distance(short);
+        let reach = a.distance(short) + self.pricked(Point::ORIGIN).x;
         let ray = Line::through(a, long)?;
         let cut = ray.place(reach);
         self.step(both!(

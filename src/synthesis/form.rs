@@ -10,6 +10,7 @@ use crate::json::{Kind, Node, Word};
 use crate::scene::front::{Curve, Front};
 use crate::scene::units::Wanted;
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 
 /// More entries of one list are refused: four hundred pairs of angles or points of a path are more than any course design asks for, and
 /// they bound the time of the optimisers.
@@ -20,12 +21,14 @@ pub(crate) struct Form<'a> {
     fields: Fields<'a>,
     front: &'a Front<'a>,
     faults: &'a RefCell<Faults>,
+    /// The keys whose values have been taken.
+    taken: RefCell<BTreeSet<String>>,
 }
 
 impl<'a> Form<'a> {
     /// An object whose keys have been checked.
     pub fn new(fields: Fields<'a>, front: &'a Front<'a>, faults: &'a RefCell<Faults>) -> Form<'a> {
-        Form { fields, front, faults }
+        Form { fields, front, faults, taken: RefCell::default() }
     }
 
     /// Adds a fault.
@@ -35,21 +38,33 @@ impl<'a> Form<'a> {
 
     /// The value of a key as it stands.
     pub fn node(&self, key: &str) -> Option<&'a Node> {
+        self.taken.borrow_mut().insert(key.to_owned());
         self.fields.get(key)
+    }
+
+    /// Those of some keys that are there although nothing took them: they say nothing in this task.
+    pub fn idle(&self, keys: &[&'static str]) -> Vec<Diagnostic> {
+        let idle = keys.iter().filter(|k| self.has(k) && !self.taken.borrow().contains(**k));
+        let told = |key: &&str| {
+            let message = both!("`{key}` says nothing here: nothing in this task depends on it", "`{key}` 在此不起作用：本题与它无关");
+            Diagnostic::warning("unused-key", message).at(self.span(key)).help(both!("leave it out", "请去掉它"))
+        };
+        idle.map(told).collect()
     }
 
     /// Whether the key is there.
     pub fn has(&self, key: &str) -> bool {
-        self.node(key).is_some()
+        self.fields.get(key).is_some()
     }
 
     /// The place of a value, or of the object where it is missing.
     pub fn span(&self, key: &str) -> Span {
-        self.node(key).map_or_else(|| self.fields.span(), |n| n.span)
+        self.fields.get(key).map_or_else(|| self.fields.span(), |n| n.span)
     }
 
     /// The value of a key that must be there.
     pub fn need(&self, key: &str, example: &str) -> Option<&'a Node> {
+        self.taken.borrow_mut().insert(key.to_owned());
         self.fields.need(key, example, &mut self.faults.borrow_mut())
     }
 
@@ -103,6 +118,11 @@ impl<'a> Form<'a> {
     /// A number of any value.
     pub fn number_of(&self, node: &Node, key: &str) -> Option<f64> {
         self.front.number(node, &format!("\"{key}\""), &mut self.faults.borrow_mut())
+    }
+
+    /// A number without a dimension or an angle: as written, and for an angle whether it counts degrees.
+    pub fn number_or_angle(&self, key: &str) -> Option<(f64, Option<bool>)> {
+        self.front.number_or_angle(self.node(key)?, &format!("\"{key}\""), &mut self.faults.borrow_mut())
     }
 
     /// A function of a variable.
@@ -201,7 +221,7 @@ impl<'a> Form<'a> {
     pub fn inner(&self, key: &str, keys: &[&str]) -> Option<Form<'a>> {
         let node = self.node(key)?;
         let fields = Fields::open(node, &format!("\"{key}\""), keys, &mut self.faults.borrow_mut())?;
-        Some(Form { fields, front: self.front, faults: self.faults })
+        Some(Form::new(fields, self.front, self.faults))
     }
 
     /// The named places of an object inside, such as `{"A": [...], "D": [...]}`, of which none must be there.

@@ -10,6 +10,7 @@ use super::board::{Board, Line, Weight};
 use super::candidate::{Demand, Draft, Number, Wanted, deg, mm, place};
 use super::form::Form;
 use super::fourbar::{Heading, headed, omega};
+use super::nearest::{number, told};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
@@ -60,7 +61,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         let [p, q] = [p, q].map(|a| significant(a.to_degrees(), 4));
         let message =
             both!("the limits {p}° and {q}° are not two angles of 0° to 180° in order", "极限角 {p}°、{q}° 应在 0° 到 180° 之间且前小后大");
-        form.fault(Diagnostic::error("out-of-range", message).at(form.span("angles")));
+        let help = both!(
+            "they count clockwise from the upward vertical: write the upper limit first, such as [\"60 deg\", \"120 deg\"]",
+            "角度自竖直向上顺时针计：先写上极限，例如 [\"60 deg\", \"120 deg\"]"
+        );
+        form.fault(Diagnostic::error("out-of-range", message).at(form.span("angles")).help(help));
         return None;
     }
     let (p, q) = angles?;
@@ -104,6 +109,71 @@ impl Press {
         (y.abs() <= 1e-12 * self.stroke).then_some(x)
     }
 
+    /// Whether its crank turns through: AB the shortest link, Grashof's sum, both limits of the rocker on one side of AD.
+    fn turns(&self) -> bool {
+        let Some(de) = self.de().filter(|de| *de > 0.0) else { return false };
+        let cd = de / (1.0 + self.ce_cd);
+        let c = self.angles.map(|a| (from_vertical(a) * cd).to_point());
+        let far = c.map(|c| self.a.distance(c));
+        let (ab, bc, ad) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0, self.a.to_vec2().norm());
+        let longest = bc.max(cd).max(ad);
+        let sides = c.map(|c| self.a.to_vec2().cross(c.to_vec2()));
+        ab > 1e-6 * bc && ab < bc.min(cd).min(ad) && 2.0 * (ab + longest) < ab + bc + cd + ad && sides[0] * sides[1] > 0.0
+    }
+
+    /// What the limits do not have: a crank that turns through, a ram that goes one way.
+    fn warned(&self) -> Vec<Diagnostic> {
+        let crank = || {
+            let message = both!("the crank does not turn through with A in this place", "A 在此位置时曲柄不能整周转动");
+            Diagnostic::warning("not-a-crank", message).help(self.nearest())
+        };
+        let ram = || {
+            let message = both!("the ram turns back between the limits: EF lies down too far", "滑块在两极限位置之间反向：EF 倾斜过大");
+            Diagnostic::warning("not-one-way", message).help(self.nearest_line())
+        };
+        let crank = (!self.turns()).then(crank);
+        crank.into_iter().chain((!self.one_way()).then(ram)).collect()
+    }
+
+    /// Whether the ram goes one way while the rocker swings from limit to limit: EF must not lie down too far.
+    fn one_way(&self) -> bool {
+        const STEPS: usize = 60;
+        let [p, q] = self.angles;
+        let Some(de) = self.de() else { return false };
+        (0..=STEPS).all(|i| {
+            let angle = p + (q - p) * i as f64 / STEPS as f64;
+            // dF = −DE (sin ψ + tan δ cos ψ) dψ, δ the lean of EF.
+            let aside = self.x2 - de * libm::sin(angle);
+            let down = ((de * self.ef_de - aside) * (de * self.ef_de + aside)).sqrt();
+            libm::sin(angle) + aside / down * libm::cos(angle) > 0.0
+        })
+    }
+
+    /// The nearest line of the ram that EF reaches throughout.
+    fn nearest_line(&self) -> Both {
+        let with = |x2: f64| Press { x2: x2 * 1e-3, ..self.clone() };
+        match number(self.x2 * 1e3, self.stroke * 1e3, |mm| with(mm).turns() && with(mm).one_way()) {
+            Some(mm) => {
+                both!("\"x2\": \"{} mm\" does; so may a greater \"EF/DE\"", "\"x2\": \"{} mm\" 时可以；也可增大 \"EF/DE\"", told(mm))
+            }
+            None => both!("take \"x2\" nearer to E, or a greater \"EF/DE\"", "请使 \"x2\" 更接近 E，或增大 \"EF/DE\""),
+        }
+    }
+
+    /// The nearest place of A whose crank turns through.
+    fn nearest(&self) -> Both {
+        let scale = self.a.to_vec2().norm().max(self.stroke) * 1e3;
+        let with = |a: Point| Press { a, ..self.clone() }.turns();
+        let x1 = number(self.a.x * 1e3, scale, |mm| with(Point::new(mm * 1e-3, self.a.y)));
+        let y = number(-self.a.y * 1e3, scale, |mm| with(Point::new(self.a.x, -mm * 1e-3)));
+        let off = |v: Option<f64>, from: f64| v.map_or(f64::INFINITY, |v| (v - from).abs());
+        let (key, value) = if off(x1, self.a.x * 1e3) <= off(y, -self.a.y * 1e3) { ("x1", x1) } else { ("y", y) };
+        match value {
+            Some(mm) => both!("\"{key}\": \"{} mm\" gives a crank that turns through", "\"{key}\": \"{} mm\" 时曲柄能整周转动", told(mm)),
+            None => both!("take \"angles\" that are nearer to one another", "请使两极限角更接近"),
+        }
+    }
+
     fn scene(&self, [ab, bc, cd, de]: [f64; 4], driver: f64, rough: &[(&str, Point)], heading: &Heading) -> Json {
         let mut scene = headed(heading);
         scene.insert("links".into(), json!({"1": ["A", "B"], "2": ["B", "C"], "3": ["D", "C", "E"], "4": ["E", "F"], "6": ["A", "D"]}));
@@ -126,7 +196,7 @@ impl Wish for Press {
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let Some(de) = self.de() else {
             let message = both!("the link EF does not reach the ram's line in one of the limits", "在某一极限位置上 EF 不能到达滑块导路");
-            let help = both!("take \"x2\" nearer to E, or a greater \"EF/DE\"", "请使 \"x2\" 更接近 E，或增大 \"EF/DE\"");
+            let help = self.nearest_line();
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
         let cd = de / (1.0 + self.ce_cd);
@@ -135,8 +205,7 @@ impl Wish for Press {
         let (ab, bc) = ((far[0] - far[1]).abs() / 2.0, (far[0] + far[1]) / 2.0);
         if ab <= 1e-9 * bc {
             let message = both!("AC1 and AC2 are equal: the crank would have no length", "AC1 与 AC2 相等：曲柄长为零");
-            let help = both!("move A with \"x1\" or \"y\"", "请用 \"x1\" 或 \"y\" 移动 A");
-            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+            return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
         }
         let wanted: Vec<Wanted> = (0..2)
             .filter_map(|i| {
@@ -162,8 +231,9 @@ impl Wish for Press {
         let driver = wanted.first().map_or(0.0, |w| w.driver);
         let scene = self.scene([ab, bc, cd, de], driver, &rough, heading);
         let demands = vec![Demand::FullTurn, Demand::TimeRatio(k), Demand::Stroke(self.stroke)];
+        let notes = self.warned();
         let draft = Draft { demands, ..Draft::new(both!("the only solution", "唯一解"), scene, numbers, wanted) };
-        Ok(Found { drafts: vec![draft], ..Found::default() })
+        Ok(Found { drafts: vec![draft], notes, ..Found::default() })
     }
 
     fn construct(&self, draft: &Draft, board: &mut Board) -> Option<()> {

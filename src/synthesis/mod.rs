@@ -19,6 +19,7 @@
 
 pub mod board;
 pub mod body;
+pub mod by_hand;
 pub mod candidate;
 pub mod cognates;
 pub(crate) mod form;
@@ -27,6 +28,7 @@ pub mod function;
 pub mod grashof;
 pub mod judge;
 pub mod limits;
+pub mod nearest;
 mod order;
 pub mod path;
 mod poly;
@@ -182,6 +184,8 @@ fn of_kind(root: &Node, text: &str, faults: &RefCell<Faults>) -> Option<Task> {
     let transmission = form.angle("transmission").unwrap_or(judge::USUAL_GAMMA);
     faults.borrow_mut().list.extend(front.unused());
     let wish: Arc<dyn Wish> = wish?.into();
+    let idle = form.idle(kind.keys);
+    faults.borrow_mut().list.extend(idle);
     let title = front.title.as_ref().map_or_else(|| wish.title(), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
     let language = front.language.map(|l| if l == Lang::Zh { "zh" } else { "en" });
     let heading = Heading { title, language, omega };

@@ -10,12 +10,14 @@ use crate::figure::item::Figure;
 use crate::figure::label::Label;
 use crate::figure::synthesis::{self as figure, Set};
 use crate::paper::phrase::{Phrase, tr};
+use crate::report::drafting::DIGITS;
 use crate::report::limits::grashof_words;
 use crate::report::math::Math;
 use crate::report::symbols::symbols;
 use crate::report::synthesis::{motion, taken, value};
 use crate::scene::{Kind, Lang};
 use crate::synthesis::board::{Board, Reading};
+use crate::synthesis::by_hand::{pencil_mm, tolerances};
 use crate::synthesis::candidate::letters;
 use crate::synthesis::{Candidate, Compared, Design, Proof, Task};
 
@@ -118,7 +120,9 @@ impl Maker<'_> {
         blocks.push(picture("construction", figure::construction(self.task, self.candidate, board, self.set)));
         let sentence = |s: &crate::synthesis::board::Step| Phrase::new(&symbols(self.lang().of(&s.text)));
         blocks.push(Block::List { numbered: true, members: board.steps.iter().map(sentence).collect() });
-        let read: Vec<(&Reading, f64)> = board.readings.iter().filter_map(|r| Some((r, self.candidate.number(&r.name)?))).collect();
+        let by_hand = tolerances(self.task, self.candidate, board);
+        let numbered = board.readings.iter().zip(by_hand).filter_map(|(r, t)| Some((r, t, self.candidate.number(&r.name)?)));
+        let read: Vec<(&Reading, Option<f64>, f64)> = numbered.collect();
         if read.is_empty() {
             return;
         }
@@ -129,21 +133,24 @@ impl Maker<'_> {
                 "measured".into(),
                 format!("times $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
                 "closed formula".to_owned(),
+                format!("by hand ({} mm)", shortest(pencil_mm(self.task))),
             ],
             Lang::Zh => [
                 "量".into(),
                 "量取".into(),
                 format!("乘以 $\\mu_l = {}\\,\\text{{m/mm}}$", inked(&shortest(board.mu_l))),
                 "公式".to_owned(),
+                format!("手工作图误差 ({} mm)", shortest(pencil_mm(self.task))),
             ],
         };
         let mut rows = vec![head.iter().map(|h: &String| Phrase::new(h)).collect::<Vec<_>>()];
-        for (r, formula) in read {
+        for (r, tolerance, formula) in read {
             let (measured, drawn, exact) = match r.angle {
                 true => (degrees(board.value(r), 4), degrees(board.value(r), 5), degrees(formula.abs(), 6)),
                 false => (mm(r.measured * 1e-3, 4), mm(board.value(r), 5), mm(formula.abs(), 6)),
             };
-            rows.push([quantity(&r.name), measured, drawn, exact].iter().map(|c| Phrase::new(c)).collect());
+            let hand = tolerance.map_or("—".to_owned(), |t| format!("± {}", if r.angle { degrees(t, DIGITS) } else { mm(t, DIGITS) }));
+            rows.push([quantity(&r.name), measured, drawn, exact, hand].iter().map(|c| Phrase::new(c)).collect());
         }
         blocks.push(Block::Table(Table { kind: TableKind::Values, rows }));
     }

@@ -5,6 +5,7 @@
 //! skipped. (Debian and Ubuntu: `apt-get install chromium`.)
 
 mod chromium;
+mod design;
 mod ink;
 mod predict;
 mod stage;

@@ -64,7 +64,8 @@ pub(super) fn read(form: &Form) -> Option<Option<Among>> {
                         "out-of-range",
                         both!("an inscribed angle lies between 0° and 180°", "圆周角应在 0° 与 180° 之间"),
                     );
-                    form.fault(d.at(form.span("angles")));
+                    let help = both!("write \"angles\": [\"40 deg\", \"110 deg\"]", "请写 \"angles\": [\"40 deg\", \"110 deg\"]");
+                    form.fault(d.at(form.span("angles")).help(help));
                 }
                 inside.then_some(angle)
             };
@@ -145,7 +146,7 @@ fn rank(positions: &[Position], [p, q]: [&Pair; 2]) -> Option<(bool, f64)> {
 
 /// The centre points of an inscribed angle: circles over P₁₂P₂₃ and P₁₄P₃₄ with their centres at the cotangent of the angle over the
 /// middles of the chords; brought onto the cubic along a line.
-fn at_angle(positions: &[Position], angle: f64) -> Vec<Pair> {
+pub(super) fn at_angle(positions: &[Position], angle: f64) -> Vec<Pair> {
     let pole = |i: usize, j: usize| positions[i].pole(&positions[j]);
     let found = || {
         let circle = |p: Point, q: Point| {

@@ -8,6 +8,7 @@ mod among;
 pub mod burmester;
 mod drawing;
 mod explained;
+mod nearest;
 pub mod pose;
 
 use super::board::Board;
@@ -202,6 +203,9 @@ impl Wish for Body {
         if pairs.len() < 2 {
             return Err(self.too_few(pairs.len()).into());
         }
+        if let Some(d) = self.one_joint(&pairs) {
+            return Err(d.into());
+        }
         let fixed = self.method() == Method::Bisectors;
         let mut drafts = Vec::new();
         for i in 0..pairs.len() {
@@ -247,23 +251,7 @@ impl Body {
     fn chosen(&self, among: Among, heading: &Heading) -> Result<Found, Faults> {
         let pairs = among::pairs(&self.positions, among);
         if pairs.is_empty() {
-            let (message, help) = match among {
-                Among::Box(_) => (
-                    both!(
-                        "within the box the centre-point curve has no two pivots of a linkage",
-                        "方框内的圆心曲线上没有两个可用的固定铰链"
-                    ),
-                    both!(
-                        "make the box larger: the curve passes through the poles P12, P23, P34, P14",
-                        "请放大方框：曲线经过转动极 P12、P23、P34、P14"
-                    ),
-                ),
-                Among::Angles(_) => (
-                    both!("the circles of one of these angles do not cross", "其中一个圆周角的两圆不相交"),
-                    both!("take other angles, or give a \"box\"", "请改变角度，或给出 \"box\""),
-                ),
-            };
-            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
+            return Err(self.none_among(among).into());
         }
         let drafts = pairs.iter().enumerate().map(|(k, p)| self.draft(*p, [2 * k, 2 * k + 1], heading)).collect();
         Ok(Found { drafts, numbers: self.poles(), notes: Vec::new() })
@@ -289,19 +277,15 @@ impl Body {
 
     /// Pin and pivot of one side of the linkage, for two or three positions.
     fn dyad(&self, side: usize, notes: &mut Vec<Diagnostic>) -> Result<Pair, Faults> {
-        let first = self.positions[0];
         let [pin, pivot] = [["B", "C"], ["A", "D"]].map(|n| n[side]);
-        let (places, moving) = match (self.moving[side], self.ground[side]) {
-            (Some(local), _) => (self.positions.iter().map(|p| p.place(local)).collect::<Vec<_>>(), true),
-            // Carried back with the body, the pivot goes round the pin.
-            (None, at) => (self.positions.iter().map(|p| p.carry(&first, at.unwrap_or(Point::ORIGIN))).collect(), false),
-        };
+        let (places, moving) = (self.places(side), self.moving[side].is_some());
         let sought = if moving { pivot } else { pin };
         let found = match places[..] {
+            [p, q] if p.distance(q) == 0.0 => return Err(self.still(side).into()),
             [p, q] => self.on_bisector(p, q, sought, notes),
             [p, q, r] => {
                 let Some((at, angle)) = centre(p, q, r) else {
-                    return Err(straight(if moving { pin } else { pivot }, sought, moving).into());
+                    return Err(self.straight(side).into());
                 };
                 if angle < FAR {
                     let message = both!(
@@ -333,29 +317,6 @@ impl Body {
         middle + across * (3.0f64.sqrt() / 2.0)
     }
 
-    fn too_few(&self, count: usize) -> Diagnostic {
-        let message = match self.method() {
-            Method::Bisectors | Method::Curve => both!(
-                "the line meets the centre-point curve in {count} point: a linkage has two pivots",
-                "直线与圆心曲线只有 {count} 个交点：机构需要两个固定铰链"
-            ),
-            Method::Burmester => both!(
-                "these five positions have {count} real pairs of pin and pivot: their other roots are complex",
-                "这五个位置有 {count} 对实的铰链：其余根为复数"
-            ),
-        };
-        let help = match self.method() {
-            Method::Bisectors | Method::Curve => both!(
-                "move or turn \"line\": through the poles P12, P23, P34 the curve is near",
-                "请移动或转动 \"line\"：曲线经过转动极 P12、P23、P34"
-            ),
-            Method::Burmester => {
-                both!("leave one position out: four positions always have a curve of pins", "请去掉一个位置：四个位置总有一条铰链曲线")
-            }
-        };
-        Diagnostic::error("no-real-solution", message).help(help)
-    }
-
     fn draft(&self, [one, other]: [Pair; 2], which: [usize; 2], heading: &Heading) -> Draft {
         let first = self.positions[0];
         let (b, c) = (one.pin, other.pin);
@@ -382,30 +343,6 @@ impl Body {
         };
         Draft { ordered: true, remarks: remarks(&four), ..Draft::new(which, four.scene(heading), numbers, wanted) }
     }
-}
-
-/// A pin whose places lie in line is guided straight, not about a pivot.
-fn straight(given: &str, sought: &str, moving: bool) -> Diagnostic {
-    let (message, help) = match moving {
-        true => (
-            both!(
-                "the three places of {given} lie in line: {sought} would be infinitely far",
-                "{given} 的三个位置共线：{sought} 在无穷远处"
-            ),
-            both!(
-                "guide {given} on a straight line (a slider), or move it on the body",
-                "可令 {given} 沿直线导路移动（滑块），或改取连杆上的另一点"
-            ),
-        ),
-        false => (
-            both!(
-                "{given}, carried back into position 1, lies in line: {sought} would be infinitely far",
-                "{given} 反转到位置 1 后三点共线：{sought} 在无穷远处"
-            ),
-            both!("move {given}", "请移动 {given}"),
-        ),
-    };
-    Diagnostic::error("no-real-solution", message).help(help)
 }
 
 /// What is to be said of the sizes.

@@ -37,7 +37,7 @@ impl Function {
                     numbers.push(Number::angle(&format!("error_{k}"), deviation.clone(), *e));
                 }
             }
-            Target::Pairs => {
+            Target::Pairs { .. } => {
                 let all: Vec<f64> = self.steps.iter().filter_map(|s| g.deviation(*s)).collect();
                 let rest = self.steps.iter().map(|s| g.rest(*s)).map(|r| r * r).sum::<f64>().sqrt();
                 numbers.push(Number::angle(

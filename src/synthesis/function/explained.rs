@@ -33,7 +33,7 @@ impl Function {
                     "按期望函数设计四杆机构 $ABCD$：连架杆 $AB$ 的转角 $\\varphi$ 对应 $x$，连架杆 $DC$ 的转角 $\\psi$ 对应 $y$。"
                 )
             }
-            Target::Pairs => {
+            Target::Pairs { .. } => {
                 for (k, s) in self.steps.iter().take(TOLD).enumerate() {
                     let at = [0, 1].map(|i| angle(s[i] + self.start[i].unwrap_or(0.0)));
                     given.push(both!(

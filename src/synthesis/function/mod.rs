@@ -8,6 +8,7 @@ mod course;
 mod drawing;
 mod explained;
 pub mod freudenstein;
+mod nearest;
 
 use super::board::Board;
 use super::body::pose::centre;
@@ -16,7 +17,7 @@ use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
-use crate::digits::{metres, significant};
+use crate::digits::metres;
 use crate::geom::{Point, Vec2};
 use crate::scene::front::Curve;
 use freudenstein::{Generator, Steps, exact, least_squares, linear, minimax};
@@ -47,8 +48,8 @@ struct Function {
 /// What the output is to follow.
 #[derive(Clone, Debug)]
 enum Target {
-    /// Pairs of angles.
-    Pairs,
+    /// Pairs of angles; what the output's first one is counted from (rad).
+    Pairs { zero: f64 },
     /// y(x) over a range, with the swings of input and output.
     Curve { text: String, curve: Curve, range: [f64; 2], swings: [f64; 2], values: [f64; 2], places: Vec<f64> },
 }
@@ -88,7 +89,9 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     let minimax = fit == "minimax";
     if minimax && !matches!(target, Target::Curve { .. }) {
         let d = Diagnostic::error("wrong-given", both!("`minimax` wants a function, not pairs", "`minimax` 需要函数，而不是角度对"));
-        form.fault(d.at(form.span("fit")));
+        form.fault(
+            d.at(form.span("fit")).help(both!("leave \"fit\" out: pairs are met by least squares", "请去掉 \"fit\"：角度对用最小二乘")),
+        );
         return None;
     }
     let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
@@ -100,8 +103,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             "{has} 个点少于 {unknowns} 个未知量：三个杆长比和 {free} 个初始角"
         );
         let help = both!(
-            "give a starting angle (\"from\"), more points, or crank and frame with a given \"input\"",
-            "请给出初始角 \"from\"、增加点数，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
+            "give {unknowns} points, a starting angle (\"from\"), or crank and frame with a given \"input\"",
+            "请给出 {unknowns} 个点、初始角 \"from\"，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
         );
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
         return None;
@@ -131,8 +134,21 @@ fn of_curve(form: &Form) -> Option<Read> {
     f.need("y", "\"ln(x)\"")?;
     let curve = f.curve("y", "x");
     let text = f.word("y").map_or_else(String::new, |w| w.text);
-    let end = |key: &str| f.number_of(f.need(key, "1")?, key);
+    let end = |key: &str| f.need(key, "1").and_then(|_| f.number_or_angle(key));
     let (from, to) = (end("from"), end("to"));
+    // A range of angles, such as 0 to 90 deg; zero needs no unit.
+    let angle = from.zip(to).and_then(|(p, q)| p.1.or(q.1));
+    if let Some((p, q)) = from.zip(to).filter(|(p, q)| [p, q].iter().any(|v| v.1 != angle && v.0 != 0.0)) {
+        let message = both!("the range goes from {} to {}: of two kinds or units", "范围 {} 到 {} 的量纲或单位不同", p.0, q.0);
+        let help = both!("write both in degrees, both in radians, or both without a unit", "请两端都用度、都用弧度或都不带单位");
+        form.fault(Diagnostic::error("dimension", message).at(f.span("to")).help(help));
+        return None;
+    }
+    let (from, to) = (from.map(|v| v.0), to.map(|v| v.0));
+    let curve = curve.map(|c| match angle {
+        Some(degrees) => c.of_angle(degrees),
+        None => c,
+    });
     let fit_five = form.word("fit").is_some_and(|w| w.text == "minimax");
     let n = if fit_five {
         Some(5)
@@ -146,7 +162,8 @@ fn of_curve(form: &Form) -> Option<Read> {
         let inner = form.inner(key, &["from", "swing"])?;
         let swing = inner.need_angle("swing", "\"60 deg\"")?;
         if swing == 0.0 {
-            form.fault(Diagnostic::error("out-of-range", both!("the swing of {key} is zero", "{key} 的摆角为零")).at(inner.span("swing")));
+            let d = Diagnostic::error("out-of-range", both!("the swing of {key} is zero", "{key} 的摆角为零"));
+            form.fault(d.at(inner.span("swing")).help(both!("write \"swing\": \"60 deg\"", "请写 \"swing\": \"60 deg\"")));
             return None;
         }
         Some((if inner.has("from") { Some(inner.angle("from")?) } else { None }, swing))
@@ -154,10 +171,15 @@ fn of_curve(form: &Form) -> Option<Read> {
     let (input, output) = (scale("input"), scale("output"));
     let (curve, from, to, n, input, output) = (curve?, from?, to?, n?, input?, output?);
     if from == to {
-        form.fault(Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空")).at(f.span("to")));
+        let d = Diagnostic::error("out-of-range", both!("the range of x is empty", "x 的范围为空"));
+        form.fault(d.at(f.span("to")).help(both!("write \"to\": {}", "请写 \"to\": {}", from + 1.0)));
         return None;
     }
-    let value = |x: f64| curve.at(x).map_err(|d| form.fault(d.at(f.span("y")))).ok();
+    let hint = both!("where x is an angle, write the range so: \"from\": \"0 deg\"", "x 为角度时，请写 \"from\": \"0 deg\"");
+    let value = |x: f64| {
+        let faulty = |d: Diagnostic| form.fault(if d.help.is_none() { d.help(hint.clone()) } else { d }.at(f.span("y")));
+        curve.at(x).map_err(faulty).ok()
+    };
     let values = [value(from)?, value(to)?];
     if values[0] == values[1] {
         let message = both!("y has the same value at both ends: the output's swing has no scale", "y 在两端的值相同：输出摆角无比例");
@@ -220,7 +242,7 @@ fn of_pairs(form: &Form) -> Option<Read> {
         }
     }
     let steps = pairs.iter().map(|p| [p[0] - zero[0], p[1] - zero[1]]).collect();
-    Some((Target::Pairs, steps, start))
+    Some((Target::Pairs { zero: zero[1] }, steps, start))
 }
 
 impl Wish for Function {
@@ -242,7 +264,8 @@ impl Wish for Function {
                 numbers.push(Number::angle(&named("phi"), both!("the output's turn from its start", "输出构件自初始位置的转角"), *phi));
             }
         }
-        let generators = self.generators()?;
+        let none = |message: Both| Diagnostic::error("no-real-solution", message).help(self.nearest());
+        let generators = self.generators().map_err(none)?;
         let unit = self.unit(&mut notes);
         let drafts: Vec<Draft> = generators.iter().filter_map(|(which, g)| self.draft(which, g, unit, heading)).collect();
         if drafts.is_empty() {
@@ -250,7 +273,7 @@ impl Wish for Function {
                 "the coupler's length comes out imaginary: no four-bar closes at these points",
                 "连杆长为虚数：在这些点上没有四杆机构"
             );
-            return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+            return Err(none(message).into());
         }
         Ok(Found { drafts, numbers, notes })
     }
@@ -270,7 +293,7 @@ impl Wish for Function {
 
 impl Function {
     /// The solutions with their names.
-    fn generators(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+    fn generators(&self) -> Result<Vec<(Both, Generator)>, Both> {
         if self.minimax {
             return self.best();
         }
@@ -281,8 +304,7 @@ impl Function {
         if self.steps.len() == 3 + free {
             let all = exact(self.start, &self.steps);
             if all.is_empty() {
-                let message = both!("no four-bar passes through these {} pairs", "没有四杆机构通过这 {} 对角度", self.steps.len());
-                return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+                return Err(both!("no four-bar passes through these {} pairs", "没有四杆机构通过这 {} 对角度", self.steps.len()));
             }
             let count = all.len();
             let named = |(k, g)| (if count == 1 { both!("the only solution", "唯一解") } else { both!("root {}", "第 {} 个根", k + 1) }, g);
@@ -292,7 +314,7 @@ impl Function {
     }
 
     /// More pairs than unknowns: linear least squares of K, then of the angles.
-    fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+    fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let free = self.start.map(|s| s.is_none());
         let grid = |given: Option<f64>| given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a]);
         let sum = |g: &Generator| self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>();
@@ -307,8 +329,7 @@ impl Function {
             }
         }
         let Some((_, first)) = best else {
-            let message = both!("least squares leave no four-bar: a link would be imaginary", "最小二乘无实解：某杆长为虚数");
-            return Err(Diagnostic::error("no-real-solution", message).help(self.nearest()).into());
+            return Err(both!("least squares leave no four-bar: a link would be imaginary", "最小二乘无实解：某杆长为虚数"));
         };
         let mut all = Vec::new();
         if free == [false; 2] {
@@ -321,16 +342,15 @@ impl Function {
     }
 
     /// C₁ is the centre of the circle through B₁ and the others, turned back about D by the output's steps.
-    fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Faults> {
+    fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Both> {
         let d = Point::new(1.0, 0.0);
         let back = |s: &[f64; 2]| d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d).rotate_by(Vec2::from_angle(-s[1]));
         let b: Vec<Point> = self.steps.iter().map(back).collect();
         let Some((c, _)) = centre(b[0], b[1], b[2]) else {
-            let message =
-                both!("B1 and the turned-back B2, B3 lie in line: C would be infinitely far", "B1 与反转后的 B2、B3 共线：C 在无穷远处");
-            return Err(Diagnostic::error("no-real-solution", message)
-                .help(both!("take another crank or starting angle", "请改变曲柄长或初始角"))
-                .into());
+            return Err(both!(
+                "B1 and the turned-back B2, B3 lie in line: C would be infinitely far",
+                "B1 与反转后的 B2、B3 共线：C 在无穷远处"
+            ));
         };
         let (reach, b_len) = (c.distance(d), c.distance(b[0]));
         let k = [1.0 / a, 1.0 / reach, (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach)];
@@ -338,20 +358,17 @@ impl Function {
     }
 
     /// The best approximation, from the five Chebyshev points.
-    fn best(&self) -> Result<Vec<(Both, Generator)>, Faults> {
+    fn best(&self) -> Result<Vec<(Both, Generator)>, Both> {
         let Target::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
         let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
         let step_of = |x: f64| self.target.step(x);
         let roots = exact([None, None], &steps);
         let found: Vec<_> = roots.iter().filter_map(|g| minimax(*g, *range, &step_of)).collect();
         if found.is_empty() {
-            let message = both!(
+            return Err(both!(
                 "no linkage through five Chebyshev points has six alternating deviations to start from",
                 "没有过五个切比雪夫结点且偏差六次交错的机构可作初值"
-            );
-            return Err(Diagnostic::error("no-real-solution", message)
-                .help(both!("leave \"fit\" out, or take other swings", "请去掉 \"fit\"，或改变摆角"))
-                .into());
+            ));
         }
         Ok(found.into_iter().map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright())).collect())
     }
@@ -368,18 +385,6 @@ impl Function {
                 );
                 Some(USUAL_FRAME)
             }
-        }
-    }
-
-    fn nearest(&self) -> Both {
-        match self.start {
-            [Some(a), Some(p)] => both!(
-                "leave a starting angle free, or try others than {}° and {}°",
-                "请让一个初始角待定，或改变 {}° 和 {}°",
-                significant(a.to_degrees(), 4),
-                significant(p.to_degrees(), 4)
-            ),
-            _ => both!("take smaller swings, or fewer points", "请减小摆角或减少点数"),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::diag::both;
 use crate::geom::Point;
-use crate::synthesis::board::{Board, Weight, cross_circles};
+use crate::synthesis::board::{Board, Weight};
 
 /// Draws it; all in metres but the board.
 pub fn three(board: &mut Board, e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool) -> Option<()> {
@@ -20,7 +20,7 @@ pub fn three(board: &mut Board, e: &[Point; 3], [a, d]: [Point; 2], [crank, be]:
     let opening = board.mm(be);
     let mut b = [Point::ORIGIN; 3];
     for (k, at) in e.iter().enumerate() {
-        let [one, other] = cross_circles(a, radius, *at, opening)?;
+        let [one, other] = board.circles(a, radius, *at, opening)?;
         b[k] = if left { one } else { other };
         board.arc(*at, b[k]).line(b[k], *at, Weight::Given).mark(&format!("B_{}", k + 1), b[k]);
     }

@@ -44,17 +44,30 @@ impl Path {
                     open_steps: 1,
                 }
             }
-            Path::Many { points, .. } => Statement {
+            Path::Many { points, timing: Some(turns), .. } => {
+                let mut given = listed(points);
+                let turned: Vec<String> = turns.iter().skip(1).take(TOLD - 1).map(|t| angle(t - turns[0])).collect();
+                let more = if turns.len() > TOLD { ", ..." } else { "" };
+                given.push(both!("turns of the crank from $E_1$: ${}{more}$", "曲柄自 $E_1$ 的转角：${}{more}$", turned.join(" ,\\; ")));
+                Statement {
+                    task: both!(
+                        "Design a crank-rocker $ABCD$ whose coupler point $E$ is as near as possible to {} given places, at given turns of the crank.",
+                        "设计曲柄摇杆机构 $ABCD$，使曲柄转过给定角度时连杆上的点 $E$ 尽可能接近 {} 个预定位置。",
+                        points.len()
+                    ),
+                    given,
+                    wanted: many_wanted(),
+                    open_steps: 0,
+                }
+            }
+            Path::Many { points, timing: None, .. } => Statement {
                 task: both!(
                     "Design a crank-rocker $ABCD$ whose coupler point $E$ passes as near as possible to {} given places, in their order.",
                     "设计曲柄摇杆机构 $ABCD$，使连杆上的点 $E$ 依次尽可能接近 {} 个预定位置。",
                     points.len()
                 ),
                 given: listed(points),
-                wanted: vec![
-                    four_bar_wanted(),
-                    both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置"),
-                ],
+                wanted: many_wanted(),
                 open_steps: 0,
             },
         }
@@ -63,7 +76,7 @@ impl Path {
     pub(super) fn proved(&self, draft: &Draft) -> Vec<Proof> {
         match self {
             Path::Three { points, d, .. } => three(points, *d, draft),
-            Path::Many { points, .. } => many(points.len(), draft),
+            Path::Many { points, timing, .. } => many(points.len(), timing.is_some(), draft),
         }
     }
 }
@@ -102,16 +115,30 @@ fn three(e: &[Point; 3], d: Point, draft: &Draft) -> Vec<Proof> {
     ]
 }
 
-fn many(count: usize, draft: &Draft) -> Vec<Proof> {
+fn many_wanted() -> Vec<Both> {
+    vec![four_bar_wanted(), both!("the frame $AD$ and the place of $E$ on the coupler", "机架 $AD$ 及 $E$ 在连杆上的位置")]
+}
+
+fn many(count: usize, timed: bool, draft: &Draft) -> Vec<Proof> {
     let lengths = ["AB", "BC", "CD", "AD"].map(|n| format!("l_{{{n}}} = {}", length(of(draft, n))));
+    let (how, at) = if timed {
+        let how = both!(
+            "Ten unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler, the crank's first angle $\\varphi_1$) make the sum of the squared distances least at the given turns $\\delta_k$; $E = A + z_1 p_k + z_2 q_k$, with $p_k$, $q_k$ the directions of crank and coupler from the frame, is linear in $A$, $z_1$, $z_2$, so that differential evolution runs over the ratios of the lengths and $\\varphi_1$ only; then Gauss-Newton over all:",
+            "十个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置、曲柄初位角 $\\varphi_1$）使给定转角 $\\delta_k$ 处的距离平方和最小；$E = A + z_1 p_k + z_2 q_k$（$p_k$、$q_k$ 为曲柄、连杆相对机架的方向）对 $A$、$z_1$、$z_2$ 为线性，故差分进化只搜索杆长比和 $\\varphi_1$；再对全部未知量用高斯–牛顿法："
+        );
+        (how, "\\varphi_1 + \\delta_k")
+    } else {
+        let how = both!(
+            "Nine unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler) and a crank angle for each place make the sum of the squared distances least; found by differential evolution, then Gauss-Newton:",
+            "九个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置）及各点的曲柄转角使距离平方和最小；先用差分进化，再用高斯–牛顿法："
+        );
+        (how, "\\varphi_k")
+    };
     vec![
         Proof::new(
-            both!(
-                "Nine unknowns (place of $A$, direction of the frame, four lengths, $E$ on the coupler) and a crank angle for each place make the sum of the squared distances least; found by differential evolution, then Gauss-Newton:",
-                "九个未知量（$A$ 的位置、机架方向、四个杆长、$E$ 在连杆上的位置）及各点的曲柄转角使距离平方和最小；先用差分进化，再用高斯–牛顿法："
-            ),
+            how,
             [
-                format!("d_k = |E(\\varphi_k) − E_k| ,\\quad d = \\sqrt{{(d_1^2 + d_2^2 + ... + d_{{{count}}}^2)/{count}}}"),
+                format!("d_k = |E({at}) − E_k| ,\\quad d = \\sqrt{{(d_1^2 + d_2^2 + ... + d_{{{count}}}^2)/{count}}}"),
                 format!("d = {} ,\\quad d_{{\\text{{max}}}} = {}", length(of(draft, "rms")), length(of(draft, "max"))),
             ],
         ),
@@ -120,9 +147,10 @@ fn many(count: usize, draft: &Draft) -> Vec<Proof> {
             [
                 lengths.join(" ,\\quad "),
                 format!(
-                    "A = {} ,\\quad \\varphi = {} ,\\quad u = {} ,\\quad v = {}",
+                    "A = {} ,\\quad \\varphi = {} ,\\quad \\varphi_1 = {} ,\\quad u = {} ,\\quad v = {}",
                     place(Point::new(of(draft, "A_x"), of(draft, "A_y"))),
                     angle(of(draft, "phi")),
+                    angle(of(draft, "crank_1")),
                     length(of(draft, "u")),
                     length(of(draft, "v"))
                 ),

@@ -1,17 +1,21 @@
 //! Path generation 按预定轨迹, `"synthesis": "path"`: a point E of the coupler through given places.
 //!
 //! Three places with A, D, crank and BE given: B_i lies on the crank's circle at BE from E_i; D, carried back with the coupler B_iE_i into
-//! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]).
+//! position 1, goes round C₁. More places, nothing else given: least squares of the distances ([`search`]), or at given turns of the crank
+//! ([`timed`]).
 
 mod drawing;
+mod evolution;
 mod explained;
 pub mod search;
+pub mod timed;
 
 use super::board::Board;
 use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, meet, named_lengths};
+use super::nearest::{number, told};
 use super::{Found, KindOfTask, Proof, Statement, Wish};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::{metres, significant};
@@ -23,14 +27,26 @@ use std::f64::consts::TAU;
 pub const KIND: KindOfTask = KindOfTask {
     name: "path",
     what: ["a coupler point through given places", "按连杆上一点的预定轨迹设计"],
-    keys: &["points", "ground", "crank", "BE", "side", "seed"],
+    keys: &["points", "ground", "crank", "BE", "side", "timing", "seed"],
     read,
 };
 
 #[derive(Clone, Debug)]
 enum Path {
-    Three { points: [Point; 3], a: Point, d: Point, crank: f64, be: f64, left: Option<bool> },
-    Many { points: Vec<Point>, seed: u64 },
+    Three {
+        points: [Point; 3],
+        a: Point,
+        d: Point,
+        crank: f64,
+        be: f64,
+        left: Option<bool>,
+    },
+    /// The crank's angles at the places, where they are given (rad).
+    Many {
+        points: Vec<Point>,
+        timing: Option<Vec<f64>>,
+        seed: u64,
+    },
 }
 
 fn read(form: &Form) -> Option<Box<dyn Wish>> {
@@ -51,7 +67,8 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         Ok(points) => three(form, points),
         Err(points) if given.is_empty() && points.len() >= 5 => {
             let seed = if form.has("seed") { form.count("seed", 0, 1_000_000_000)? } else { 1 };
-            Some(Box::new(Path::Many { points, seed: seed as u64 }))
+            let timing = if form.has("timing") { Some(timing(form, points.len())?) } else { None };
+            Some(Box::new(Path::Many { points, timing, seed: seed as u64 }))
         }
         Err(points) => {
             let message = match given.first() {
@@ -76,7 +93,51 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     }
 }
 
+/// The crank's angles at the places: one for each, of which no two are the same position of the crank.
+fn timing(form: &Form, places: usize) -> Option<Vec<f64>> {
+    let angles: Vec<Option<f64>> = form.items("timing", TIMING, 1)?.iter().map(|n| form.angle_of(n, "timing")).collect();
+    let angles: Vec<f64> = angles.into_iter().collect::<Option<_>>()?;
+    if angles.len() != places {
+        let message = both!(
+            "\"timing\" has {} angles for {} points: each has its own",
+            "\"timing\" 有 {} 个角，而有 {} 个点：每点应有一个",
+            angles.len(),
+            places
+        );
+        let help = both!("write one angle of the crank for each point; only their differences count", "请为每点写一个曲柄转角；只计其差值");
+        form.fault(Diagnostic::error("wrong-count", message).at(form.span("timing")).help(help));
+        return None;
+    }
+    for j in 1..angles.len() {
+        let same = |i: &usize| libm::sin((angles[j] - angles[*i]) / 2.0).abs() < 1e-9;
+        if let Some(i) = (0..j).find(same) {
+            let message = both!(
+                "the crank stands the same at points {} and {}, which differ",
+                "第 {} 点与第 {} 点处曲柄位置相同，而两点不同",
+                i + 1,
+                j + 1
+            );
+            let help = both!(
+                "give every point an angle of its own within a turn, or leave out one of the two",
+                "请在一周内为每点写不同的转角，或去掉其中一点"
+            );
+            form.fault(Diagnostic::error("precision-points-coincide", message).at(form.span("timing")).help(help));
+            return None;
+        }
+    }
+    Some(angles)
+}
+
+/// How a timing is written.
+const TIMING: &str = "[\"0 deg\", \"20 deg\", ...]";
+
 fn three(form: &Form, points: [Point; 3]) -> Option<Box<dyn Wish>> {
+    if form.has("timing") {
+        let message = both!("`timing` is given for five and more points", "`timing` 只用于五个以上的点");
+        let help =
+            both!("three points are met at the crank angles that follow; leave `timing` out", "三点时曲柄转角由作图得出；请去掉 `timing`");
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span("timing")).help(help));
+    }
     let crank = form.need_size("crank", "\"30 mm\"");
     let be = form.need_size("BE", "\"80 mm\"");
     form.need("ground", "{\"A\": [\"0 mm\", \"0 mm\"], \"D\": [\"100 mm\", \"0 mm\"]}")?;
@@ -113,14 +174,23 @@ impl Wish for Path {
                 for left in sides {
                     match by_inversion(points, [*a, *d], [*crank, *be], *left, heading) {
                         Ok(draft) => drafts.push(draft),
-                        Err(fault) => faults.push(fault),
+                        Err(message) => {
+                            let told = Diagnostic::error("no-real-solution", message);
+                            faults.push(told.help(nearest(points, [*a, *d], [*crank, *be], sides, heading)));
+                        }
                     }
                 }
                 if drafts.is_empty() { Err(faults) } else { Ok(Found { drafts, ..Found::default() }) }
             }
-            Path::Many { points, seed } => {
-                let found = search::search(points, *seed);
-                let drafts: Vec<Draft> = found.fits.iter().filter_map(|f| of_fit(points, f, heading)).collect();
+            Path::Many { points, timing, seed } => {
+                let found = match timing {
+                    None => search::search(points, *seed),
+                    Some(turns) => timed::search(points, turns, *seed),
+                };
+                let mut drafts: Vec<Draft> = found.fits.iter().filter_map(|f| of_fit(points, f, heading)).collect();
+                if timing.is_some() {
+                    drafts.iter_mut().zip(&found.fits).for_each(|(d, f)| d.remarks.extend(timed::remark(f, points)));
+                }
                 let numbers = vec![
                     Number::ratio("evaluations", both!("positions evaluated", "计算的位置数"), found.evaluations as f64),
                     Number::ratio("restarts", both!("runs of the search", "搜索次数"), found.runs as f64),
@@ -156,25 +226,51 @@ fn back_to_first(d: Point, b: [Point; 3], e: &[Point; 3], k: usize) -> Point {
     b[0] + local.rotate_by(e[0] - b[0])
 }
 
+/// The nearest BE, else the nearest crank, with which the places are reached.
+fn nearest(e: &[Point; 3], pivots: [Point; 2], [crank, be]: [f64; 2], sides: &[bool], heading: &Heading) -> Both {
+    let works = |lengths: [f64; 2]| {
+        // A pivot of C farther off than a hundred times the frame is none.
+        let near =
+            |draft: Draft| draft.numbers.iter().all(|n| n.name != "CD" || n.value < 100.0 * pivots[0].distance(pivots[1]).max(crank));
+        lengths.iter().all(|l| *l > 0.0) && sides.iter().any(|left| by_inversion(e, pivots, lengths, *left, heading).is_ok_and(near))
+    };
+    let scale = (pivots[0].distance(pivots[1]) + pivots[0].distance(e[0])) * 1e3;
+    if let Some(mm) = number(be * 1e3, scale, |mm| works([crank, mm * 1e-3])) {
+        return both!("\"BE\": \"{} mm\" does", "\"BE\": \"{} mm\" 时可以", told(mm));
+    }
+    if let Some(mm) = number(crank * 1e3, scale, |mm| works([mm * 1e-3, be])) {
+        return both!("\"crank\": \"{} mm\" does", "\"crank\": \"{} mm\" 时可以", told(mm));
+    }
+    // BE between the nearest and the farthest place lets the shortest crank reach all.
+    let far = e.map(|p| p.distance(pivots[0]) * 1e3);
+    let middle = libm::rint((far.iter().copied().fold(f64::INFINITY, f64::min) + far.iter().copied().fold(0.0, f64::max)) / 2.0);
+    match number(crank * 1e3, scale, |mm| works([mm * 1e-3, middle * 1e-3])) {
+        Some(mm) => both!(
+            "\"crank\": \"{} mm\" with \"BE\": \"{} mm\" does",
+            "\"crank\": \"{} mm\"、\"BE\": \"{} mm\" 时可以",
+            told(mm),
+            told(middle)
+        ),
+        None => both!("move the pivots: both crank and BE must reach all three places", "请移动固定铰链：曲柄与 BE 须能到达三个位置"),
+    }
+}
+
 /// Three places by inversion.
-fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Diagnostic> {
+fn by_inversion(e: &[Point; 3], [a, d]: [Point; 2], [crank, be]: [f64; 2], left: bool, heading: &Heading) -> Result<Draft, Both> {
     let mut b = [Point::ORIGIN; 3];
     for (k, at) in e.iter().enumerate() {
         b[k] = meet(a, crank, *at, be, left).ok_or_else(|| {
-            let far = a.distance(*at);
-            let message = both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, metres(far));
-            let help = both!("BE lies from {} to {}", "BE 应在 {} 到 {} 之间", metres((far - crank).abs()), metres(far + crank));
-            Diagnostic::error("no-real-solution", message).help(help)
+            let far = metres(a.distance(*at));
+            both!("E{} is {} from A: crank and BE do not reach it", "E{} 距 A {}：曲柄与 BE 够不到", k + 1, far)
         })?;
     }
     let direction = |k: usize| e[k] - b[k];
     let [d1, d2, d3] = [d, back_to_first(d, b, e, 1), back_to_first(d, b, e, 2)];
     let Some((c, _)) = centre(d1, d2, d3) else {
-        let message =
-            both!("D, carried back into position 1, lies in line: C would be infinitely far", "D 反转到位置 1 后三点共线：C 在无穷远处");
-        return Err(
-            Diagnostic::error("no-real-solution", message).help(both!("move D, or take another crank or BE", "请移动 D，或改变曲柄、BE"))
-        );
+        return Err(both!(
+            "D, carried back into position 1, lies in line: C would be infinitely far",
+            "D 反转到位置 1 后三点共线：C 在无穷远处"
+        ));
     };
     let carried = |k: usize| b[k] + (c - b[0]).divide_by(direction(0)).rotate_by(direction(k));
     let axis = (c - b[0]) * (1.0 / (c - b[0]).norm());
@@ -216,6 +312,11 @@ fn of_fit(points: &[Point], fit: &Fit, heading: &Heading) -> Option<Draft> {
     numbers.push(Number::angle("phi", both!("direction of the frame", "机架方向"), l.phi - TAU * libm::rint(l.phi / TAU)));
     numbers.push(Number::length("u", both!("E along BC from B", "E 沿 BC 的坐标"), l.e.x));
     numbers.push(Number::length("v", both!("E to the left of BC", "E 在 BC 左侧的距离"), l.e.y));
+    numbers.push(Number::angle(
+        "crank_1",
+        both!("crank angle at place 1", "位置 1 的曲柄转角"),
+        fit.cranks[0] - TAU * libm::rint(fit.cranks[0] / TAU),
+    ));
     numbers.push(Number::length("rms", both!("root mean square distance", "均方根距离"), fit.rms));
     numbers.push(Number::length("max", both!("greatest distance", "最大距离"), far.iter().copied().fold(0.0, f64::max)));
     let which = both!("root mean square distance {} mm", "均方根距离 {} mm", significant(fit.rms * 1e3, 4));

@@ -1,17 +1,16 @@
 //! The crank-rocker whose coupler curve passes nearest to many places: seeded differential evolution over nine dimensions and the
 //! assembly, then Gauss–Newton with the crank angles free.
 //!
-//! Differential evolution (Storn and Price, rand/1/bin) works on distances to a sampled curve; a Gauss–Newton step eliminates the crank
+//! The evolution works on distances to a sampled curve; a Gauss–Newton step eliminates the crank
 //! angle of each place by projecting on the curve's normal, so that nine unknowns are left however many places there are
 //! (Levenberg's damping guards the first steps). Runs follow one another, each with a stream of its own, until the best has been found
 //! three times or the places are met; their number is bounded. They go in waves of parallel runs that are looked at in order, and all functions
 //! are libm's: the same bytes on any machine and number of threads.
 
+use super::evolution::{Population, Random, evolve};
 use crate::geom::{Point, Vec2};
 use crate::synthesis::fourbar::meet;
 use nalgebra::{SMatrix, SVector};
-use rand_pcg::Pcg64;
-use rand_pcg::rand_core::{Rng, SeedableRng};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -26,8 +25,6 @@ const LEAST: usize = 14;
 const HITS: usize = 3;
 /// Runs that are made at once.
 const WAVE: usize = 4;
-/// Linkages of a run that are refined.
-const REFINED: usize = 12;
 /// Optima that are told.
 const TOLD: usize = 3;
 
@@ -91,7 +88,7 @@ impl Linkage {
     }
 
     /// How far it is from a crank-rocker, over its size; 0 for one.
-    fn fault(&self) -> f64 {
+    pub(super) fn fault(&self) -> f64 {
         let [a, b, c, d] = self.lengths;
         let least = b.min(c).min(d);
         let (sum, longest) = (a + b + c + d, b.max(c).max(d));
@@ -109,7 +106,7 @@ impl Linkage {
         Some(Place { b, c, e: b + self.e.rotate_by(axis) })
     }
 
-    fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
+    pub(super) fn moved(&self, by: &SVector<f64, 9>) -> Linkage {
         let mut lengths = self.lengths;
         lengths.iter_mut().enumerate().for_each(|(i, l)| *l += by[2 + i]);
         Linkage {
@@ -122,7 +119,7 @@ impl Linkage {
     }
 
     /// E with its derivatives by the nine parameters and by the crank angle.
-    fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
+    pub(super) fn slopes(&self, crank: f64) -> Option<(Point, [Vec2; 10])> {
         let p = self.place(crank)?;
         let [a, bc, cd, ad] = self.lengths;
         let (w, z) = (p.c - p.b, p.c - self.d());
@@ -155,22 +152,35 @@ impl Linkage {
 
 /// Searches; the same seed gives the same bytes.
 pub fn search(points: &[Point], seed: u64) -> Search {
-    let mut out = Search::default();
     let (middle, size) = extent(points);
+    let same = |a: &Fit, b: &Fit| (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms);
+    until_sure(size, &same, |run| alone(points, middle, size, stream(seed, run)))
+}
+
+/// The stream of numbers of a run.
+pub(super) fn stream(seed: u64, run: usize) -> u64 {
+    seed.wrapping_mul(1000).wrapping_add(run as u64)
+}
+
+/// Runs until the best optimum has been found often enough, or the places are met; `same` are optima of which one is told.
+pub(super) fn until_sure(
+    size: f64,
+    same: &(dyn Fn(&Fit, &Fit) -> bool + Sync),
+    one: impl Fn(usize) -> (Vec<Fit>, u64) + Sync + Send,
+) -> Search {
+    let mut out = Search::default();
     let mut hits = 0;
-    let one = |run: usize| alone(points, middle, size, seed.wrapping_mul(1000).wrapping_add(run as u64));
     let waves = (0..RUNS).step_by(WAVE).map(|from| from..(from + WAVE).min(RUNS));
     // A wave is run at once and looked at in order: what comes after the end is not counted, on however many threads.
-    let all = waves.flat_map(|wave| wave.into_par_iter().map(one).collect::<Vec<_>>());
+    let all = waves.flat_map(|wave| wave.into_par_iter().map(&one).collect::<Vec<_>>());
     for (run, (fits, evaluations)) in all.enumerate() {
         out.runs = run + 1;
         out.evaluations += evaluations;
         let best = out.fits.first().map(|f| f.rms);
         let mut again_here = false;
         for fit in fits {
-            let again = |f: &Fit| (f.rms - fit.rms).abs() <= 1e-9 * size.max(fit.rms);
             again_here |= best.is_some_and(|best| (best - fit.rms).abs() <= 1e-9 * size);
-            if !out.fits.iter().any(again) {
+            if !out.fits.iter().any(|f| same(f, &fit)) {
                 out.fits.push(fit);
             }
         }
@@ -188,8 +198,10 @@ pub fn search(points: &[Point], seed: u64) -> Search {
 /// A run: its optima, and the positions evaluated.
 fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u64) {
     let mut evaluations = 0;
-    let mut random = Random(Pcg64::seed_from_u64(seed));
-    let ranked = evolve(points, middle, size, &mut random, &mut evaluations);
+    let apart = |o: &[f64; 10], p: &[f64; 10]| (0..9).any(|k| (o[k] - p[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (p[9] > 0.0);
+    let population = Population { count: POPULATION, generations: GENERATIONS, apart: &apart };
+    let mut random = Random::new(seed);
+    let ranked = evolve(&population, |r| born(middle, size, r), |genes| cost(genes, points, size, &mut evaluations), &mut random);
     let fits = ranked.iter().filter_map(|genes| {
         let linkage = Linkage::of(genes);
         let cranks = nearest(&linkage, points, &mut evaluations)?;
@@ -200,7 +212,7 @@ fn alone(points: &[Point], middle: Point, size: f64, seed: u64) -> (Vec<Fit>, u6
 }
 
 /// Middle and size of the places.
-fn extent(points: &[Point]) -> (Point, f64) {
+pub(super) fn extent(points: &[Point]) -> (Point, f64) {
     let of = |f: fn(&Point) -> f64| {
         let (low, high) = points.iter().map(f).fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
         ((low + high) / 2.0, high - low)
@@ -209,80 +221,22 @@ fn extent(points: &[Point]) -> (Point, f64) {
     (Point::new(x, y), libm::hypot(w, h))
 }
 
-/// Numbers from 0 to 1.
-struct Random(Pcg64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        // 53 bits: every double between 0 and 1 in steps of 2⁻⁵³.
-        (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn below(&mut self, n: usize) -> usize {
-        ((self.unit() * n as f64) as usize).min(n - 1)
-    }
-}
-
-/// Differential evolution; the best linkages that differ, in order.
-fn evolve(points: &[Point], middle: Point, size: f64, random: &mut Random, evaluations: &mut u64) -> Vec<[f64; 10]> {
-    let born = |random: &mut Random| {
-        let a = random.between(0.1, 0.8);
-        let rest = [random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.5, 3.0)];
-        [
-            middle.x + size * random.between(-1.5, 1.5),
-            middle.y + size * random.between(-1.5, 1.5),
-            a * size,
-            rest[0] * size,
-            rest[1] * size,
-            rest[2] * size,
-            random.between(0.0, TAU),
-            size * random.between(-2.0, 2.0),
-            size * random.between(-2.0, 2.0),
-            random.between(-1.0, 1.0),
-        ]
-    };
-    let mut all: Vec<([f64; 10], f64)> = Vec::with_capacity(POPULATION);
-    while all.len() < POPULATION {
-        let genes = born(random);
-        let cost = cost(&genes, points, size, evaluations);
-        all.push((genes, cost));
-    }
-    for _ in 0..GENERATIONS {
-        for i in 0..POPULATION {
-            let best = (0..POPULATION).min_by(|&p, &q| all[p].1.total_cmp(&all[q].1)).unwrap_or(0);
-            let [p, q, r] = [0; 3].map(|_| random.below(POPULATION));
-            let keep = random.below(10);
-            let (scale, toward) = (random.between(0.4, 0.9), if random.unit() < 0.3 { 0.5 } else { 0.0 });
-            let mut genes = all[i].0;
-            for (k, gene) in genes.iter_mut().enumerate() {
-                if k == keep || random.unit() < 0.85 {
-                    let base = all[p].0[k] + toward * (all[best].0[k] - all[p].0[k]);
-                    *gene = base + scale * (all[q].0[k] - all[r].0[k]);
-                }
-            }
-            genes[9] = genes[9].clamp(-1.0, 1.0);
-            let new = cost(&genes, points, size, evaluations);
-            if new <= all[i].1 {
-                all[i] = (genes, new);
-            }
-        }
-    }
-    all.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let mut out: Vec<[f64; 10]> = Vec::new();
-    for (genes, _) in all {
-        let apart = |o: &[f64; 10]| (0..9).any(|k| (o[k] - genes[k]).abs() > 0.05 * size) || (o[9] > 0.0) != (genes[9] > 0.0);
-        if out.iter().all(apart) {
-            out.push(genes);
-        }
-        if out.len() == REFINED {
-            break;
-        }
-    }
-    out
+/// A linkage to begin with, around the places.
+fn born(middle: Point, size: f64, random: &mut Random) -> [f64; 10] {
+    let a = random.between(0.1, 0.8);
+    let rest = [random.between(0.5, 3.0), random.between(0.5, 3.0), random.between(0.5, 3.0)];
+    [
+        middle.x + size * random.between(-1.5, 1.5),
+        middle.y + size * random.between(-1.5, 1.5),
+        a * size,
+        rest[0] * size,
+        rest[1] * size,
+        rest[2] * size,
+        random.between(0.0, TAU),
+        size * random.between(-2.0, 2.0),
+        size * random.between(-2.0, 2.0),
+        random.between(-1.0, 1.0),
+    ]
 }
 
 /// Mean square distance to the sampled curve, over the square of the size; what is no crank-rocker is worse than all that are.

@@ -6,6 +6,7 @@
 //! angle θ, and one thing is free along it: fixed by the frame's length, or the least transmission angle is made greatest
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
+mod choice;
 mod drawing;
 mod explained;
 
@@ -19,6 +20,7 @@ use crate::synthesis::candidate::{Demand, Draft, Number, Wanted};
 use crate::synthesis::form::Form;
 use crate::synthesis::fourbar::{FourBar, Heading, cross_circle, named_lengths};
 use crate::synthesis::judge::USUAL_GAMMA;
+use crate::synthesis::nearest::told;
 use crate::synthesis::{Found, Proof, Statement, Wish};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -36,6 +38,8 @@ enum Way {
     Limit { frame: f64, angle: f64 },
     /// The rocker's swing and the frame.
     Swing { swing: f64, frame: f64 },
+    /// The rocker's swing, and a line on which A lies, by two of its places: D is the origin, the swing even about the upward axis.
+    Line { swing: f64, line: [Point; 2] },
     /// The rocker's swing; the least transmission angle is made greatest.
     Best { swing: f64, chosen: bool },
 }
@@ -49,6 +53,13 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
             let frame = form.need_size("frame", "\"100 mm\"");
             within(form, "limit").zip(frame).map(|(angle, frame)| Way::Limit { frame, angle })
         }
+        (false, true) if form.has("line") && (form.has("frame") || best.is_some()) => {
+            let message =
+                both!("\"line\", \"frame\" and \"best\" are three ways to place A", "\"line\"、\"frame\"、\"best\" 是确定 A 的三种方法");
+            form.fault(Diagnostic::error("wrong-given", message).at(form.span("line")).help(both!("keep one of them", "请保留其中一个")));
+            None
+        }
+        (false, true) if form.has("line") => within(form, "swing").zip(choice::line(form)).map(|(swing, line)| Way::Line { swing, line }),
         (false, true) if form.has("frame") && best.is_none() => {
             within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| Way::Swing { swing, frame })
         }
@@ -95,8 +106,16 @@ impl Wish for CrankRocker {
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
-            Way::Limit { frame, angle } => self.by_limit(frame, angle)?,
-            Way::Swing { swing, frame } => self.by_frame(swing, frame)?,
+            Way::Limit { .. } | Way::Swing { .. } | Way::Line { .. } => {
+                let all = self.all();
+                if all.is_empty() {
+                    return Err(self.none());
+                }
+                if !all.iter().any(|l| self.turns(l)) {
+                    notes.push(self.no_crank_rocker());
+                }
+                all
+            }
             Way::Best { swing, chosen } => {
                 if chosen {
                     let message = both!(
@@ -131,7 +150,7 @@ impl Wish for CrankRocker {
 
 impl CrankRocker {
     /// A at the origin, D on the x axis, C₁ above it; C₂ on the ray AC₁ turned by ±θ.
-    fn by_limit(&self, frame: f64, angle: f64) -> Result<Vec<Limits>, Faults> {
+    fn by_limit(&self, frame: f64, angle: f64) -> Vec<Limits> {
         let d = Point::new(frame, 0.0);
         let c1 = d + Vec2::from_angle(PI - angle) * self.rocker;
         let mut found = Vec::new();
@@ -151,29 +170,7 @@ impl CrankRocker {
                 }
             }
         }
-        if found.is_empty() {
-            return Err(self.no_second_limit(c1.to_vec2(), d).into());
-        }
-        Ok(found)
-    }
-
-    /// Neither ray meets the circle: at which K one would touch it.
-    fn no_second_limit(&self, c1: Vec2, d: Point) -> Diagnostic {
-        let frame = d.to_vec2().norm();
-        // The tangent from A to the circle makes this angle with the frame.
-        let tangent = libm::asin((self.rocker / frame).min(1.0));
-        let own = c1.angle();
-        let most = (tangent - own).max(own + tangent);
-        let k = (PI + most) / (PI - most);
-        Diagnostic::error(
-            "no-real-solution",
-            both!(
-                "the rays turned by θ = {}° miss the circle of the rocker: there is no second limit position",
-                "转过 θ = {}° 的射线与摇杆圆弧不相交：没有第二个极限位置",
-                significant(self.ratio.theta.to_degrees(), 4)
-            ),
-        )
-        .help(both!("with these data K is at most {}", "在这些数据下 K 至多为 {}", significant(k, 4)))
+        found
     }
 
     /// D at the origin for now: C₁ and C₂ on both sides of the upward axis.
@@ -182,7 +179,7 @@ impl CrankRocker {
     }
 
     /// A on the circle over C₁C₂ with the inscribed angle θ, at the distance of the frame from D.
-    fn by_frame(&self, swing: f64, frame: f64) -> Result<Vec<Limits>, Faults> {
+    fn by_frame(&self, swing: f64, frame: f64) -> Vec<Limits> {
         let c = self.swung(swing);
         let chord = c[0].distance(c[1]);
         let theta = self.ratio.theta;
@@ -212,20 +209,7 @@ impl CrankRocker {
                 found.push(self.laid(which, a, c));
             }
         }
-        if found.is_empty() {
-            let message = both!(
-                "the circle with the inscribed angle θ = {}° has no point at {} from D",
-                "圆周角为 θ = {}° 的圆上没有距 D 为 {} 的点",
-                significant(theta.to_degrees(), 4),
-                metres(frame)
-            );
-            let help = both!(
-                "leave \"frame\" out: the linkage with the best transmission angle is taken",
-                "请去掉 \"frame\"，将取传动角最好的机构"
-            );
-            return Err(Diagnostic::error("no-real-solution", message).help(help).into());
-        }
-        Ok(found)
+        found
     }
 
     /// Turned and shifted so that A is the origin, D on the x axis, the rocker above.
@@ -246,7 +230,11 @@ impl CrankRocker {
         if theta == 0.0 {
             let message =
                 both!("with K = 1 A lies anywhere on the line C1C2: the frame is free", "K = 1 时 A 可在 C1C2 连线上任取：机架长未定");
-            let d = Diagnostic::error("free-choice", message).help(both!("give \"frame\"", "请给出 \"frame\""));
+            let d = Diagnostic::error("free-choice", message).help(both!(
+                "give \"frame\", longer than {}",
+                "请给出大于 {} 的 \"frame\"",
+                metres(self.rocker)
+            ));
             return Err(d.into());
         }
         let family = Family::of(theta, swing);
@@ -257,7 +245,10 @@ impl CrankRocker {
                 significant(self.ratio.k, 4),
                 significant(swing.to_degrees(), 4)
             );
-            let help = both!("K is below {} for this swing", "此摆角下 K 应小于 {}", significant(most_k(swing, 1.0), 4));
+            let help = match most_k(swing, 1.0) {
+                k if k > 1.0 => both!("K is below {} for this swing", "此摆角下 K 应小于 {}", told(k)),
+                _ => both!("take a smaller swing", "请减小摆角"),
+            };
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         };
         let usual = libm::cos(USUAL_GAMMA);
@@ -267,7 +258,7 @@ impl CrankRocker {
                 "此 K 和摆角下没有传动角始终不小于 40° 的机构"
             );
             let help = match most_k(swing, usual) {
-                k if k > 1.0 => both!("K = {} and less has one", "K 不大于 {} 时才有", significant(k, 4)),
+                k if k > 1.0 => both!("K = {} and less has one", "K 不大于 {} 时才有", told(k)),
                 _ => both!("take a smaller swing", "请减小摆角"),
             };
             notes.push(Diagnostic::warning("poor-transmission", message).help(help));

@@ -60,7 +60,10 @@ impl Ratio {
             let theta = form.angle("theta")?;
             if !(0.0..PI).contains(&theta) {
                 let d = Diagnostic::error("out-of-range", both!("`theta` lies from 0° to less than 180°", "`theta` 应在 0° 到 180° 之间"));
-                form.fault(d.at(form.span("theta")));
+                form.fault(
+                    d.at(form.span("theta"))
+                        .help(both!("write \"theta\": \"30 deg\", or \"K\": 1.4", "请写 \"theta\": \"30 deg\" 或 \"K\": 1.4")),
+                );
                 return None;
             }
             return Some(Ratio { k: (PI + theta) / (PI - theta), theta, turned: false });
@@ -69,7 +72,7 @@ impl Ratio {
         let k = form.number("K")?;
         if k <= 0.0 {
             let d = Diagnostic::error("not-positive", both!("`K` must be greater than zero", "`K` 应大于零"));
-            form.fault(d.at(form.span("K")));
+            form.fault(d.at(form.span("K")).help(both!("write \"K\": 1.4; 1 is no quick return", "请写 \"K\": 1.4；1 表示无急回")));
             return None;
         }
         let (k, turned) = if k < 1.0 { (1.0 / k, true) } else { (k, false) };

@@ -124,7 +124,7 @@ impl SliderCrank {
         let (centre, radius) = board.inscribed(c2, c1, self.ratio.theta, false)?;
         board.mark("O", centre);
         let level = Line::ray(Point::new(0.0, -board.mm(offset)), 0.0);
-        let a = level.cross_circle(centre, radius)?[k];
+        let a = board.cut(&level, centre, radius)?[k];
         board.step(both!("The parallel to the guide at the offset e meets the circle in A", "在偏距 e 处作导路的平行线，与圆交于 A"));
         board.line(level.place(a.x.min(0.0)), level.place(a.x.max(0.0)), Weight::Thin).mark("A", a);
         board.line(a, c1, Weight::Thin).line(a, c2, Weight::Thin);
@@ -159,7 +159,17 @@ impl SliderCrank {
                     both!("no offset gives this length: its value would be {}", "没有偏距能给出此长度：偏距将为 {}", metres(e))
                 }
             };
-            let help = both!("for this stroke and K the offset is less than {}", "此行程和 K 下偏距应小于 {}", metres(most));
+            let (key, range) = match self.third {
+                Third::Offset(_) | Third::Best => ("offset", [0.0, most]),
+                Third::Crank(_) => ("crank", [0.0, h / 2.0]),
+                Third::Rod(_) => ("rod", [h / 2.0, h / (2.0 * libm::sin(theta / 2.0))]),
+            };
+            let help = both!(
+                "for this stroke and K `{key}` lies between {} and {}, neither included",
+                "此行程和 K 下 `{key}` 应在 {} 与 {} 之间（不含两端）",
+                metres(range[0]),
+                metres(range[1])
+            );
             return Err(Diagnostic::error("no-real-solution", message).help(help).into());
         }
         let b2 = h * (h / 4.0 + off / (2.0 * t));

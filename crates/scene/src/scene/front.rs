@@ -68,6 +68,12 @@ impl<'a> Front<'a> {
         self.values.pure_number(&quantity, faults)
     }
 
+    /// A number without a dimension, or an angle: its number as written, and for an angle whether it counts degrees.
+    pub fn number_or_angle(&self, node: &Node, what: impl Into<What>, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+        let quantity: RawQuantity = decode::quantity(node, what, faults)?;
+        self.values.number_or_angle(&quantity, faults)
+    }
+
     /// A function of a variable, such as `ln(x)`.
     pub fn curve(&self, node: &Node, variable: &str, what: impl Into<What>, faults: &mut Faults) -> Option<Curve> {
         let quantity = decode::quantity(node, what, faults)?;
@@ -102,21 +108,30 @@ impl<'a> Front<'a> {
     }
 }
 
-/// A function of one variable, a pure number of a pure number.
+/// A function of one variable, a pure number of a pure number or of an angle.
 #[derive(Clone, Debug)]
 pub struct Curve {
     pub(super) expr: Expr,
     pub(super) variable: String,
+    /// Whether the variable is an angle, and whether it counts degrees.
+    pub(super) angle: Option<bool>,
     pub(super) parameters: Vec<(String, Value)>,
 }
 
 impl Curve {
+    /// The same function of an angle, in degrees or in radians.
+    #[must_use]
+    pub fn of_angle(self, degrees: bool) -> Curve {
+        Curve { angle: Some(degrees), ..self }
+    }
+
     /// Its value.
     ///
     /// # Errors
     /// Where the expression has none, and where it is no pure number.
     pub fn at(&self, x: f64) -> Result<f64, Diagnostic> {
-        let variable = Value { number: x, dim: Dim::NUMBER, degrees: false };
+        let dim = if self.angle.is_some() { Dim::ANGLE } else { Dim::NUMBER };
+        let variable = Value { number: x, dim, degrees: self.angle.unwrap_or(false) };
         let lookup = |name: &str| match name == self.variable {
             true => Some(variable),
             false => self.parameters.iter().find(|(n, _)| n == name).map(|(_, v)| *v),

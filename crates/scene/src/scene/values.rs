@@ -153,7 +153,7 @@ impl<'a> Values<'a> {
         let used = |name: &&str| quantity.text.contains(*name);
         self.used.borrow_mut().extend(self.names.iter().filter(|n| used(n)).map(|n| (*n).to_owned()));
         let parameters = self.names.iter().filter(|n| **n != variable).filter_map(known).collect();
-        Ok(super::front::Curve { expr, variable: variable.to_owned(), parameters })
+        Ok(super::front::Curve { expr, variable: variable.to_owned(), angle: None, parameters })
     }
 
     /// A law of time: its dimension is looked at where it is wanted. Without the time in it a bare number takes the unit of the table.
@@ -250,6 +250,14 @@ impl<'a> Values<'a> {
         };
         faults.list.extend(fault);
         None
+    }
+
+    /// A number without a dimension, or an angle: its number as written, and for an angle whether it counts degrees.
+    pub fn number_or_angle(&self, quantity: &RawQuantity, faults: &mut Faults) -> Option<(f64, Option<bool>)> {
+        match self.evaluate(quantity) {
+            Ok((_, value, _)) if value.dim == Dim::ANGLE => Some((value.number, Some(value.degrees))),
+            Ok(_) | Err(_) => Some((self.pure_number(quantity, faults)?, None)),
+        }
     }
 
     /// An angle, in degrees where it is written in degrees.

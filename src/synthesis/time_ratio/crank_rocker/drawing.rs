@@ -4,9 +4,18 @@ use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::digits::significant;
 use crate::geom::Point;
-use crate::synthesis::board::{Board, Line, Weight, cross_circles};
+use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::Draft;
+use crate::synthesis::told::of;
 use std::f64::consts::{FRAC_PI_2, PI};
+
+/// What fixes A on the circle.
+#[derive(Clone, Copy)]
+enum Fixed {
+    Frame(f64),
+    Line([Point; 2]),
+    Beta(f64),
+}
 
 impl CrankRocker {
     pub(super) fn drawn(&self, draft: &Draft, board: &mut Board) -> Option<()> {
@@ -16,8 +25,9 @@ impl CrankRocker {
                 let (a, b, c, d) = (ray(1.0, 0), ray(1.0, 1), ray(-1.0, 0), ray(-1.0, 1));
                 board.meant(draft, &[&a, &b, &c, &d])
             }
-            Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Some(frame)),
-            Way::Best { swing, .. } => self.on_arc(draft, board, swing, None),
+            Way::Swing { swing, frame } => self.on_arc(draft, board, swing, Fixed::Frame(frame)),
+            Way::Line { swing, line } => self.on_arc(draft, board, swing, Fixed::Line(line)),
+            Way::Best { swing, .. } => self.on_arc(draft, board, swing, Fixed::Beta(of(draft, "beta"))),
         }
     }
 
@@ -37,7 +47,7 @@ impl CrankRocker {
             .mark("D", d)
             .mark("C_1", c1);
         let ray = Line::ray(a, (c1 - a).angle() + sense * self.ratio.theta);
-        let c2 = ray.cross_circle(d, radius)?[k];
+        let c2 = board.cut(&ray, d, radius)?[k];
         if (c2 - a).dot(ray.along) <= 0.0 {
             return None;
         }
@@ -51,25 +61,41 @@ impl CrankRocker {
     }
 
     /// A on the circle over C₁C₂ with the inscribed angle θ: at the frame's length from D, or under the chosen angle β.
-    fn on_arc(&self, draft: &Draft, board: &mut Board, swing: f64, frame: Option<f64>) -> Option<()> {
+    fn on_arc(&self, draft: &Draft, board: &mut Board, swing: f64, fixed: Fixed) -> Option<()> {
         let (d, radius) = (Point::ORIGIN, board.mm(self.rocker));
         let [c1, c2] = [1.0, -1.0].map(|s| Line::ray(d, FRAC_PI_2 + s * swing / 2.0).place(radius));
         board.step(both!("Lay off the rocker in its limits DC1 and DC2 under the swing ψ", "按摆角 ψ 作摇杆的两极限位置 DC1、DC2"));
         board.line(d, c1, Weight::Given).line(d, c2, Weight::Given).mark("D", d).mark("C_1", c1).mark("C_2", c2);
-        let beta = draft.numbers.iter().find(|n| n.name == "beta")?.value;
-        let way = |beyond: bool, k: usize| move |board: &mut Board| self.arc(board, [d, c1, c2], frame, beta, beyond, k);
+        let way = |beyond: bool, k: usize| move |board: &mut Board| self.arc(board, [d, c1, c2], fixed, beyond, k);
         let (p, q, r, s) = (way(true, 0), way(true, 1), way(false, 0), way(false, 1));
         board.meant(draft, &[&p, &q, &r, &s])
     }
 
-    fn arc(&self, board: &mut Board, [d, c1, c2]: [Point; 3], frame: Option<f64>, beta: f64, beyond: bool, k: usize) -> Option<()> {
+    fn arc(&self, board: &mut Board, [d, c1, c2]: [Point; 3], fixed: Fixed, beyond: bool, k: usize) -> Option<()> {
         let theta = self.ratio.theta;
         let named = significant(theta.to_degrees(), 4);
         if theta == 0.0 {
             let line = Line::through(c1, c2)?;
-            let a = line.cross_circle(d, board.mm(frame?))?[k];
-            board.step(both!("θ = 0: A lies on the line C1C2, at the frame's length from D", "θ = 0：A 在 C1C2 的延长线上，距 D 为机架长"));
-            board.line(c1, a, Weight::Thin).circle(d, d.distance(a), Weight::Thin).mark("A", a);
+            let a = match fixed {
+                Fixed::Frame(frame) => {
+                    let a = board.cut(&line, d, board.mm(frame))?[k];
+                    board.step(both!(
+                        "θ = 0: A lies on the line C1C2, at the frame's length from D",
+                        "θ = 0：A 在 C1C2 的延长线上，距 D 为机架长"
+                    ));
+                    board.circle(d, d.distance(a), Weight::Thin);
+                    a
+                }
+                Fixed::Line(given) => {
+                    let a = line.cross(&through(board, given)?)?;
+                    board
+                        .step(both!("θ = 0: A lies where the line C1C2 meets the given line", "θ = 0：A 为 C1C2 的延长线与给定直线的交点"));
+                    board.line(board.at(given[0]), a, Weight::Thin);
+                    a
+                }
+                Fixed::Beta(_) => return None,
+            };
+            board.line(c1, a, Weight::Thin).mark("A", a);
             return board.halve(a, [c1, c2]);
         }
         board.step(both!(
@@ -79,14 +105,20 @@ impl CrankRocker {
         board.line(c1, c2, Weight::Thin);
         let (centre, radius) = board.inscribed(c1, c2, theta, beyond)?;
         board.mark("O", centre);
-        let a = match frame {
-            Some(frame) => {
+        let a = match fixed {
+            Fixed::Frame(frame) => {
                 let opening = board.mm(frame);
                 board.step(both!("With the frame AD as opening about D cut the circle: A", "以 D 为圆心、机架长为半径截该圆得 A"));
                 board.circle(d, opening, Weight::Thin);
-                cross_circles(d, opening, centre, radius)?[k]
+                board.circles(d, opening, centre, radius)?[k]
             }
-            None => {
+            Fixed::Line(given) => {
+                board.step(both!("The given line cuts the circle: A", "给定直线与该圆交于 A"));
+                let a = board.cut(&through(board, given)?, centre, radius)?[k];
+                board.line(board.at(given[0]), a, Weight::Given);
+                a
+            }
+            Fixed::Beta(beta) => {
                 let side = if beyond { -1.0 } else { 1.0 };
                 let ray = Line::ray(c2, (c1 - c2).angle() + side * beta);
                 let text = significant(beta.to_degrees(), 5);
@@ -94,7 +126,7 @@ impl CrankRocker {
                     "On the ray under β = {text}° from C2C1 (the best transmission angle) lies A",
                     "由 C2C1 作 β = {text}° 的射线（传动角最好）与圆交于 A"
                 ));
-                let crossings = ray.cross_circle(centre, radius)?;
+                let crossings = board.cut(&ray, centre, radius)?;
                 let far = crossings.into_iter().max_by(|p, q| p.distance(c2).total_cmp(&q.distance(c2)))?;
                 (k == 0).then_some(far)?
             }
@@ -106,4 +138,9 @@ impl CrankRocker {
         board.line(d, a, Weight::Result).line(a, c1, Weight::Thin).line(a, c2, Weight::Thin).mark("A", a).read("AD", a, d);
         board.halve(a, [c1, c2])
     }
+}
+
+/// A line of the file on the paper.
+fn through(board: &Board, [p, q]: [Point; 2]) -> Option<Line> {
+    Some(Line { at: board.at(p), along: (q - p).unit()? })
 }

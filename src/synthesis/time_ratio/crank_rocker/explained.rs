@@ -4,7 +4,7 @@ use super::{CrankRocker, Way};
 use crate::diag::both;
 use crate::geom::Point;
 use crate::synthesis::candidate::Draft;
-use crate::synthesis::told::{angle, angle_of_limits, half_difference, length, number, of};
+use crate::synthesis::told::{angle, angle_of_limits, half_difference, length, number, of, place};
 use crate::synthesis::{Proof, Statement};
 
 impl CrankRocker {
@@ -26,6 +26,15 @@ impl CrankRocker {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
             }
+            Way::Line { swing, line: [through, end] } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!(
+                    "$A$ on the line through ${}$ under ${}$ ($D$ the origin, the swing even about the upward axis)",
+                    "$A$ 在过 ${}$、倾角为 ${}$ 的直线上（$D$ 为原点，摆角关于竖直轴对称）",
+                    place(through),
+                    angle((end - through).angle())
+                ));
+            }
             Way::Best { swing, .. } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
@@ -35,7 +44,7 @@ impl CrankRocker {
             }
         }
         let mut wanted = vec![both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")];
-        if matches!(self.way, Way::Best { .. }) {
+        if matches!(self.way, Way::Best { .. } | Way::Line { .. }) {
             wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
         }
         wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
@@ -79,7 +88,7 @@ impl CrankRocker {
                     format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                 ],
             ),
-            Way::Swing { .. } | Way::Best { .. } => {
+            Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } => {
                 let chord = 2.0 * self.rocker * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(
                     both!(

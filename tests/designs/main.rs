@@ -1,5 +1,9 @@
 //! Wishes made of random linkages: the linkage is among the candidates; and what is chosen for the author is the best there is.
 
+mod nearest;
+mod timed;
+mod wishes;
+
 use hodograph::synthesis::{Candidate, Design, read, solve};
 use serde_json::{Value as Json, json};
 use std::f64::consts::PI;

@@ -1,0 +1,110 @@
+//! The lesson of a design: every step brings what it says, names are read from the last row, nothing is cut off, the linkage stops where
+//! the library says.
+
+use super::*;
+use hodograph::figure::synthesis::to_scale;
+use hodograph::lesson::design;
+use hodograph::synthesis::{self, Candidate, KINDS, Task};
+use serde_json::json;
+
+const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
+
+/// Of both drawings: the least height of a name's first letter (px, ink), and what is cut by the drawing or by the window's sides.
+const DRAWINGS: &str = r##"(() => {
+    let least = Infinity, count = 0;
+    const cut = [];
+    for (const svg of document.querySelectorAll(".drawing svg")) {
+        const box = svg.getBoundingClientRect();
+        if (box.right > innerWidth + 1 || box.left < -1) cut.push("drawing beyond the window");
+        for (const e of svg.querySelectorAll(".label")) {
+            const r = e.getBoundingClientRect(), letter = (e.querySelector("use, path") || e).getBoundingClientRect();
+            if (letter.height === 0) continue;
+            least = Math.min(least, letter.height), count++;
+            if (r.left < box.left - 1 || r.right > box.right + 1 || r.top < box.top - 1 || r.bottom > box.bottom + 1) cut.push(e.id || e.outerHTML.slice(0, 80));
+        }
+    }
+    return { least, count, cut };
+})()"##;
+
+/// Of the words of a step: what is wider than its room, or lies below the window where it stays in place.
+const WORDS: &str = r##"(() => {
+    const s = document.getElementById("sentence"), r = s.getBoundingClientRect(), cut = [];
+    if (r.right > innerWidth + 1 || s.scrollWidth > s.clientWidth + 1) cut.push("the sentence is too wide");
+    if (getComputedStyle(document.getElementById("steps")).position === "fixed") {
+        const box = document.getElementById("steps");
+        if (box.scrollHeight > box.clientHeight + 1) cut.push("the sentence is scrolled");
+    }
+    return cut;
+})()"##;
+
+/// Parts of the construction that stand in the page in this step.
+const SEEN: &str = "[...document.querySelectorAll('[data-step]')].filter((g) => !g.classList.contains('later')).length";
+
+fn of_kind(name: &str) -> (Task, Candidate, usize, PathBuf) {
+    let task = synthesis::read(synthesis::templates::get(name).unwrap()).unwrap().value;
+    let candidate = synthesis::solve(&task).unwrap().candidates.remove(0);
+    let steps = to_scale(&task, &candidate).unwrap().map_or(0, |b| b.steps.len());
+    let page = design::lesson(&task, &candidate, &design::Options { lang: Lang::En, style: Style::default() }).unwrap();
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-design-{name}.html"));
+    std::fs::write(&path, page).unwrap();
+    (task, candidate, steps, path)
+}
+
+#[test]
+fn designs_are_read_from_the_last_row_and_go_through_their_steps() {
+    let Some(mut b) = browser() else { return };
+    for kind in KINDS {
+        let (_, candidate, steps, path) = of_kind(kind.name);
+        for (window, least) in [(SMALL_PROJECTOR, 10.5), (PHONE, 6.5)] {
+            b.open(&path, window);
+            let told = format!("{} at {window:?}", kind.name);
+            let over = b.eval("document.documentElement.scrollWidth - innerWidth").as_f64().unwrap();
+            assert!(over <= 0.0, "{told} is {over} pixels too wide");
+            let seen = b.eval(DRAWINGS);
+            eprintln!("{told}: letters of {:.1} px, {} names", seen["least"].as_f64().unwrap_or(0.0), seen["count"]);
+            assert_eq!(seen["cut"], json!([]), "{told}");
+            assert!(seen["count"] == 0 || seen["least"].as_f64().unwrap() >= least, "{told}: {seen}");
+            stepped(&mut b, &told, steps);
+            stopped(&mut b, &told, &candidate);
+        }
+        assert_quiet(&b, kind.name);
+    }
+}
+
+/// All steps in both languages: what a step brings stays, and its sentence has room.
+fn stepped(b: &mut Browser, told: &str, steps: usize) {
+    if steps == 0 {
+        assert_eq!(b.eval("document.getElementById('count') === null"), json!(true), "{told}");
+        return;
+    }
+    for language in 0..2 {
+        b.key("Home");
+        let mut before = 0.0;
+        for step in 1..=steps {
+            assert_eq!(b.eval(WORDS), json!([]), "{told}, step {step}, language {language}");
+            assert!(b.eval("document.getElementById('sentence').textContent.length").as_f64().unwrap() > 3.0, "{told}, step {step}");
+            let now = b.eval(SEEN).as_f64().unwrap();
+            assert!(now > before, "{told}: step {step} brings nothing");
+            before = now;
+            let last = b.eval("document.getElementById('next').disabled");
+            assert_eq!(last, json!(step == steps), "{told}: {step} of {steps} steps");
+            b.key("ArrowRight");
+        }
+        b.key("l");
+    }
+}
+
+/// A button for each wanted position, at which the driver stands as the library says.
+fn stopped(b: &mut Browser, told: &str, candidate: &Candidate) {
+    let stops = b.eval("document.querySelectorAll('#stops button').length").as_f64().unwrap() as usize;
+    assert!(stops > 0 && stops <= candidate.draft.wanted.len(), "{told}: {stops} stops");
+    let wanted: Vec<f64> = candidate.draft.wanted.iter().map(|w| w.driver.to_degrees()).collect();
+    for k in 0..stops {
+        b.eval(&format!("document.querySelectorAll('#stops button')[{k}].click()"));
+        let travel = b.eval("parseFloat(document.getElementById('travel').textContent.replace('−', '-').replace(/^[^0-9-]*/, ''))");
+        let travel = travel.as_f64().unwrap_or_else(|| panic!("{told}: no driver's angle"));
+        let near = wanted.iter().any(|w| ((w - travel + 180.0).rem_euclid(360.0) - 180.0).abs() < 0.06);
+        assert!(near, "{told}: stop {k} at {travel}°, wanted {wanted:?}");
+        assert!(b.eval("document.querySelectorAll('#linkage .reached').length").as_f64().unwrap() > 0.0, "{told}: stop {k}");
+    }
+}
