@@ -13,7 +13,7 @@ use crate::paper::phrase::Phrase;
 use crate::report::math::Math;
 use crate::report::mobility::{Counted, class, kinds};
 use crate::report::plan::group_words;
-use crate::scene::{Driver, DriverKind, Guide, Lang, LinkId, Scene};
+use crate::scene::{Driver, Guide, Lang, LinkId, PointId, Scene};
 use crate::worked::Worked;
 
 /// Makes the worksheet of a scene that has been worked through for [`crate::worked::Scope::Figure`].
@@ -161,18 +161,22 @@ impl Maker<'_> {
     fn driven(&self, choice: &ForDrivers) -> String {
         let scene = &choice.scene;
         let link = |l: LinkId| format!("{} {}", self.tr("link", "构件"), scene.link_name(l));
-        let one = |d: &Driver| match (&d.kind, self.lang()) {
-            (DriverKind::Turn { link: l, against, .. }, _) if *against == scene.ground => link(*l),
-            (DriverKind::Turn { link: l, against, .. }, Lang::En) => format!("{} against {}", link(*l), link(*against)),
-            (DriverKind::Turn { link: l, against, .. }, Lang::Zh) => format!("{}（相对{}）", link(*l), link(*against)),
-            (DriverKind::Slide { guide, .. }, lang) => match (&scene.guides[guide.0], lang) {
-                (Guide { slider: Some(l), .. }, _) => link(*l),
-                (Guide { pin, .. }, Lang::En) => format!("the pin {} in its slot", pin.map_or("", |p| scene.point_name(p))),
-                (Guide { pin, .. }, Lang::Zh) => format!("槽中的销 {}", pin.map_or("", |p| scene.point_name(p))),
-            },
-            (DriverKind::Cylinder { a, b, .. }, _) => {
-                format!("{} {}{}", self.tr("the cylinder", "液压缸"), scene.point_name(*a), scene.point_name(*b))
-            }
+        let turned = |l: LinkId, against: LinkId| match self.lang() {
+            _ if against == scene.ground => link(l),
+            Lang::En => format!("{} against {}", link(l), link(against)),
+            Lang::Zh => format!("{}（相对{}）", link(l), link(against)),
+        };
+        let slid = |guide: &Guide| match (guide.slider, self.lang()) {
+            (Some(l), _) => link(l),
+            (None, Lang::En) => format!("the pin {} in its slot", guide.pin.map_or("", |p| scene.point_name(p))),
+            (None, Lang::Zh) => format!("槽中的销 {}", guide.pin.map_or("", |p| scene.point_name(p))),
+        };
+        let cylinder =
+            |[a, b]: [PointId; 2]| format!("{} {}{}", self.tr("the cylinder", "液压缸"), scene.point_name(a), scene.point_name(b));
+        let one = |d: &Driver| {
+            let turned = d.kind.turned().map(|(l, against)| turned(l, against));
+            let slid = || d.kind.guide().map(|g| slid(&scene.guides[g.0]));
+            turned.or_else(slid).or_else(|| d.kind.ends().map(cylinder)).unwrap_or_default()
         };
         scene.drivers.iter().map(one).collect::<Vec<_>>().join(self.words().comma)
     }
