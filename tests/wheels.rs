@@ -1,5 +1,5 @@
 //! Wheels that only repeat what others do 虚约束: further planets, further wheels of a cart, two gear pairs of one ratio; and those that nearly do, that
-//! hold in one pose only, and that lock.
+//! hold in one pose only, and that lock. And the phase of wheels neither of which is known before the other.
 
 use hodograph::answer::Value;
 use hodograph::diag::{Diagnostic, Faults, Severity};
@@ -188,4 +188,43 @@ fn wheels_that_wait_for_one_another_are_told() {
     let arm = scene::read(text.replace(r#""omega_3", "omega_5", "alpha_5""#, r#""omega_4""#).as_str()).unwrap().value;
     let arm = scalar(&arm, &work(&arm, Scope::Questions).unwrap().value, "omega_4");
     assert!((30.0 * (five - arm) + 20.0 * (three - arm)).abs() < 1e-10, "{three} {five} {arm}");
+}
+
+/// Gears on the two floating links of a five-bar: their pose is found as a whole, near the sketch.
+fn waiting_for_one_another(teeth: [u32; 2], phase: Option<f64>) -> Scene {
+    let phase = phase.map_or(String::new(), |p| format!(r#", "phase": "{p} deg""#));
+    read(&format!(
+        r#"{{"links": {{"1": ["O", "D"], "2": ["O", "A"], "3": ["A", "B"], "4": ["B", "C"], "5": ["C", "D"]}}, "ground": "1",
+        "points": {{"O": [0, 0], "D": ["200 mm", 0]}}, "lengths": {{"OA": "50 mm", "AB": "120 mm", "BC": "100 mm", "CD": "110 mm"}},
+        "sketch": {{"B": [0.1, 0.11], "C": [0.19, 0.1]}}, "gears": [{{"links": ["3", "5"], "centres": ["B", "C"], "teeth": {teeth:?}, "at": "K"{phase}}}],
+        "driver": {{"link": "2", "angle": "60 deg", "omega": "10 rad/s"}}, "find": ["omega_3", "omega_5"]}}"#
+    ))
+}
+
+/// How far the second wheel's line is from the line of centres once the first, rolled back, lies on it (degrees).
+fn phase_of(worked: &Worked, scene: &Scene, [z3, z5]: [u32; 2]) -> f64 {
+    let at = |name: &str| worked.configuration.points[scene.points.iter().position(|p| p.name == name).unwrap()].unwrap();
+    let line = (at("C") - at("B")).angle();
+    let from_line = |angle: f64| (angle - line).sin().atan2((angle - line).cos());
+    let [of_3, of_5] = [at("B") - at("A"), at("D") - at("C")].map(|link| from_line(link.angle()));
+    (of_5 + of_3 * f64::from(z3) / f64::from(z5)).to_degrees()
+}
+
+#[test]
+fn the_phase_of_wheels_that_wait_for_one_another_is_kept() {
+    for teeth in [[40, 40], [30, 45]] {
+        // Without a phase the sketch decides.
+        let free = waiting_for_one_another(teeth, None);
+        let sketched = work(&free, Scope::Questions).unwrap().value;
+        let (own, rate) = (phase_of(&sketched, &free, teeth), scalar(&free, &sketched, "omega_3"));
+        for more in [0.0, 4.0, 11.0, -3.0] {
+            let scene = waiting_for_one_another(teeth, Some(own + more));
+            let worked = work(&scene, Scope::Questions).unwrap().value;
+            agree(&scene, &worked);
+            let off = (phase_of(&worked, &scene, teeth) - own - more + 180.0).rem_euclid(360.0) - 180.0;
+            assert!(off.abs() < 1e-9, "{teeth:?}: the phase {} is missed by {off}°", own + more);
+            let changed = (scalar(&scene, &worked, "omega_3") - rate).abs();
+            assert_eq!(changed > 1e-3, more != 0.0, "{teeth:?}: {changed}");
+        }
+    }
 }

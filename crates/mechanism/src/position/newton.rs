@@ -31,6 +31,8 @@ pub struct System<'a> {
     forms: Vec<(Form, Given<f64>)>,
     /// How far each rolling pair has rolled at the start.
     rolled: Vec<Option<Rolled>>,
+    /// By how much each rolling pair is off the phase that the scene gives at the start, as an angle of its second link.
+    out_of_phase: Vec<f64>,
     /// Poses and points outside the system, which stay.
     poses: Vec<Option<Pose>>,
     points: Vec<Option<Point>>,
@@ -55,6 +57,7 @@ impl<'a> System<'a> {
             pins,
             forms,
             rolled: vec![None; scene.rolling.len()],
+            out_of_phase: vec![0.0; scene.rolling.len()],
             poses: start.poses.clone(),
             points: start.points.clone(),
             scale: start.extent().max(f64::MIN_POSITIVE),
@@ -75,9 +78,13 @@ impl<'a> System<'a> {
         system
     }
 
-    /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides,
-    /// however roughly `start` shows them.
+    /// The same at the scene's instant: the frames of sliders lie as the plane's, the origins of gliding ones on their guides, gears have
+    /// the phase that is given, however roughly `start` shows them.
     pub fn at_instant(mut self) -> System<'a> {
+        for r in (0..self.rolled.len()).filter(|r| self.rolled[*r].is_some()) {
+            let now = self.seen(RollingId(r), &self.poses, &self.points);
+            self.out_of_phase[r] = now.and_then(|now| rolling::out_of_phase(self.scene, self.shapes, RollingId(r), &now)).unwrap_or(0.0);
+        }
         for (_, given) in &mut self.forms {
             *given = match *given {
                 Given::Turned(_) | Given::InPlane(_) => Given::InPlane(Vec2::new(1.0, 0.0)),
@@ -295,7 +302,8 @@ impl View<f64> for Placed<'_> {
         let system = self.system;
         let now = system.seen(r, self.poses, self.points);
         let then = system.rolled[r.0].as_ref();
-        Some(then.zip(now).map_or(0.0, |(then, now)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now)))
+        let slip = |(then, now): (&Rolled, Seen)| then.slip(&system.scene.rolling[r.0], system.shapes.rolling[r.0], &now);
+        Some(then.zip(now).map_or(0.0, slip) + system.out_of_phase[r.0])
     }
 }
 

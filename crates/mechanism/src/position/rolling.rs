@@ -147,6 +147,26 @@ pub(super) fn slipped_m(scene: &Scene, c: &Configuration, r: RollingId) -> Optio
     Some(turned * second_m)
 }
 
+/// By how much a pair is off the phase that the scene gives, as an angle of the second link of half a turn at most; `None` where no phase
+/// is given.
+pub(super) fn out_of_phase(scene: &Scene, shapes: &Shapes, r: RollingId, now: &Seen) -> Option<f64> {
+    let (pair, [r1, r2]) = (&scene.rolling[r.0], shapes.rolling[r.0]);
+    let phase = pair.phase.as_ref().filter(|_| matches!(pair.contours, Contours::Circles { .. }))?;
+    let line = now.line.unit()?;
+    let mark = |l: LinkId| mark(scene, l, |p| shapes.local(l, p));
+    let from_line = |i: usize| Some(mark(pair.links[i])?.rotate_by(now.axes[i]).divide_by(line).angle());
+    let off = from_line(1)? + from_line(0)? * (r1 / r2) - phase.value.radians();
+    Some(off - TAU * libm::round(off / TAU))
+}
+
+/// The line of a link from which its angle counts, in its frame: a unit vector.
+fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Point<N>>) -> Option<Vec2<N>> {
+    match &scene.links[l.0].points[..] {
+        [p, q, ..] => (local(*q)? - local(*p)?).unit(),
+        _ => Some(Vec2::unit_x()),
+    }
+}
+
 /// An angle that is known but for whole turns, near to one that is known roughly.
 fn whole<N: Real>(wrapped: N, near: f64) -> N {
     wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
@@ -269,12 +289,8 @@ impl<N: Real> Assembly<'_, N> {
         self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned)
     }
 
-    /// The line of a link from which its angle counts, in its frame: a unit vector.
     fn mark(&self, l: LinkId) -> Option<Vec2<N>> {
-        match &self.scene.links[l.0].points[..] {
-            [p, q, ..] => (self.shapes[l.0].local(*q)? - self.shapes[l.0].local(*p)?).unit(),
-            _ => Some(Vec2::unit_x()),
-        }
+        mark(self.scene, l, |p| self.shapes[l.0].local(p))
     }
 
     /// The angle of a link's line as a driver writes it, whole turns among it.
