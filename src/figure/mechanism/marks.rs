@@ -145,6 +145,17 @@ impl Draft<'_> {
         // Above the block, as the hatching is below.
         let normal = if tangent.perp().y >= 0.0 { tangent.perp() } else { -tangent.perp() };
         let name = name_label(&name);
+        let link = |l: LinkId| name_label(self.scene.link_name(l));
+        // Along a guide that moves, the driver gives the motion in the guide.
+        let symbol = |quantity: &str| match (guide.on == self.scene.ground, guide.pin) {
+            (true, _) => format!("{quantity}_{{{name}}}"),
+            (false, Some(_)) => {
+                let (own, on, sliding) = (guide.slider.map(link).unwrap_or_default(), link(guide.on), &self.notation.sliding);
+                format!("{quantity}^{{{sliding}}}_{{{name}{own}{name}{on}}}")
+            }
+            (false, None) => format!("{quantity}_{{{name}/{}}}", link(guide.on)),
+        };
+        let symbols = ["v", "a"].map(symbol);
         let ahead = if driver.rate.value < 0.0 { -tangent } else { tangent };
         let from = match guide.pin {
             // Beyond the end of a slot with hatching on both sides.
@@ -155,7 +166,7 @@ impl Draft<'_> {
             }
             _ => at + normal * (self.style.block_width_mm / 2.0 + ARROW_OFF_MM),
         };
-        self.translations(driver, &[format!("v_{{{name}}}"), format!("a_{{{name}}}")], Slides { from, along: tangent, outward: normal });
+        self.translations(driver, &symbols, Slides { from, along: tangent, outward: normal });
     }
 
     fn stretching(&mut self, a: PointId, b: PointId, driver: &Driver) {

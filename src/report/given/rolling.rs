@@ -114,8 +114,16 @@ mod tests {
         let scene = read(text).unwrap().value;
         let worked = work(&scene, Scope::Figure).unwrap().value;
         for (lang, wanted) in [
-            (Lang::En, ["wheel 4 rolls on a straight track of the ground", "gear 4 on the rack of link 5", "pitch point", "without slip"]),
-            (Lang::Zh, ["轮 4 沿机架上的直线轨道滚动", "齿轮 4 与构件 5 上的齿条啮合", "节点", "纯滚动"]),
+            (
+                Lang::En,
+                [
+                    "wheel 4 rolls on a horizontal straight track of the ground",
+                    "gear 4 on the horizontal rack of link 5",
+                    "pitch point",
+                    "without slip",
+                ],
+            ),
+            (Lang::Zh, ["轮 4 沿机架上的水平直线轨道滚动", "齿轮 4 与构件 5 上的水平齿条啮合", "节点", "纯滚动"]),
         ] {
             let blocks = worksheet(&scene, &worked, &Options::of_language(lang)).blocks;
             let given = blocks.iter().find_map(|b| if let Block::List { members, .. } = b { Some(members) } else { None }).unwrap();
