@@ -21,6 +21,18 @@ fn scalar(text: &str, find: &str) -> f64 {
     solved.answers[at].value.scalar().unwrap_or_else(|| panic!("{find}: {:?}", solved.answers[at].value))
 }
 
+#[test]
+fn the_description_of_motions_can_be_solved() {
+    let text = include_str!("../docs/scene.md");
+    let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
+    let motions: Vec<&str> = blocks.filter(|b| b.starts_with('{') && !b.contains("\"links\"")).collect();
+    assert!(motions.len() >= 2);
+    for block in motions {
+        let (problem, solved) = solved(block);
+        assert_eq!(problem.find.len(), solved.answers.len(), "{block}");
+    }
+}
+
 /// The cases, each file with what it expects.
 #[test]
 fn cases_of_motions_without_a_mechanism() {

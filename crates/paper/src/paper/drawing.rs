@@ -10,7 +10,7 @@ use crate::geom::{Point, Vec2};
 use super::extent::{Rect, bounds, translate};
 use super::item::{COARSE, Item, PLACED, Shape, tag};
 use super::label::Label;
-use super::place::{Habit, LabelRequest, Obstacles, Placement, is_coarse, place_or_leave};
+use super::place::{Habit, LabelRequest, Leads, Obstacles, Placement, is_coarse, place_or_leave};
 use super::style::Style;
 
 /// Room around the lines of a part in which its labels may stand: the longest leader line and a short label.
@@ -195,24 +195,33 @@ impl Drawing {
 
     /// Places the labels.
     pub fn finish(self) -> Part {
-        self.finish_after(&mut Habits::new())
+        let room = self.room();
+        self.placed(&mut Habits::new(), room, Leads::Long)
     }
 
     /// Places the labels of a drawing of a series: each where it stood before, if it can; `habits` then says where it stands
     /// now.
     pub fn finish_after(self, habits: &mut Habits) -> Part {
-        let widest = self.wanted.iter().map(|w| w.request.width_mm()).fold(0.0, f64::max);
-        let room = self.bounds().grown(LABEL_ROOM_MM.max(widest + LABEL_AIR_MM));
+        let room = self.room();
         self.finish_within(habits, room)
     }
 
     /// The same with the room that the labels have.
-    pub fn finish_within(mut self, habits: &mut Habits, room: Rect) -> Part {
+    pub fn finish_within(self, habits: &mut Habits, room: Rect) -> Part {
+        self.placed(habits, room, Leads::Short)
+    }
+
+    fn room(&self) -> Rect {
+        let widest = self.wanted.iter().map(|w| w.request.width_mm()).fold(0.0, f64::max);
+        self.bounds().grown(LABEL_ROOM_MM.max(widest + LABEL_AIR_MM))
+    }
+
+    fn placed(mut self, habits: &mut Habits, room: Rect, leads: Leads) -> Part {
         let requests: Vec<LabelRequest> = self.wanted.iter().map(|w| w.request.clone()).collect();
         self.obstacles.lettered.extend(requests.iter().filter_map(LabelRequest::point));
         let (first, coarse) = (habits.is_empty(), is_coarse(requests.len()));
         let before: Vec<Option<Habit>> = self.wanted.iter().filter(|_| !first).map(|w| habits.get(&w.id).copied()).collect();
-        let placed = place_or_leave(&requests, &self.obstacles, room, &before);
+        let placed = place_or_leave(&requests, &self.obstacles, (room, leads), &before);
         for (p, w) in placed.iter().zip(&self.wanted) {
             habits.insert(w.id.clone(), p.map_or(Habit::LeftOut, |p| Habit::At(p.index)));
             let Some(p) = p else { continue };

@@ -340,7 +340,9 @@ fn a_byte_order_mark_moves_no_place() {
 #[test]
 fn the_description_shows_what_can_be_read() {
     let text = include_str!("../../../../docs/scene.md");
-    let blocks: Vec<&str> = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next()).collect();
+    let blocks = text.split("```json\n").skip(1).filter_map(|b| b.split("```").next());
+    // What has no links is no scene; the tests of motions read it.
+    let blocks: Vec<&str> = blocks.filter(|b| !b.starts_with('{') || b.contains("\"links\"")).collect();
     good(blocks[0]);
     let schema: serde_json::Value = serde_json::from_str(schema::schema()).unwrap();
     let validator = jsonschema::validator_for(&schema).unwrap();

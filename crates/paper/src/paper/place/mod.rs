@@ -196,12 +196,21 @@ pub fn place_after(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rec
     let labels: Vec<Wanted> = requests.iter().map(Wanted::new).collect();
     let mut offers: Vec<Offer> = labels.iter().map(|w| Offer::new(w, obstacles, bounds)).collect();
     let all: Vec<usize> = (0..labels.len()).collect();
-    search::run(&mut offers, &all, before).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
+    search::run(&mut offers, &all, before, Leads::Short).into_iter().zip(&labels).map(|(found, wanted)| wanted.placement(found)).collect()
 }
 
 /// Whether so many labels are too many to be weighed against one another: then each takes the best place that those before it left.
 pub fn is_coarse(labels: usize) -> bool {
     labels > coarse::MANY
+}
+
+/// How far from its thing a label may stand where nothing nearer is clear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Leads {
+    /// As far as a leader line of 12 mm goes: in a series of figures, in which a label far off keeps its place for long.
+    Short,
+    /// Twice as far: in a figure that stands alone.
+    Long,
 }
 
 /// What a label of a series did in the figure before.
@@ -216,7 +225,12 @@ pub enum Habit {
 /// Finds places as [`place_after`], and leaves out optional labels that would stand on another label, on a line as thick as
 /// their own, or nearer to one than to their own; the others then have more room. `None` for those left out. One that was left out in the figure before comes back
 /// when there is a clear place beside all others, so that names do not come and go.
-pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: Rect, before: &[Option<Habit>]) -> Vec<Option<Placement>> {
+pub fn place_or_leave(
+    requests: &[LabelRequest],
+    obstacles: &Obstacles,
+    (bounds, leads): (Rect, Leads),
+    before: &[Option<Habit>],
+) -> Vec<Option<Placement>> {
     if is_coarse(requests.len()) {
         return coarse::place(requests, obstacles, bounds, before).0;
     }
@@ -231,7 +245,7 @@ pub fn place_or_leave(requests: &[LabelRequest], obstacles: &Obstacles, bounds: 
             _ => None,
         };
         let habits: Vec<Option<usize>> = if before.is_empty() { Vec::new() } else { kept.iter().map(stood).collect() };
-        let found = search::run(&mut offers, &kept, &habits);
+        let found = search::run(&mut offers, &kept, &habits, leads);
         let places: Vec<Placement> = found.into_iter().zip(&kept).map(|(found, &i)| labels[i].placement(found)).collect();
         let hides = |k: usize| {
             let (own, here) = (&labels[kept[k]], places[k].bounds);

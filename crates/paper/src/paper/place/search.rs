@@ -5,7 +5,7 @@ use crate::paper::extent::Rect;
 use super::candidate::{self, Candidate};
 use super::cost::{self, Around};
 use super::obstacle::Obstacles;
-use super::{CROWDED, Found, Placement, Wanted};
+use super::{CROWDED, Found, Leads, Placement, Wanted};
 
 /// Sweeps of the descent. Each lowers the total, so it ends by itself; on sheets of 200 labels after 6 at most.
 const SWEEPS_MAX: usize = 24;
@@ -199,7 +199,7 @@ impl<'c, 'a> Choice<'c, 'a> {
 
 /// For each of these labels (in their order) its place, what that costs, and which of the places it is; `before` says which it was
 /// in the figure before.
-pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>]) -> Vec<Found> {
+pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>], leads: Leads) -> Vec<Found> {
     let stood = |i: usize| before.get(i).copied().flatten();
     let wanted = offers.iter_mut().enumerate().filter(|(k, _)| of.binary_search(k).is_ok());
     let mut choices: Vec<Choice> = wanted.enumerate().map(|(i, (_, offer))| Choice::new(offer, stood(i))).collect();
@@ -215,7 +215,11 @@ pub(super) fn run(offers: &mut [Offer], of: &[usize], before: &[Option<usize>]) 
         others.into_iter().for_each(|i| choices[i].open());
         settle(&mut choices, rounds);
     }
-    for (ring, enough) in [(1, POOR), (2, CROWDED)] {
+    let rings: &[(usize, f64)] = match leads {
+        Leads::Short => &[(1, POOR)],
+        Leads::Long => &[(1, POOR), (2, CROWDED)],
+    };
+    for &(ring, enough) in rings {
         let is_poor = |i: &usize| choices[*i].open && total(&choices, *i, choices[*i].picked) > enough;
         let poor: Vec<usize> = (0..choices.len()).filter(is_poor).collect();
         if !poor.is_empty() {
