@@ -89,8 +89,7 @@ fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
 
 /// The pins of a cylinder of which the ground is barrel or rod, and the number of its other part: its own pin, the other one.
 fn part(scene: &Scene, kind: &DriverKind, ground: LinkId) -> Option<[String; 3]> {
-    let DriverKind::Cylinder { a, b, links, .. } = kind else { return None };
-    let (a, b) = (scene.point_name(*a).to_owned(), scene.point_name(*b).to_owned());
+    let (links, [a, b]) = (kind.parts(), kind.ends()?.map(|p| scene.point_name(p).to_owned()));
     let number = |k: usize| links.get(k).map_or_else(String::new, |l: &LinkId| scene.link_name(*l).to_owned());
     match links.iter().position(|l| *l == ground)? {
         0 => Some([a, b, number(1)]),
@@ -127,35 +126,28 @@ pub(super) fn kept(scene: &Scene, ground: LinkId) -> (String, Json) {
 
 fn driver(scene: &Scene, d: &Driver, rate: f64, ground: LinkId) -> (String, Json) {
     let link = |l: LinkId| scene.link_name(l).to_owned();
-    match &d.kind {
-        DriverKind::Turn { link: turned, against, .. } => {
-            let ([turned, against], rate) = if *turned == ground { ([*against, *turned], -rate) } else { ([*turned, *against], rate) };
-            let mut out = json!({"link": link(turned), "omega": format!("{rate:?} rad/s")});
-            if against != ground {
-                out["against"] = json!(link(against));
-            }
-            (link(turned), out)
+    let slide = |runner: String, rate: f64| (runner.clone(), json!({"slide": runner, "velocity": format!("{rate:?} m/s")}));
+    if let Some((turned, against)) = d.kind.turned() {
+        let ([turned, against], rate) = if turned == ground { ([against, turned], -rate) } else { ([turned, against], rate) };
+        let mut out = json!({"link": link(turned), "omega": format!("{rate:?} rad/s")});
+        if against != ground {
+            out["against"] = json!(link(against));
         }
-        DriverKind::Slide { guide, .. } => {
-            let (runner, sense) = runner(scene, &scene.guides[guide.0], ground);
-            (runner.clone(), json!({"slide": runner, "velocity": format!("{:?} m/s", sense * rate)}))
-        }
-        DriverKind::Cylinder { a, b, links, .. } => match part(scene, &d.kind, ground) {
-            Some([_, end, other]) => {
-                let runner = if other.is_empty() { end } else { other };
-                (runner.clone(), json!({"slide": runner, "velocity": format!("{rate:?} m/s")}))
-            }
-            None => {
-                let ends = format!("{}{}", scene.point_name(*a), scene.point_name(*b));
-                let numbers: Vec<String> = links.iter().map(|l| link(*l)).collect();
-                let mut out = json!({"cylinder": ends, "rate": format!("{rate:?} m/s")});
-                if !numbers.is_empty() {
-                    out["links"] = json!(numbers);
-                }
-                (ends, out)
-            }
-        },
+        return (link(turned), out);
     }
+    if let Some(guide) = d.kind.guide() {
+        let (runner, sense) = runner(scene, &scene.guides[guide.0], ground);
+        return slide(runner, sense * rate);
+    }
+    if let Some([_, end, other]) = part(scene, &d.kind, ground) {
+        return slide(if other.is_empty() { end } else { other }, rate);
+    }
+    let ends: String = d.kind.ends().into_iter().flatten().map(|p| scene.point_name(p)).collect();
+    let mut out = json!({"cylinder": ends, "rate": format!("{rate:?} m/s")});
+    if !d.kind.parts().is_empty() {
+        out["links"] = d.kind.parts().iter().map(|l| link(*l)).collect();
+    }
+    (ends, out)
 }
 
 /// What runs in a guide, and in which sense: where the slider is the ground, its guide runs the other way.
