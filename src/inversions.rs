@@ -2,7 +2,8 @@
 //!
 //! The relative motion of the links is the same in all of them. Decided here: how an inversion is written, from the places of the pose, so
 //! that all stand as in the scene; which link drives (one on the new ground that turns fully, else the first that moves it); what its
-//! motion as a whole is ([`extreme::limits`]). Chains of pins and slides with one freedom are inverted.
+//! motion as a whole is ([`extreme::limits`]). Gears and wheels keep their pitch circles. Chains with several drivers or with cylinders keep
+//! those, since a driver is a motion of two links against one another. Cams are refused: where they touch follows from the driver's angle.
 //!
 //! ```
 //! use hodograph::{inversions, scene};
@@ -18,6 +19,8 @@ use crate::scene::{self, GuidePath, LinkId, PointId, Scene};
 use crate::sweep::extreme::{self, Limits};
 use crate::worked::{Scope, Worked, work};
 use serde_json::{Map, Value as Json, json};
+
+mod pairs;
 
 /// Scenes with more links are refused: each link makes a figure.
 pub const MOST_LINKS: usize = 24;
@@ -35,7 +38,7 @@ pub struct Inversion {
     pub scene: Scene,
     /// The same, worked through.
     pub worked: Worked,
-    /// The link or slide that drives.
+    /// The link, slide or cylinder that drives; of several all their names.
     pub driver: String,
     /// Its motion as a whole.
     pub limits: Limits,
@@ -44,8 +47,8 @@ pub struct Inversion {
 /// All inversions of a scene, in the order of its links.
 ///
 /// # Errors
-/// `inversion-pairs` for each wheel, cam or cylinder of the chain, `inversion-freedoms` for more than one freedom, `too-many-links`, and the
-/// faults of the scene itself. An inversion that cannot be driven is a note.
+/// `inversion-pairs` for each cam of the chain, `inversion-drivers` where nothing drives, `too-many-links`, and the faults of the scene itself.
+/// An inversion that cannot be driven is a note.
 pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
     refused(scene)?;
     let Warned { value: worked, .. } = work(scene, Scope::Figure)?;
@@ -67,14 +70,10 @@ pub fn inversions(scene: &Scene) -> Result<Warned<Vec<Inversion>>, Faults> {
 /// What cannot be inverted, and why; all at once.
 fn refused(scene: &Scene) -> Result<(), Faults> {
     let mut faults = Faults::default();
-    other_pairs(scene, &mut faults);
-    if scene.drivers.len() != 1 {
-        let message = both!(
-            "a chain of one freedom is inverted; this one has {} drivers",
-            "只能倒置单自由度运动链；该机构有 {} 个原动件",
-            scene.drivers.len()
-        );
-        faults.push(Diagnostic::error("inversion-freedoms", message).help(both!("give the scene one driver", "请只给一个原动件")));
+    cams(scene, &mut faults);
+    if scene.drivers.is_empty() {
+        let message = both!("nothing drives the chain, which is inverted as it moves", "没有原动件，无法倒置其运动");
+        faults.push(Diagnostic::error("inversion-drivers", message).help(both!("give the scene a driver", "请给一个原动件")));
     }
     if scene.links.len() > MOST_LINKS {
         let message = both!("{} links; at most {MOST_LINKS} are taken", "{} 个构件；最多可有 {MOST_LINKS} 个", scene.links.len());
@@ -83,45 +82,18 @@ fn refused(scene: &Scene) -> Result<(), Faults> {
     if faults.list.is_empty() { Ok(()) } else { Err(faults) }
 }
 
-/// Every pair that is neither pin nor slide, and why it is not inverted.
-fn other_pairs(scene: &Scene, faults: &mut Faults) {
+/// Every cam, and why it is not inverted.
+fn cams(scene: &Scene, faults: &mut Faults) {
     let name = |l: LinkId| scene.link_name(l);
-    for r in &scene.rolling {
-        let [a, b] = r.links.map(name);
-        let message = both!(
-            "links {a} and {b} roll on one another: where a wheel is the ground its contour would have to be written for every pose, and only \
-             chains of pins and slides are inverted",
-            "构件 {a} 与 {b} 作纯滚动：以轮为机架时其接触轮廓随位置变化，只能倒置由转动副和移动副组成的运动链"
-        );
-        let help = both!(
-            "leave the wheels out: `hodograph solve` with \"spin\" and ratios tells their turning against any link",
-            "请去掉轮；各轮相对任一构件的转动可由 `hodograph solve` 求得"
-        );
-        faults.push(Diagnostic::error("inversion-pairs", message).at(r.span).help(help));
-    }
     for c in &scene.cams {
         let (cam, follower) = (name(c.cam), name(c.follower));
         let message = both!(
-            "cam {cam} drives follower {follower} by a higher pair, whose profile is given about the cam's pivot on the ground",
-            "凸轮 {cam} 与从动件 {follower} 组成高副，其廓线是相对机架上的转轴给出的"
+            "cam {cam} drives follower {follower} by a higher pair, whose place on the profile is found from the angle that a driver gives the cam",
+            "凸轮 {cam} 与从动件 {follower} 组成高副，其接触位置由原动件给出的凸轮转角确定"
         );
         let help =
             both!("replace it by a lower pair at the instant (the centre of curvature as a pin)", "请先高副低代（以曲率中心为铰链）");
         faults.push(Diagnostic::error("inversion-pairs", message).at(c.span).help(help));
-    }
-    for d in &scene.drivers {
-        if let Some(ends) = d.kind.ends() {
-            let [a, b] = ends.map(|p| scene.point_name(p));
-            let message = both!(
-                "the cylinder from {a} to {b} drives by its length: barrel and rod carry no points and cannot be the ground",
-                "油缸 {a}–{b} 以长度驱动：缸筒与活塞杆上没有其他点，不能作机架"
-            );
-            let help = both!(
-                "write it as two links with a slide between them, {{\"on\": \"barrel\", \"slider\": \"rod\"}}, driven by that slide",
-                "请写成两个构件及其间的移动副，并由该移动副驱动"
-            );
-            faults.push(Diagnostic::error("inversion-pairs", message).at(d.span).help(help));
-        }
     }
 }
 
@@ -132,7 +104,11 @@ fn invert(scene: &Scene, at: &Configuration, ground: LinkId) -> Result<Inversion
         Diagnostic::error("inversion", both!("no link is pinned to link {name} or slides on it", "没有构件与构件 {name} 铰接或沿其滑动"))
     };
     let (mut first, mut why) = (None, None);
-    for (name, driver) in drivers(scene, ground) {
+    let candidates = match &scene.drivers[..] {
+        [one] if one.kind.ends().is_none() => drivers(scene, ground),
+        _ => vec![pairs::kept(scene, ground)],
+    };
+    for (name, driver) in candidates {
         let text = written(scene, at, ground, driver);
         match read(scene, ground, text, name) {
             // The first that turns fully; else the first that moves at all.
@@ -161,14 +137,20 @@ fn points(scene: &Scene, link: LinkId) -> Vec<PointId> {
     crate::curvature::points(scene, link)
 }
 
+/// The guides of the file: those of rolling pairs come with the pairs.
+fn own_guides(scene: &Scene) -> impl Iterator<Item = &scene::Guide> {
+    scene.guides.iter().filter(|g| g.rolling.is_none())
+}
+
 /// What may drive: links pinned to the ground, as the scene lists them (its own driver first), then slides.
 fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
     let own = &scene.drivers[0];
     let rate = if own.kind.turns() && own.rate.value != 0.0 { own.rate.value } else { 1.0 };
     let own_driver = own.kind.turned().map(|(link, _)| link);
     let own = points(scene, ground);
-    let guided = |l: LinkId| scene.guides.iter().any(|g| g.on == l || g.slider == Some(l));
-    let has_angle = |l: LinkId| scene.links[l.0].points.len() > 1 || guided(l);
+    let guided = |l: LinkId| own_guides(scene).any(|g| g.on == l || g.slider == Some(l));
+    let rolls = |l: LinkId| scene.rolling.iter().any(|r| r.links.contains(&l));
+    let has_angle = |l: LinkId| scene.links[l.0].points.len() > 1 || guided(l) || rolls(l);
     let mut links: Vec<LinkId> = (0..scene.links.len())
         .map(LinkId)
         .filter(|l| *l != ground && points(scene, *l).iter().any(|p| own.contains(p)) && has_angle(*l))
@@ -184,7 +166,7 @@ fn drivers(scene: &Scene, ground: LinkId) -> Vec<(String, Json)> {
         };
         Some((runner.clone(), json!({"slide": runner, "velocity": "1 m/s"})))
     };
-    links.iter().map(turn).chain(scene.guides.iter().filter_map(slide)).collect()
+    links.iter().map(turn).chain(own_guides(scene).filter_map(slide)).collect()
 }
 
 /// The file of an inversion: all places as they are in the pose.
@@ -199,8 +181,14 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
             links.insert(scene.link_name(l).to_owned(), own.iter().map(name).collect());
         }
     }
-    let points: Map<String, Json> = (0..scene.points.len()).map(PointId).filter_map(place).collect();
-    let guides: Vec<Json> = scene.guides.iter().zip(&at.guides).filter_map(|(g, path)| guide(scene, g, (*path)?, ground)).collect();
+    if let Some(pin) = pairs::pin_of_part(scene, ground) {
+        links.insert(scene.link_name(ground).to_owned(), json!([pin]));
+    }
+    let contact = |p: &PointId| scene.rolling.iter().any(|r| r.at == *p);
+    let points: Map<String, Json> = (0..scene.points.len()).map(PointId).filter(|p| !contact(p)).filter_map(place).collect();
+    let own = scene.guides.iter().zip(&at.guides).filter(|(g, _)| g.rolling.is_none());
+    let guides: Vec<Json> =
+        own.filter_map(|(g, path)| guide(scene, g, (*path)?, ground)).chain(pairs::cylinder(scene, at, ground)).collect();
     let title = |text: &str, fixed: String| if text.is_empty() { fixed } else { format!("{text} – {fixed}") };
     let fixed = scene.link_name(ground);
     let mut out = json!({
@@ -211,6 +199,11 @@ fn written(scene: &Scene, at: &Configuration, ground: LinkId, driver: Json) -> S
     });
     if !guides.is_empty() {
         out["guides"] = Json::Array(guides);
+    }
+    for (key, pairs) in ["gears", "rolling"].into_iter().zip(pairs::rolling(scene, at)) {
+        if !pairs.is_empty() {
+            out[key] = Json::Array(pairs);
+        }
     }
     out["driver"] = driver;
     lines(&out)

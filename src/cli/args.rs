@@ -58,7 +58,7 @@ pub enum Command {
     Mobility(Mobility),
     /// Instantaneous centres of velocity: how each is found, where it lies, and the speeds that they tell
     Centres(Centres),
-    /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully, and strokes; each a scene
+    /// Inversions: each link of the chain as ground in turn, with Grashof's type, what turns fully, strokes, and Willis' ratios of gears; each a scene
     Inversions(Inversions),
     /// Curvature of paths: pole, inflection circle, centres of curvature (Bobillier, Euler-Savary), acceleration pole, Ball's point
     Curvature(Curvature),

@@ -250,7 +250,7 @@ const WORDS: &[(&str, &str, &str)] = &[
     ("centres", "", "速度瞬心：各瞬心的求法和位置，以及由瞬心求得的速度"),
     ("centres", "*after", "带点元法圆图的图：hodograph draw SCENE --figure centres -o centres.svg"),
     ("centres", "json", "结果为 JSON，国际单位制"),
-    ("inversions", "", "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件和行程；每个都是机构文件"),
+    ("inversions", "", "机构的倒置：依次以各构件为机架，给出杆长条件类型、整周转动的构件、行程和轮系传动比；每个都是机构文件"),
     ("inversions", "*after", "并列的图：hodograph draw SCENE --figure inversions -o inversions.svg"),
     ("inversions", "output", "把各倒置机构的文件写入该文件夹；与 --pick 同用时写入以 .json 结尾的文件"),
     ("inversions", "pick", "只取以该构件为机架的倒置机构；不写 -o 时输出其机构文件"),

@@ -1,7 +1,7 @@
-//! Inversions in words: for each ground its type, what turns fully and what swings, and how far.
+//! Inversions in words: for each ground its type, what turns fully and what swings, and how far; Willis' table of its gear trains.
 
 use super::answers::diagnostic;
-use super::limits;
+use super::{limits, trains};
 use crate::diag::Diagnostic;
 use crate::inversions::Inversion;
 use crate::paper::phrase::tr;
@@ -22,6 +22,7 @@ pub fn text(scene: &Scene, all: &[Inversion], lang: Lang) -> String {
     for i in all {
         out.push('\n');
         out.push_str(&limits::text(&i.scene, 0, &i.limits, lang));
+        out.push_str(&trains::text(&i.scene, &i.worked, lang));
     }
     out
 }
@@ -58,10 +59,9 @@ pub fn words(i: &Inversion, lang: Lang) -> String {
 /// The links of the ground that turn fully.
 fn turning(i: &Inversion) -> Vec<String> {
     let scene = &i.scene;
-    let full = i.limits.range.full();
-    let driver = scene.drivers[0].kind.turned().filter(|_| full).map(|(link, _)| link);
+    let driver = scene.drivers[0].kind.turned().filter(|_| i.limits.range.full()).map(|(link, _)| link);
     // An output that turns with a driver that turns fully, and has no extremes, turns fully too.
-    let outputs = i.limits.swings.iter().filter(|s| full && s.extremes.is_empty()).filter_map(|s| match s.output {
+    let outputs = i.limits.swings.iter().filter(|s| driver.is_some() && s.extremes.is_empty()).filter_map(|s| match s.output {
         Output::Turning(l) => Some(l),
         Output::Sliding(_) => None,
     });
@@ -80,6 +80,7 @@ pub fn json(scene: &Scene, all: &[Inversion], notes: &[Diagnostic]) -> Json {
             "original": i.original,
             "driver": i.driver,
             "turning": turning(i),
+            "willis": trains::formulas(&i.scene, &i.worked),
             "limits": limits::json(&i.scene, 0, &i.limits),
             "scene": serde_json::from_str::<Json>(&i.text).unwrap_or(Json::Null),
         })

@@ -102,6 +102,12 @@ fn results(scene: &Scene, train: &Train, t: Turns, digits: usize) -> Vec<String>
     out
 }
 
+/// Willis' equation of each train and the ratio that it gives, for programs.
+pub fn formulas(scene: &Scene, worked: &Worked) -> Vec<String> {
+    let of = |train: &Train| turns(scene, worked, train).map(|t| results(scene, train, t, DIGITS));
+    trains(scene).iter().filter_map(of).flatten().map(|r| formula(&r)).collect()
+}
+
 /// The section of the report on trains; nothing for a scene without any that has rates.
 pub fn text(scene: &Scene, worked: &Worked, lang: Lang) -> String {
     let mut out = String::new();

@@ -336,7 +336,13 @@ fn curvature_and_inversions_are_told() {
     hodograph().args(["solve", out.to_str().unwrap()]).assert().success();
     hodograph().args(["inversions", &scene, "-o", folder.path().to_str().unwrap()]).assert().success();
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 5);
-    hodograph().args(["inversions", &templates_path("planetary-gear")]).assert().code(2);
+    let run = hodograph().args(["inversions", &templates_path("planetary-gear")]).assert().success();
+    let said = text(&run.get_output().stdout);
+    // The arm held: an ordinary train, −z_2/z_1; the sun held: ω_1/ω_3 = 1 + z_2/z_1; the ring held: ω_2/ω_3 = 1 + z_1/z_2.
+    for line in ["gear train with fixed axes", "= −0.5", "= 1.5", "= 3"] {
+        assert!(said.contains(line), "{line} is not in\n{said}");
+    }
+    hodograph().args(["inversions", &templates_path("cam-eccentric")]).assert().code(2);
 }
 
 #[test]

@@ -1,0 +1,160 @@
+//! What else an inversion keeps besides its pins and guides: wheels that roll on one another, and drivers between links.
+//!
+//! Decided here: pitch circles do not care which link is the ground; they keep sizes and contact, and the places of the pose say how each
+//! wheel stands. A straight track keeps its direction of the instant. A driver is a motion of two links against one another, so it stays what it
+//! is: only the order of the two is turned where the driven link is the ground. A cylinder is a distance of two pins; where its barrel or rod is
+//! the ground it is written as the guide that it is, with the other part as slider.
+
+use crate::position::{Configuration, Path};
+use crate::scene::{Contours, Driver, DriverKind, Guide, LinkId, Rolling, Scene, Sizes};
+use serde_json::{Value as Json, json};
+
+fn metres(x: f64) -> String {
+    format!("{x:?} m")
+}
+
+/// The sections `gears` and `rolling`.
+pub(super) fn rolling(scene: &Scene, at: &Configuration) -> [Vec<Json>; 2] {
+    let (mut gears, mut wheels) = (Vec::new(), Vec::new());
+    for pair in &scene.rolling {
+        let direction = pair.guide.and_then(|g| match at.guides[g.0] {
+            Some(Path::Line { direction, .. }) => Some(format!("{:?} rad", direction.angle())),
+            Some(Path::Arc { .. }) | None => None,
+        });
+        if pair.toothed {
+            gears.push(gear(scene, pair, direction));
+        } else {
+            wheels.push(wheel(scene, pair, direction));
+        }
+    }
+    [gears, wheels]
+}
+
+/// Two gears, or a gear on its rack.
+fn gear(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
+    let [a, b] = pair.links.map(|l| scene.link_name(l));
+    let at = scene.point_name(pair.at);
+    let mut out = match &pair.contours {
+        Contours::Circles { centres, sizes, hollow } => {
+            let mut out = json!({"links": [a, b], "centres": centres.map(|p| scene.point_name(p)), "at": at});
+            match sizes {
+                Sizes::Radii(radii) => out["radii"] = radii.iter().map(|r| metres(r.value)).collect(),
+                Sizes::Teeth(teeth) => out["teeth"] = json!(teeth),
+            }
+            if let Some(i) = hollow {
+                out["ring"] = json!([a, b][*i]);
+            }
+            out
+        }
+        Contours::Track { centre, radius } => {
+            json!({"links": [b, a], "centres": [scene.point_name(*centre)], "radii": [metres(radius.value)], "rack": a, "angle": direction, "at": at})
+        }
+    };
+    if let Some(flanks) = &pair.flanks {
+        let teeth: Vec<u32> = flanks.teeth.iter().copied().flatten().collect();
+        out["teeth"] = json!(teeth);
+        if let Some(fields) = out.as_object_mut() {
+            fields.remove("radii");
+        }
+        if let Some(module) = flanks.module {
+            out["module"] = json!(metres(module));
+        }
+        out["pressure_angle"] = json!(format!("{:?} rad", flanks.pressure_angle));
+        out["addendum"] = json!(flanks.addendum);
+        out["clearance"] = json!(flanks.clearance);
+        if !flanks.shifts.is_empty() {
+            out["shift"] = json!(flanks.shifts);
+        }
+    }
+    out
+}
+
+/// A wheel on its track.
+fn wheel(scene: &Scene, pair: &Rolling, direction: Option<String>) -> Json {
+    let [on, wheel] = pair.links.map(|l| scene.link_name(l));
+    let at = scene.point_name(pair.at);
+    match &pair.contours {
+        Contours::Circles { centres: [track, centre], hollow, .. } => {
+            let [size, own] = pair.sizes(&crate::scene::exact::Inputs::<f64>::of(scene)).map(f64::abs);
+            json!({
+                "wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(own), "on": on,
+                "track": scene.point_name(*track), "track_radius": metres(size), "inside": hollow.is_some(), "at": at,
+            })
+        }
+        Contours::Track { centre, radius } => {
+            json!({"wheel": wheel, "centre": scene.point_name(*centre), "radius": metres(radius.value), "on": on, "angle": direction, "at": at})
+        }
+    }
+}
+
+/// The pins of a cylinder of which the ground is barrel or rod, and the number of its other part: its own pin, the other one.
+fn part(scene: &Scene, kind: &DriverKind, ground: LinkId) -> Option<[String; 3]> {
+    let (links, [a, b]) = (kind.parts(), kind.ends()?.map(|p| scene.point_name(p).to_owned()));
+    let number = |k: usize| links.get(k).map_or_else(String::new, |l: &LinkId| scene.link_name(*l).to_owned());
+    match links.iter().position(|l| *l == ground)? {
+        0 => Some([a, b, number(1)]),
+        _ => Some([b, a, number(0)]),
+    }
+}
+
+/// The pin of the scene's cylinder that the ground carries as its barrel or rod.
+pub(super) fn pin_of_part(scene: &Scene, ground: LinkId) -> Option<String> {
+    scene.drivers.iter().find_map(|d| part(scene, &d.kind, ground)).map(|[own, ..]| own)
+}
+
+/// The guide that a cylinder is where the ground is a part of it: along its line, positive outward.
+pub(super) fn cylinder(scene: &Scene, at: &Configuration, ground: LinkId) -> Option<Json> {
+    scene.drivers.iter().find_map(|d| {
+        let [_, end, other] = part(scene, &d.kind, ground)?;
+        let [a, b] = d.kind.ends()?.map(|p| at.points[p.0]);
+        let (a, b) = (a?, b?);
+        let out = if scene.point_name(d.kind.ends()?[0]) == end { a - b } else { b - a };
+        let mut guide = json!({"pin": end, "on": scene.link_name(ground), "angle": format!("{:?} rad", out.angle())});
+        if !other.is_empty() {
+            guide["slider"] = json!(other);
+        }
+        Some(guide)
+    })
+}
+
+/// All drivers of the scene as they are with another ground, and their names.
+pub(super) fn kept(scene: &Scene, ground: LinkId) -> (String, Json) {
+    let rate = |d: &Driver| if d.rate.value == 0.0 && scene.drivers.len() == 1 { 1.0 } else { d.rate.value };
+    let (names, drivers): (Vec<String>, Vec<Json>) = scene.drivers.iter().map(|d| driver(scene, d, rate(d), ground)).unzip();
+    (names.join(", "), Json::Array(drivers))
+}
+
+fn driver(scene: &Scene, d: &Driver, rate: f64, ground: LinkId) -> (String, Json) {
+    let link = |l: LinkId| scene.link_name(l).to_owned();
+    let slide = |runner: String, rate: f64| (runner.clone(), json!({"slide": runner, "velocity": format!("{rate:?} m/s")}));
+    if let Some((turned, against)) = d.kind.turned() {
+        let ([turned, against], rate) = if turned == ground { ([against, turned], -rate) } else { ([turned, against], rate) };
+        let mut out = json!({"link": link(turned), "omega": format!("{rate:?} rad/s")});
+        if against != ground {
+            out["against"] = json!(link(against));
+        }
+        return (link(turned), out);
+    }
+    if let Some(guide) = d.kind.guide() {
+        let (runner, sense) = runner(scene, &scene.guides[guide.0], ground);
+        return slide(runner, sense * rate);
+    }
+    if let Some([_, end, other]) = part(scene, &d.kind, ground) {
+        return slide(if other.is_empty() { end } else { other }, rate);
+    }
+    let ends: String = d.kind.ends().into_iter().flatten().map(|p| scene.point_name(p)).collect();
+    let mut out = json!({"cylinder": ends, "rate": format!("{rate:?} m/s")});
+    if !d.kind.parts().is_empty() {
+        out["links"] = d.kind.parts().iter().map(|l| link(*l)).collect();
+    }
+    (ends, out)
+}
+
+/// What runs in a guide, and in which sense: where the slider is the ground, its guide runs the other way.
+fn runner(scene: &Scene, g: &Guide, ground: LinkId) -> (String, f64) {
+    match (g.slider, g.pin) {
+        (Some(s), _) if s == ground => (scene.link_name(g.on).to_owned(), -1.0),
+        (Some(s), _) => (scene.link_name(s).to_owned(), 1.0),
+        (None, pin) => (pin.map_or_else(String::new, |p| scene.point_name(p).to_owned()), 1.0),
+    }
+}
