@@ -14,7 +14,7 @@ use hodograph::scene::{self, Lang, templates};
 use hodograph::worked::{Scope, work};
 
 /// Of the positions the gate looks at every so many.
-const ROTATION: usize = 12;
+const ROTATION: usize = 24;
 
 fn all() -> bool {
     std::env::var("HODOGRAPH_EXTRA").is_ok_and(|v| v == "all")
