@@ -11,14 +11,16 @@ use crate::report::composite::{Words, symbol};
 use crate::scene::quantity::composite::Part as Piece;
 use crate::worked::Worked;
 
+use super::arrange::AIM_MM;
 use super::drawing::{Drawing, Part};
+use super::extent::Rect;
 use super::grid::{self, Cell, Row};
 use super::item::{Anchor, Figure, Item, Shape};
 use super::label::Label;
 use super::list::{Entry, Pages, Wanted, page};
 use super::mechanism::{self, Composed, Vector};
 use super::place::LabelRequest;
-use super::sheet::Maker;
+use super::sheet::{MARGIN_MM, Maker};
 use crate::report::amount::of_level;
 
 /// The parallelograms and the parts of the accelerations.
@@ -38,6 +40,8 @@ const GAP_MM: f64 = 10.0;
 const PER_LINE: usize = 2;
 /// Distance of lines of text.
 const ROW_MM: f64 = 5.6;
+/// The smallest type on the printed page that is read at ease.
+const TYPE_MM: f64 = 2.3;
 /// Shorter vectors are not drawn.
 const SHORTEST_MM: f64 = mechanism::SHORTEST_MM;
 
@@ -93,16 +97,42 @@ fn figure(w: &Wanted, worked: &Worked, each: &[Solved]) -> Figure {
         column.push(add(text(w, &words, s, k)));
         columns.push(column);
     }
-    // One solution fills a page across: drawings in a row, the text below. Several stand side by side.
-    let lines: Vec<Vec<usize>> = match &columns[..] {
-        [one] => vec![one[..one.len() - 1].to_vec(), one[one.len() - 1..].to_vec()],
-        all => (0..all[0].len()).map(|row| all.iter().map(|column| column[row]).collect()).collect(),
-    };
-    stand(&mut parts, &lines);
+    arrange(&mut parts, &columns, w.options.style.small_mm);
     let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
     let told = each.iter().flat_map(|s| words.lines(s)).map(|l| l.plain()).collect::<Vec<_>>();
     figure.desc = told.join("; ");
     figure
+}
+
+/// One solution fills a page across: drawings in a row, the text below; in shorter rows where a long mechanism would make the type on the
+/// page too small. Several solutions stand side by side.
+fn arrange(parts: &mut [Part], columns: &[Vec<usize>], type_mm: f64) {
+    let [one] = columns else {
+        let row = |k: usize| columns.iter().map(|column| column[k]).collect();
+        return stand(parts, &(0..columns[0].len()).map(row).collect::<Vec<_>>());
+    };
+    let in_rows_of = |n: usize| one.chunks(n).map(<[usize]>::to_vec).collect::<Vec<_>>();
+    let mut best: (f64, usize) = (0.0, 1);
+    for n in (1..one.len()).rev() {
+        stand(parts, &in_rows_of(n));
+        let printed_mm = type_mm * printed(parts);
+        if printed_mm > best.0 {
+            best = (printed_mm, n);
+        }
+        if printed_mm >= TYPE_MM {
+            return;
+        }
+    }
+    stand(parts, &in_rows_of(best.1));
+}
+
+/// The part of its size at which what stands together fits on A4 with its margins, upright or across.
+fn printed(parts: &[Part]) -> f64 {
+    let Some(all) = parts.iter().map(|p| p.bounds).reduce(Rect::union) else { return 1.0 };
+    let [width, height] = [all.width_mm(), all.height_mm()].map(|side| side + 2.0 * MARGIN_MM);
+    let [long, short] = AIM_MM;
+    let fits = |x: f64, y: f64| (x / width).min(y / height);
+    fits(long, short).max(fits(short, long)).min(1.0)
 }
 
 /// Puts parts into rows and columns: each row as high as its highest part, each column as wide as its widest.

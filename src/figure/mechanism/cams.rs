@@ -170,13 +170,16 @@ impl Draft<'_> {
         Some(if (through - k).dot(n) >= 0.0 { n } else { -n })
     }
 
-    /// Profiles and ends of the followers, behind the links.
+    /// Profiles, behind the links.
     pub(super) fn cams(&mut self) {
-        for i in 0..self.scene.cams.len() {
-            let c = &self.scene.cams[i];
-            self.profile(c);
-            self.end(c);
-        }
+        let scene = self.scene;
+        scene.cams.iter().for_each(|c| self.profile(c));
+    }
+
+    /// Ends of the followers, over the plates: a plate that holds a roller at its corner would hide half of it.
+    pub(super) fn followers(&mut self) {
+        let scene = self.scene;
+        scene.cams.iter().for_each(|c| self.end(c));
     }
 
     fn profile(&mut self, c: &Cam) {

@@ -156,6 +156,7 @@ impl<'a> Draft<'a> {
         self.carriers();
         self.blocks();
         self.plates(false);
+        self.followers();
         self.bars();
         self.cylinders();
         self.equivalents();
