@@ -77,7 +77,14 @@ fn given(scene: &Scene, driver: &Driver) -> Vec<(f64, String)> {
         DriverKind::Slide { guide, .. } => {
             let g = &scene.guides[guide.0];
             let who = g.pin.map_or_else(|| scene.link_name(g.slider.unwrap()), |p| scene.point_name(p));
-            ["v", "a"].map(|k| format!("mechanism-driver-{k}_{who}"))
+            // In a guide that moves it is the motion in the guide.
+            let own = g.slider.map_or("", |s| scene.link_name(s));
+            let index = match (g.on == scene.ground, g.pin) {
+                (true, _) => format!("_{who}"),
+                (false, Some(_)) => format!("^rel_{who}{own}{who}{}", scene.link_name(g.on)),
+                (false, None) => format!("_{who}/{}", scene.link_name(g.on)),
+            };
+            ["v", "a"].map(|k| format!("mechanism-driver-{k}{index}"))
         }
         DriverKind::Cylinder { a, b, .. } => {
             let who = format!("{}{}", scene.point_name(b), scene.point_name(a));
