@@ -37,6 +37,22 @@ pub enum Asked {
     Part(usize, Part),
 }
 
+impl Asked {
+    /// Whether it is a place, which is told by its coordinates alone.
+    pub fn is_place(self) -> bool {
+        match self {
+            Asked::MeetingPlace(_) | Asked::Place(_) => true,
+            Asked::MeetingTime(_)
+            | Asked::Distance(_)
+            | Asked::LineOmega(_)
+            | Asked::Velocity(_)
+            | Asked::Acceleration(_)
+            | Asked::Curvature(_)
+            | Asked::Part(..) => false,
+        }
+    }
+}
+
 /// All questions of a problem with their texts, those that say most first.
 pub fn all(problem: &Problem) -> Vec<Find> {
     let mut out: Vec<Find> = Vec::new();
@@ -67,12 +83,12 @@ pub fn all(problem: &Problem) -> Vec<Find> {
 pub fn meaning(problem: &Problem, text: &str, span: Span) -> Result<Find, Diagnostic> {
     let known = all(problem);
     let plain = |f: &&Find| f.text == text || f.text.strip_prefix("T_").is_some_and(|pair| text == "T" && !pair.is_empty());
-    let framed = |f: &&Find| match f.what {
-        Asked::Part(k, _) => match &problem.motions[k].kind {
+    let framed = |f: &&Find| {
+        let Asked::Part(k, _) = f.what else { return false };
+        match &problem.motions[k].kind {
             Kind::OnPlate(plate, _) => text == format!("{}/{}", f.text, problem.plates[*plate].link),
             Kind::Fixed(_) | Kind::Toward { .. } => false,
-        },
-        _ => false,
+        }
     };
     if let Some(found) = known.iter().find(plain).or_else(|| known.iter().find(framed)) {
         return Ok(Find { text: text.to_owned(), what: found.what });

@@ -76,7 +76,8 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     }
     let answer = |(find, question): (usize, &super::Find)| {
         let value = match question.what {
-            Asked::MeetingTime(k) | Asked::MeetingPlace(k) => meeting(problem, k, &ends, question.what),
+            Asked::MeetingTime(k) => meeting(problem, k, &ends, |time, _| scalar(time)),
+            Asked::MeetingPlace(k) => meeting(problem, k, &ends, |_, place| vector(&place)),
             Asked::Distance(k) | Asked::LineOmega(k) => of_chase(problem, k, &chases, question.what)?,
             Asked::Place(k) | Asked::Velocity(k) | Asked::Acceleration(k) | Asked::Curvature(k) => match problem.motions[k].kind {
                 Kind::Toward { .. } => of_chase(problem, k, &chases, question.what)?,
@@ -163,14 +164,12 @@ fn vector<N: Certain>(all: &[N]) -> Value {
     }
 }
 
-fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], what: Asked) -> Value {
+/// What a meeting tells, from its time and place.
+fn meeting(problem: &Problem, k: usize, ends: &[(usize, End)], tell: impl Fn(Ball<Dd>, [Ball<Dd>; 2]) -> Value) -> Value {
     let m = &problem.motions[k];
     let target = problem.chase(m).map_or("", |c| c.1);
     match ends.iter().find(|e| e.0 == k).map(|e| e.1) {
-        Some(End::Meet { time, place }) => match what {
-            Asked::MeetingPlace(_) => vector(&place),
-            _ => scalar(time),
-        },
+        Some(End::Meet { time, place }) => tell(time, place),
         Some(End::Apart { until, distance }) => Value::None(Diagnostic::error(
             "never-meets",
             both!(
@@ -255,7 +254,10 @@ fn in_numbers<N: Certain>(problem: &Problem, k: usize, what: Asked) -> Result<Va
         Asked::Place(_) => vector(&place),
         Asked::Velocity(_) => vector(&v),
         Asked::Acceleration(_) => vector(&a),
-        _ => curvature(&m.point, &v, &a),
+        Asked::Curvature(_) => curvature(&m.point, &v, &a),
+        Asked::MeetingTime(_) | Asked::MeetingPlace(_) | Asked::Distance(_) | Asked::LineOmega(_) | Asked::Part(..) => {
+            Value::None(undecided())
+        }
     })
 }
 

@@ -55,9 +55,10 @@ pub fn value(what: Asked, value: &Value, size: f64, digits: usize, lang: Lang) -
         Value::Vector(parts, whole) => {
             let size = whole.approx.max(size);
             let each: Vec<String> = parts.iter().zip(AXES).map(|(e, axis)| format!("{axis} {}", number(e, size, digits))).collect();
-            match what {
-                Asked::MeetingPlace(_) | Asked::Place(_) => format!("({}) {unit}", each.join(", ")),
-                _ => format!("{} {unit} ({})", number(whole, size, digits), each.join(", ")),
+            if what.is_place() {
+                format!("({}) {unit}", each.join(", "))
+            } else {
+                format!("{} {unit} ({})", number(whole, size, digits), each.join(", "))
             }
         }
     }
