@@ -51,34 +51,40 @@ pub fn run(a: args::Draw) -> Run {
         input.notes.extend(notes);
         value
     };
+    let notes = put(&a, &input.name, figures, |f| input.failed(f))?;
+    input.notes.extend(notes.into_iter().filter(|n| !input.notes.contains(n)).collect::<Vec<_>>());
+    input.say_notes();
+    Ok(verdict(&worked))
+}
+
+/// Writes figures, each with its name: a document with a page for each, or files in all formats asked for, all of them or none. Returns the
+/// notes, each once: what has no letters in the embedded fonts is noted in whichever format.
+pub(super) fn put(
+    a: &args::Draw,
+    name: &str,
+    figures: Vec<(String, Figure)>,
+    failed: impl Fn(Faults) -> Failure,
+) -> Result<Vec<Diagnostic>, Failure> {
     if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
-        // A document holds them all, a page each.
         let pages: Vec<Figure> = figures.into_iter().map(|(_, f)| f).collect();
-        let file = pdf::pdf(&pages).map_err(|f| input.failed(f))?;
+        let file = pdf::pdf(&pages).map_err(&failed)?;
         files::write(Path::new(&a.output), &file.value)?;
-        input.notes.extend(file.notes);
         files::print_names(&format!("{}\n", a.output))?;
-        input.say_notes();
-        return Ok(verdict(&worked));
+        return Ok(file.notes);
     }
-    let targets = names(&a, &input.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
-    let mut all = Together::default();
-    let mut written = String::new();
+    let targets = names(a, name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
+    let (mut all, mut written, mut notes) = (Together::default(), String::new(), Vec::new());
     for ((_, figure), targets) in figures.iter().zip(targets) {
-        let mut unknown = Vec::new();
         for (format, path) in targets {
-            let Warned { value: bytes, notes } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| input.failed(f))?;
-            unknown = notes;
-            all.add(&path, &bytes)?;
+            let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(&failed)?;
+            notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
+            all.add(&path, &value)?;
             written += &format!("{}\n", path.display());
         }
-        // What has no letters in the embedded fonts is noted once, in whichever format.
-        input.notes.extend(unknown.into_iter().filter(|n| !input.notes.contains(n)).collect::<Vec<_>>());
     }
     all.appear()?;
     files::print_names(&written)?;
-    input.say_notes();
-    Ok(verdict(&worked))
+    Ok(notes)
 }
 
 /// The width that is asked for (mm).
@@ -226,7 +232,7 @@ pub fn points_named(scene: &Scene, names: &[String], option: &str) -> Result<Vec
 }
 
 /// The files of each figure: one file when the output ends in a format's name, else one for each format in a folder.
-pub(super) fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
+fn names(a: &args::Draw, scene: &str, figures: &[(String, Figure)]) -> Result<Vec<Vec<(Format, PathBuf)>>, Faults> {
     let out = Path::new(&a.output);
     let one = files::ending(&a.output).and_then(|e| Format::of(&e));
     if let (Some(format), [_]) = (one, figures) {

@@ -1,7 +1,5 @@
 //! Files of motions without a mechanism: `solve`, `draw` and `worksheet` take them as they take scenes.
 
-use super::together::Together;
-use super::values::Format;
 use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
 use crate::diag::{Diagnostic, Faults, Warned, both};
@@ -12,11 +10,9 @@ use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::particle::board::Drawn;
 use crate::particle::{self, Problem, Solved, Value, board};
-use crate::render::pdf;
 use crate::report::particle as report;
 use crate::scene::{self, Lang};
 use crate::worksheet::{Options, Sides};
-use std::path::Path;
 use std::process::ExitCode;
 
 /// A file, read and solved.
@@ -129,27 +125,7 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     if let Some(width_mm) = draw::width(a)? {
         figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| input.failed(f))?;
     }
-    let mut notes = Vec::new();
-    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
-        let pages: Vec<Figure> = figures.into_iter().map(|f| f.1).collect();
-        let file = pdf::pdf(&pages).map_err(|f| input.failed(f))?;
-        files::write(Path::new(&a.output), &file.value)?;
-        files::print_names(&format!("{}\n", a.output))?;
-        notes.extend(file.notes);
-    } else {
-        let targets = draw::names(a, &input.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
-        let (mut all, mut written) = (Together::default(), String::new());
-        for ((_, figure), targets) in figures.iter().zip(targets) {
-            for (format, path) in targets {
-                let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| input.failed(f))?;
-                notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
-                all.add(&path, &value)?;
-                written += &format!("{}\n", path.display());
-            }
-        }
-        all.appear()?;
-        files::print_names(&written)?;
-    }
+    let notes = draw::put(a, &input.name, figures, |f| input.failed(f))?;
     input.say(notes);
     Ok(input.verdict())
 }

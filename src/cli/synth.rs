@@ -1,7 +1,5 @@
 //! `hodograph synth`: a synthesis file to candidates, as a table or JSON, and one of them as a scene file.
 
-use super::together::Together;
-use super::values::Format;
 use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
 use crate::diag::{Both, Diagnostic, Faults, Warned, both};
@@ -11,7 +9,6 @@ use crate::figure::sheet;
 use crate::figure::style::Style;
 use crate::figure::synthesis as figure;
 use crate::json;
-use crate::render::pdf;
 use crate::report::synthesis as report;
 use crate::scene;
 use crate::synthesis::{self, Design, Task};
@@ -273,27 +270,7 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     if let Some(width_mm) = draw::width(a)? {
         figures = fit::placed(figures, fit::Room::Column(width_mm)).map_err(|f| solved.failed(f))?;
     }
-    let mut notes = Vec::new();
-    if files::ending(&a.output).as_deref() == Some(Format::Pdf.ending()) {
-        let pages: Vec<_> = figures.into_iter().map(|f| f.1).collect();
-        let file = pdf::pdf(&pages).map_err(|f| solved.failed(f))?;
-        files::write(Path::new(&a.output), &file.value)?;
-        files::print_names(&format!("{}\n", a.output))?;
-        notes.extend(file.notes);
-    } else {
-        let targets = draw::names(a, &solved.name, &figures).map_err(|f| Failure::argument("-o", &a.output, f))?;
-        let (mut all, mut written) = (Together::default(), String::new());
-        for ((_, figure), targets) in figures.iter().zip(targets) {
-            for (format, path) in targets {
-                let Warned { value, notes: more } = files::bytes(figure, format, a.text, a.dpi).map_err(|f| solved.failed(f))?;
-                notes.extend(more.into_iter().filter(|n| !notes.contains(n)).collect::<Vec<_>>());
-                all.add(&path, &value)?;
-                written += &format!("{}\n", path.display());
-            }
-        }
-        all.appear()?;
-        files::print_names(&written)?;
-    }
+    let notes = draw::put(a, &solved.name, figures, |f| solved.failed(f))?;
     solved.say_notes();
     files::say_faults(&Faults { list: notes }, &solved.name, &solved.source);
     Ok(ExitCode::SUCCESS)
