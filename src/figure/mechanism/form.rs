@@ -71,8 +71,12 @@ pub(super) fn sweeps(from: f64, sweep: f64, angle: f64) -> bool {
 impl Draft<'_> {
     /// The form of a link; `None` for ground, for blocks and cylinder parts, and for what has no place.
     pub(super) fn form(&self, l: LinkId) -> Option<Form> {
-        if let Some(swing) = self.swings().into_iter().find(|s| s.rod == l || s.block == l) {
-            return (swing.rod == l).then(|| Form { bars: vec![swing.ends], ..Form::default() });
+        let (rods, blocks): (Vec<_>, Vec<_>) = self.swings().into_iter().filter(|s| s.rod == l || s.block == l).partition(|s| s.rod == l);
+        if !rods.is_empty() {
+            return Some(Form { bars: rods.into_iter().map(|s| s.ends).collect(), ..Form::default() });
+        }
+        if !blocks.is_empty() {
+            return None;
         }
         if l == self.scene.ground || self.worked.mechanism.is_passive(l) {
             return None;

@@ -40,6 +40,8 @@ pub(super) struct Layout {
     opened: Vec<(Opened, Option<(PointId, PointId)>)>,
     /// For each guide whether it holds: one between gears may only say what other pairs say.
     holds: Vec<bool>,
+    /// Links that turn together because a block that takes no part runs in guides of both, with one of the guides.
+    together: Vec<(LinkId, LinkId, GuideId)>,
 }
 
 impl Layout {
@@ -75,7 +77,12 @@ impl Layout {
         let pins = |o: &Opened| if let Opened::Link(l) = o { m.held(*l) } else { None };
         let opened = m.redundant.iter().map(|r| (r.opened.clone(), pins(&r.opened))).collect();
         let holds = scene.guides.iter().enumerate().map(|(g, guide)| m.guide_holds(guide, GuideId(g))).collect();
-        Layout { links, bare, unknowns, index, second, origins, scale, opened, holds }
+        let together = m.constraints.iter().filter_map(|c| match (c.form(), c.item()) {
+            (Form::Angles { of, against, .. }, Item::Guide(g)) if !links.contains(&scene.guides[g.0].slider?) => Some((of, against, g)),
+            _ => None,
+        });
+        let together = together.filter(|(a, b, _)| [a, b].iter().all(|l| **l == scene.ground || links.contains(l))).collect();
+        Layout { links, bare, unknowns, index, second, origins, scale, opened, holds, together }
     }
 
     /// The rates of this layout's unknowns, from those of a layout that holds more.
@@ -136,6 +143,7 @@ impl Layout {
             self.block_on_arc(scene, at, g, &mut rows);
             places.into_iter().for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));
         }
+        rows.extend(self.together.iter().filter_map(|&(a, b, g)| self.lock(scene, a, b, [0.0; 2], Pair::Guide(g))));
         let rolling = (0..scene.rolling.len()).map(RollingId).filter(|r| self.keeps(&Opened::Rolling(*r)));
         let rolling = rolling.flat_map(|r| demanded(Item::Rolling(r), Pair::Rolling(r)));
         rolling.for_each(|(form, of)| self.demand(scene, at, form, of, &mut rows));

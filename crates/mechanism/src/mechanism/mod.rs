@@ -11,6 +11,7 @@ mod mobility;
 mod pair;
 mod redundant;
 mod survey;
+mod turning;
 
 pub use demand::Demand;
 pub use demand::nodes_of;
@@ -98,8 +99,9 @@ impl Mechanism {
     fn opened(scene: &Scene, opening: Opening) -> Result<Mechanism, Faults> {
         let (pins, constraints) = opening.pins_and_constraints(scene);
         let assignment = mobility::assign(scene, &opening.passive, &pins, &constraints)?;
+        let mobility = mobility::count(scene, &constraints);
         let mut mechanism = Mechanism {
-            mobility: mobility::count(scene, &constraints),
+            mobility,
             constraints,
             pins,
             passive: opening.passive,
@@ -110,6 +112,11 @@ impl Mechanism {
             never_turns: find_never_turning(scene),
         };
         groups::find(scene, &mut mechanism, &assignment);
+        if let Some(constraints) = turning::from_known_links(&mechanism) {
+            let assignment = mobility::assign(scene, &mechanism.passive, &mechanism.pins, &constraints)?;
+            (mechanism.constraints, mechanism.groups) = (constraints, Vec::new());
+            groups::find(scene, &mut mechanism, &assignment);
+        }
         Ok(mechanism)
     }
 

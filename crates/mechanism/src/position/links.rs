@@ -40,11 +40,15 @@ impl<N: Real> Assembly<'_, N> {
         }
     }
 
-    /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle.
-    /// A guide about the pivot itself shows nothing: it looks the same at every angle.
+    /// A driven link without a stated angle whose guide runs over a pin with given coordinates: the pin shows its angle; so it does of a
+    /// link without a line of its own that turns with another. A guide about the pivot itself shows nothing: it looks the same at every
+    /// angle.
     pub(super) fn posed_by_runner(&self, link: LinkId, pivot: PointId, driver: Option<usize>) -> Option<(PointId, GuideId)> {
-        let kind = &self.scene.drivers[driver?].kind;
-        if !kind.turns() || kind.angle().is_some() {
+        let shown = match driver.map(|d| &self.scene.drivers[d].kind) {
+            Some(kind) => kind.turns() && kind.angle().is_none(),
+            None => self.instant.is_none() && self.shapes[link.0].frame == Frame::Loose,
+        };
+        if !shown {
             return None;
         }
         let about_pivot = |path: &GuidePath| matches!(path, GuidePath::Arc { centre, .. } if *centre == pivot);

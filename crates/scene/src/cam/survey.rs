@@ -3,6 +3,7 @@
 use super::program::{Jump, Shock};
 use super::{Disc, Motion, Side, Station, Touch};
 use std::f64::consts::TAU;
+use std::sync::{Arc, OnceLock};
 
 /// Something that keeps a cam from working as it is meant.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -87,6 +88,25 @@ pub struct Survey {
 const SAMPLES: usize = 240;
 /// A jump is one of more than this part of the largest value of its kind.
 const JUMP: f64 = 1e-7;
+
+/// The survey of one disc, made when it is first asked for and shared by all copies. What of a scene holds a disc keeps one beside it: the
+/// disc is the same at every position of a motion.
+#[derive(Clone, Debug, Default)]
+pub struct Surveyed(Arc<OnceLock<Survey>>);
+
+/// It says nothing that the disc does not say.
+impl PartialEq for Surveyed {
+    fn eq(&self, _: &Surveyed) -> bool {
+        true
+    }
+}
+
+impl Surveyed {
+    /// The survey of the disc beside which it stands.
+    pub fn of(&self, disc: &Disc) -> &Survey {
+        self.0.get_or_init(|| Survey::of(disc))
+    }
+}
 
 impl Survey {
     /// Surveys a turn.

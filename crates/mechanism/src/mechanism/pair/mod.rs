@@ -113,6 +113,12 @@ impl Constraint {
         self.form
     }
 
+    /// The same lock said of another pair of links: where `a` turns as `b` and `b` as `c`, what locks `a` and `b` may as well lock `a`
+    /// and `c`.
+    pub(super) fn locking(self, of: LinkId, against: LinkId) -> Constraint {
+        Constraint { form: Form::Angles { of, against, driver: None }, ..self }
+    }
+
     /// The item of the scene that it comes from.
     pub fn item(&self) -> Item {
         self.item

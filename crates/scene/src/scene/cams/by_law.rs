@@ -9,7 +9,7 @@ use super::expand::{One, Pending, follower_sense};
 use super::law::{self, LawText, StageText};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
-use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Touch, Way};
+use crate::cam::{Disc, Law, Motion, Program, Side, Stage, Surveyed, Touch, Way};
 use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::significant;
 use crate::json::Word;
@@ -166,6 +166,7 @@ impl One<'_> {
             frame: on.frame,
             pivot: PointId(0),
             disc,
+            survey: Surveyed::default(),
             phi,
             driver: on.driver,
             way: on.way,

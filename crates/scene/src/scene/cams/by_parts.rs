@@ -10,7 +10,7 @@ use super::pairs::{Contact, Worded, numbers};
 use super::place::{self, Carried, OnPivot, Told};
 use super::raw::*;
 use crate::cam::outline::{Broken, segments};
-use crate::cam::{Disc, Follower, Motion, Side, Touch};
+use crate::cam::{Disc, Follower, Motion, Side, Surveyed, Touch};
 use crate::diag::{Diagnostic, Faults, both};
 use crate::geom::Vec2;
 use crate::json::Word;
@@ -82,6 +82,7 @@ impl One<'_> {
                 frame: on.frame,
                 pivot: PointId(0),
                 disc,
+                survey: Surveyed::default(),
                 phi,
                 driver: on.driver,
                 way: on.way,

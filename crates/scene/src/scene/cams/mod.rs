@@ -24,7 +24,7 @@ mod place;
 pub(super) mod raw;
 
 use super::model::{GuideId, LinkId, PointId, Scene};
-use crate::cam::{Disc, Segment, Side};
+use crate::cam::{Disc, Segment, Side, Surveyed};
 use crate::diag::Span;
 use crate::geom::{Point, Vec2};
 
@@ -103,6 +103,8 @@ pub struct Turning {
     pub pivot: PointId,
     /// Its geometry. φ counts in the sense in which the cam turns.
     pub disc: Disc,
+    /// What a turn of it shows.
+    pub survey: Surveyed,
     /// φ at the instant (rad).
     pub phi: f64,
     /// The driver that turns the cam, index into the scene's list.

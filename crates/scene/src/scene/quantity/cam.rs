@@ -3,7 +3,7 @@
 //! They follow from the geometry of the cam alone ([`crate::cam`]), in double precision: no more digits than those are vouched for.
 
 use super::{Entry, Form, Known, Level, Meaning, Need, Of, Over, Quantity, Value};
-use crate::cam::{Follower, Survey};
+use crate::cam::Follower;
 use crate::diag::{Both, Diagnostic, both};
 use crate::number::Real;
 use crate::scene::book::Kind;
@@ -134,9 +134,9 @@ impl Quantity for CamQuantity {
     fn value<N: Real, K: Known<N>>(&self, known: &K) -> Option<Value<N>> {
         let (_, t) = self.cam(known.scene())?;
         let value = match self.what {
-            What::Lift | What::Swing => t.disc.coordinate(t.phi, t.side)?.value() - Survey::of(&t.disc).rest,
-            What::Stroke | What::Angle => Survey::of(&t.disc).stroke,
-            What::Rise => Survey::of(&t.disc).angle(1, false),
+            What::Lift | What::Swing => t.disc.coordinate(t.phi, t.side)?.value() - t.survey.of(&t.disc).rest,
+            What::Stroke | What::Angle => t.survey.of(&t.disc).stroke,
+            What::Rise => t.survey.of(&t.disc).angle(1, false),
             What::Pressure => t.disc.station(t.phi, t.side)?.pressure,
             What::Rho => t.disc.station(t.phi, t.side)?.rho,
             What::RhoMin => least_radius(t)?,
@@ -148,7 +148,7 @@ impl Quantity for CamQuantity {
 
 /// The least convex radius of the profile.
 fn least_radius(t: &Turning) -> Option<f64> {
-    let (_, rho) = Survey::of(&t.disc).least_rho?;
+    let (_, rho) = t.survey.of(&t.disc).least_rho?;
     let end = match t.disc.touch {
         crate::cam::Touch::Point { radius } => radius,
         crate::cam::Touch::Flat { .. } => 0.0,

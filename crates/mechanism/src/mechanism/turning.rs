@@ -1,0 +1,51 @@
+//! Links that sliding pairs lock to one another turn together: said of each of them and a link that is known, not of one and the next.
+//!
+//! A block in the slots of two links (Oldham's coupling) locks it to both. Said pair by pair, the second link waits for the block and the
+//! block for the second link, which is a group without a core. Both turn as the first link does: said so, the group falls into dyads.
+//! The equations are the same but for sums of one another, and so are their solutions.
+
+use super::{Constraint, Core, Form, Mechanism, Node};
+use crate::scene::LinkId;
+
+/// The constraints with the locks of every group without a core said against a link that is known before the group; `None` where that
+/// changes nothing.
+pub(super) fn from_known_links(m: &Mechanism) -> Option<Vec<Constraint>> {
+    let mut constraints = m.constraints.clone();
+    for group in m.groups.iter().filter(|g| g.core == Core::Higher) {
+        let of_group = |l: LinkId| group.links.contains(&l);
+        // For each link of the group that turns as a known one: that one.
+        let mut turns_as: Vec<(LinkId, LinkId)> = Vec::new();
+        loop {
+            let before = turns_as.len();
+            for &i in &group.constraints {
+                let Some((a, b)) = locked(&constraints[i]) else { continue };
+                let known = |l: LinkId| turns_as.iter().find(|(t, _)| *t == l).map(|(_, known)| *known);
+                match (of_group(a), of_group(b), known(a), known(b)) {
+                    (true, false, None, _) => turns_as.push((a, b)),
+                    (false, true, _, None) => turns_as.push((b, a)),
+                    (true, true, Some(k), None) => {
+                        turns_as.push((b, k));
+                        constraints[i] = constraints[i].locking(b, k);
+                    }
+                    (true, true, None, Some(k)) => {
+                        turns_as.push((a, k));
+                        constraints[i] = constraints[i].locking(a, k);
+                    }
+                    _ => {}
+                }
+            }
+            if turns_as.len() == before {
+                break;
+            }
+        }
+    }
+    (constraints != m.constraints).then_some(constraints)
+}
+
+/// The two links that a constraint locks to one another.
+fn locked(c: &Constraint) -> Option<(LinkId, LinkId)> {
+    match (c.form(), c.ends()) {
+        (Form::Angles { driver: None, .. }, (Node::Link(a), Node::Link(b))) => Some((a, b)),
+        _ => None,
+    }
+}
