@@ -1,6 +1,9 @@
 //! The reference problems: each scene of `tests/cases` solved by drawing and by the loop equations, against answers that
 //! were computed without this project.
 
+#[path = "problems/mod.rs"]
+mod problems;
+
 use hodograph::answer::Value;
 use hodograph::certified::ladder::{Certified, Part, certify};
 use hodograph::geom::Vec2;

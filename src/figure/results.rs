@@ -8,11 +8,13 @@ use crate::construct::ShownAs;
 use crate::digits::inked;
 use crate::mechanism::Level;
 use crate::paper::phrase::{Phrase, fill};
+use crate::plan::{Body, Rate};
 use crate::plan::notation::Notation;
 use crate::plan::text::Writer;
 use crate::report::answers::{Line, at_infinity, lines as by_question, reason, verdict};
 use crate::report::centres as report_of_centres;
 use crate::report::drafting::{self, Amount};
+use crate::scene::quantity::Meaning;
 use crate::scene::{Asked, Book, Find, Kind, Lang, Scene};
 use crate::worked::{Outcome, Worked};
 
@@ -124,7 +126,7 @@ fn block(style: &Style, answers: &Answers, column: Option<(f64, bool)>) -> drawi
         } else if nothing {
             None
         } else {
-            measured(&scene.book, r, c, find, words)
+            measured(&scene.book, r, c, find, words).or_else(|| as_another(answers, find))
         };
         let [from, equals] = match measured {
             Some(m) => [cell(m, Anchor::Start, "measured"), sign("equals")],
@@ -274,6 +276,23 @@ fn tolerance(book: &Book, worked: &Worked, r: &Outcome, find: &Find) -> Option<L
         Amount::Percent(value) => Label::math(format!("\\pm\\,{}", number(value))).then(Label::text(" %")),
         Amount::Of(kind, value) => Label::math(book.label(kind, &format!("\\pm\\,{}", number(value)))),
     })
+}
+
+/// `ω_2`, for a link that turns as another does.
+fn as_another(answers: &Answers, find: &Find) -> Option<Label> {
+    let Some(Meaning::Turning(link, None)) = find.what.meaning(answers.scene) else { return None };
+    let level = find.what.level();
+    let plan = &answers.worked.plan;
+    let groups = match level {
+        Level::Position => return None,
+        Level::Velocity => &plan.velocity,
+        Level::Acceleration => &plan.acceleration,
+    };
+    let other = groups.iter().flat_map(|g| &g.rates).find_map(|(body, rate)| match (body, rate) {
+        (Body::Link(l), Rate::Same(other)) if *l == link => Some(*other),
+        (Body::Link(_) | Body::Cylinder(_), _) => None,
+    });
+    Some(Label::math(answers.writer().turning(level, Body::Link(other?))))
 }
 
 /// What the ruler gave: `48.32 mm · μ_v`, for turning rates over the link's length.
