@@ -9,6 +9,7 @@ mod groups;
 mod leg;
 mod mobility;
 mod pair;
+mod parallel;
 mod redundant;
 mod survey;
 mod turning;

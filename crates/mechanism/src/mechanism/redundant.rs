@@ -1,8 +1,8 @@
 //! Pairs that only repeat what the others fix 虚约束: which of them may be opened, so that every equation has a home.
 //!
 //! Decided here, from topology alone: an equation without a home in the matching depends on its circuit; of the links, guides and
-//! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those that leave the lowest
-//! class of groups are taken, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
+//! double pins of that circuit the fewest are opened that leave as many equations as freedoms. Among several those are taken that leave no
+//! distance held twice by parallel guides ([`super::parallel`]), then those that leave the lowest class of groups, then the last in the file. Whether what is opened holds by itself is decided by lengths, in
 //! [`crate::position::redundant`]; topology cannot tell a third crank from a strut that locks the mechanism.
 //!
 //! Where pairs leave some freedom by count, a circuit of two drivers or more has a driver too many, and is left to the diagnosis of that.
@@ -113,7 +113,7 @@ pub(super) fn open(scene: &Scene, closed: &Opening) -> Option<Opening> {
     for count in 1..=MOST_OPENED {
         search.choose(closed, &candidates, count, matched.homeless());
         let ranked =
-            std::mem::take(&mut search.found).into_iter().filter_map(|o| Some((rank(&Mechanism::opened(scene, o.clone()).ok()?), o)));
+            std::mem::take(&mut search.found).into_iter().filter_map(|o| Some((rank(scene, &Mechanism::opened(scene, o.clone()).ok()?), o)));
         // The first of those of equal rank: candidates stand in the reverse order of the file.
         if let Some((_, best)) = ranked.min_by_key(|r| r.0) {
             return Some(best);
@@ -159,10 +159,10 @@ impl Search<'_> {
     }
 }
 
-/// How many groups are of a high class: those above the third, then those of the third.
-fn rank(m: &Mechanism) -> (usize, usize) {
+/// How much is still said twice, then how many groups are of a high class: those above the third, then those of the third.
+fn rank(scene: &Scene, m: &Mechanism) -> [usize; 3] {
     let of = |class| m.groups.iter().filter(|g| g.class() == Some(class)).count();
-    (m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III"))
+    [super::parallel::circles(scene, m), m.groups.iter().filter(|g| g.core == Core::Higher).count(), of("III")]
 }
 
 /// What may be opened, the last in the file first.

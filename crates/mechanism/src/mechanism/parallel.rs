@@ -1,0 +1,54 @@
+//! Parallel guides that hold a distance twice: what no count shows, because the count does not look at directions.
+//!
+//! Across a straight guide its runner keeps its distance from the link that carries the guide. Links that never turn and pins that
+//! such guides of one direction join in a circle keep one distance twice, and another freedom of theirs is open in every pose. Of several
+//! pairs that could be opened those are opened that leave no such circle.
+
+use super::{Form, Mechanism, Node};
+use crate::scene::{Direction, GuidePath, Scene};
+use petgraph::unionfind::UnionFind;
+use std::f64::consts::PI;
+
+/// Two directions are one to this part of a turn: what is given twice differs by rounding.
+const SAME: f64 = 1e-9;
+
+/// How many equations of the mechanism say a distance across parallel guides again.
+pub(super) fn circles(scene: &Scene, m: &Mechanism) -> usize {
+    let mut directions: Vec<f64> = Vec::new();
+    for angle in m.constraints.iter().filter_map(|c| across(scene, m, c.form())) {
+        if !directions.iter().any(|d| parallel(*d, angle)) {
+            directions.push(angle);
+        }
+    }
+    directions.into_iter().map(|d| circles_across(scene, m, d)).sum()
+}
+
+fn circles_across(scene: &Scene, m: &Mechanism, direction: f64) -> usize {
+    let index = |n: Node| match n {
+        Node::Link(l) => l.0,
+        Node::Pin(p) => scene.links.len() + p.0,
+    };
+    let mut joined = UnionFind::new(scene.links.len() + scene.points.len());
+    let holds = |form: Form| match form {
+        // A pin of a link that never turns keeps its place there.
+        Form::Meet { link, .. } => m.never_turns[link.0],
+        Form::OnPath { .. } => across(scene, m, form).is_some_and(|angle| parallel(angle, direction)),
+        Form::Angles { .. } | Form::AlongPath { .. } | Form::Distance { .. } | Form::Rolls { .. } => false,
+    };
+    let forms = m.constraints.iter().map(|c| c.form()).filter(|f| holds(*f));
+    forms.map(|f| f.ends()).filter(|(a, b)| !joined.union(index(*a), index(*b))).count()
+}
+
+/// The direction of a straight guide on a link that never turns.
+fn across(scene: &Scene, m: &Mechanism, form: Form) -> Option<f64> {
+    let Form::OnPath { guide, on, .. } = form else { return None };
+    match &scene.guides[guide.0].path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } if m.never_turns[on.0] => Some(angle.value.radians()),
+        GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+    }
+}
+
+fn parallel(a: f64, b: f64) -> bool {
+    let turned = ((a - b) / PI).abs();
+    (turned - turned.round()).abs() < SAME
+}
