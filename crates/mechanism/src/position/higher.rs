@@ -137,8 +137,10 @@ impl<N: Real> Assembly<'_, N> {
         let mut values = newton::driver_values(self.scene, start);
         for (d, driver) in self.scene.drivers.iter().enumerate() {
             if let Some((link, against)) = driver.kind.turned() {
-                if let (Ok(axis), Some(base)) = (self.axis_of(link, against, Some(d)), self.poses[against.0]) {
-                    values.0[d] = axis.divide_by(base.axis).approx().angle();
+                let known = || Some(self.axis_of(link, against, Some(d)).ok()?.divide_by(self.poses[against.0]?.axis));
+                // Of two links of the group it says how they stand to one another.
+                if let Some(apart) = known().or_else(|| self.driven_apart(d)) {
+                    values.0[d] = apart.approx().angle();
                 }
             } else if let Some(length) = driver.kind.length() {
                 values.0[d] = length.value;

@@ -100,20 +100,15 @@ impl<N: Real> Assembly<'_, N> {
         };
         let [line, against_line] = self.scene.drivers[d].kind.lines();
         let Some(angle) = self.scene.drivers[d].kind.angle() else {
-            // A wheel without a line of its own may stand at any angle.
-            let wheel = shape.frame == Frame::Loose && self.scene.rolling.iter().any(|r| r.links.contains(&link));
-            if wheel && self.instant.is_none() {
+            // What has no line of its own, a wheel or a block, may stand at any angle.
+            let lines = self.scene.guides.iter().any(|g| g.on == link);
+            let wheel = self.scene.rolling.iter().any(|r| r.links.contains(&link));
+            if shape.frame == Frame::Loose && (wheel || !lines) && self.instant.is_none() {
                 return Ok(Vec2::unit_x());
             }
             return Err(self.driver_without_value(d, "angle", both!("at which angle link {name} stands", "构件 {name} 的角度")));
         };
-        let own = match line {
-            Some((a, b)) => shape.local(a).zip(shape.local(b)).map(|(a, b)| b - a),
-            None => match &self.scene.links[link.0].points[..] {
-                [a, b, ..] => shape.local(*a).zip(shape.local(*b)).map(|(a, b)| b - a),
-                _ => Some(Vec2::unit_x()),
-            },
-        };
+        let own = self.line_in(link, line);
         let base = if let Some((a, b)) = against_line {
             self.points[a.0].zip(self.points[b.0]).map(|(a, b)| b - a)
         } else if of == self.scene.ground {
@@ -136,6 +131,26 @@ impl<N: Real> Assembly<'_, N> {
                 "请用 \"line\"（及 \"against_line\"）写该构件上两个不同的点"
             ))
         })
+    }
+
+    /// The line of a link from which a driver's angle counts, in the link's frame: that of two points, else of its first two, else its x axis.
+    fn line_in(&self, link: LinkId, line: Option<(PointId, PointId)>) -> Option<Vec2<N>> {
+        let shape = &self.shapes[link.0];
+        let between = |a, b| shape.local(a).zip(shape.local(b)).map(|(a, b)| b - a);
+        match (line, &self.scene.links[link.0].points[..]) {
+            (Some((a, b)), _) => between(a, b),
+            (None, [a, b, ..]) => between(*a, *b),
+            (None, _) => Some(Vec2::unit_x()),
+        }
+    }
+
+    /// The direction of the frame of a driven link in the frame of the link against which it turns, wherever that is.
+    pub(super) fn driven_apart(&self, driver: usize) -> Option<Vec2<N>> {
+        let kind = &self.scene.drivers[driver].kind;
+        let ((link, against), [line, against_line]) = (kind.turned()?, kind.lines());
+        let (s, c) = self.inputs.driven_sin_cos(&self.scene.drivers[driver], kind.angle()?);
+        let (own, base) = (self.line_in(link, line)?, self.line_in(against, against_line)?);
+        Vec2::new(c, s).rotate_by(base.unit()?).divide_by(own.unit()?).unit()
     }
 
     /// A link on a known pivot whose slot runs over a known pin.

@@ -13,7 +13,7 @@ use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Group, Hold};
 use crate::number::Real;
-use crate::scene::{Contours, Driver, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
+use crate::scene::{Contours, Driver, GuideId, LinkId, PointId, Rolling, RollingId, Scene, Sizes};
 use std::f64::consts::TAU;
 
 impl<N: Real> Configuration<N> {
@@ -201,9 +201,21 @@ impl<N: Real> Assembly<'_, N> {
     /// The pose of a link that coordinates tell at the instant: all of it, or, of a wheel without a line of its own, its centre.
     pub(super) fn told_pose(&self, link: LinkId, given: &[(PointId, Point<N>)]) -> Option<Pose<N>> {
         let shape = &self.shapes[link.0];
-        let wheel = || self.scene.rolling.iter().any(|r| r.links.contains(&link)) && shape.frame == Frame::Loose && self.instant.is_none();
-        let centre = || shape.points.iter().find_map(|(p, local)| Some((*local, given.iter().find(|(q, _)| q == p)?.1)));
-        let loose = || centre().filter(|_| wheel()).map(|(local, at)| Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() });
+        let place = |p: PointId| given.iter().find(|(q, _)| *q == p).map(|(_, at)| *at).or(self.points[p.0]);
+        let loose = || {
+            // At the instant the frame of a link of one point may lie anyhow, unless a guide that is its direction runs over a pin.
+            let rolls = self.scene.rolling.iter().any(|r| r.links.contains(&link));
+            let turned = |d: &Driver| d.kind.turned().is_some_and(|(l, _)| l == link) && d.kind.angle().is_some();
+            let alone = shape.frame == Frame::Loose && self.instant.is_none() && (rolls || !self.scene.drivers.iter().any(turned));
+            let (own, local, at) = shape.points.iter().filter(|_| alone).find_map(|(p, local)| Some((*p, *local, place(*p)?)))?;
+            let guides = self.scene.guides.iter().enumerate().filter(|(_, g)| g.on == link);
+            let shown = guides.filter_map(|(g, guide)| Some((GuideId(g), guide.pin.filter(|p| *p != own && place(*p).is_some())?))).next();
+            match shown {
+                Some((guide, pin)) if self.points[own.0].is_some() => self.poses_of_lever(link, own, pin, guide).ok()?.into_iter().next(),
+                Some(_) => None,
+                None => Some(Pose { origin: at - local.to_vec2(), axis: Vec2::unit_x() }),
+            }
+        };
         self.poses[link.0].or_else(loose)
     }
 
