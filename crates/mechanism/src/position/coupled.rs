@@ -187,7 +187,7 @@ impl<N: Real> Coupled<'_, N> {
             },
             Form::Angles { of, against, driver: Some(driver) } => match aside {
                 Some(then) => farther(then, driver),
-                None if self.links.contains(&against) => None,
+                None if self.links.contains(&against) => a.driven_apart(driver).map(Given::Turned),
                 None => a.axis_of(of, against, Some(driver)).ok().map(Given::InPlane),
             },
         }
