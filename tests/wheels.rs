@@ -172,22 +172,43 @@ fn gears_side_by_side_repeat_or_lock() {
     assert_eq!(errors(&work(&read(ring), Scope::Questions).unwrap_err()), ["locked"]);
 }
 
-/// Two wheels of a floating arm that mesh while neither is known: answered, as by instantaneous centres, and told why it is not drawn.
+/// Two links of a group that roll on one another while neither is known, on pivots of a crank and of the ground: meshing outside and inside on a floating
+/// arm, a wheel on a moving circle, a wheel on a moving line.
+fn rolling_on_one_another(kind: &str) -> Scene {
+    let (c, d, links, rolls, find) = match kind {
+        "gears" => ([60, 150], [180, 130], r#""4": ["C", "D"],"#, r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}]"#, r#", "omega_4", "alpha_4""#),
+        "ring" => ([120, 150], [150, 150], r#""4": ["C", "D"],"#, r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 60], "ring": "5"}]"#, r#", "omega_4", "alpha_4""#),
+        "circle" => ([60, 150], [180, 150], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "50 mm", "on": "5", "track": "D", "track_radius": "70 mm"}]"#, ""),
+        _ => ([70, 150], [200, 100], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "130 mm", "on": "5", "line": "ED"}]"#, ""),
+    };
+    read(&format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], {links} "5": ["D", "E"]}}, "ground": "1",
+        "points": {{"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": {c:?}, "D": {d:?}}}, {rolls},
+        "driver": {{"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}}, "find": ["omega_3", "omega_5", "alpha_3", "alpha_5", "v_C", "a_C"{find}]}}"#
+    ))
+}
+
+/// They are drawn from their contact, which both have in common; drawing and loop equations agree on all of it.
 #[test]
-fn wheels_that_wait_for_one_another_are_told() {
-    let text = r#"{"units": {"length": "mm"}, "links": {"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["D", "E"]}, "ground": "1",
-        "points": {"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": [60, 150], "D": [180, 130]},
-        "gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}],
-        "driver": {"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}, "find": ["omega_3", "omega_5", "alpha_5"]}"#;
-    let scene = read(text);
-    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
-    let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{:?}", worked.notes));
-    assert!(note.message.en.contains("3 and 5 roll on one another") && note.help.as_ref().unwrap().en.contains("centres"), "{note:?}");
-    // Against the arm the two turn as their teeth say.
-    let [three, five] = ["omega_3", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
-    let arm = scene::read(text.replace(r#""omega_3", "omega_5", "alpha_5""#, r#""omega_4""#).as_str()).unwrap().value;
-    let arm = scalar(&arm, &work(&arm, Scope::Questions).unwrap().value, "omega_4");
-    assert!((30.0 * (five - arm) + 20.0 * (three - arm)).abs() < 1e-10, "{three} {five} {arm}");
+fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
+    for kind in ["gears", "ring", "circle", "line"] {
+        let scene = rolling_on_one_another(kind);
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{kind}: {f}"));
+        let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{kind}: {:?}", worked.notes));
+        assert!(note.message.en.contains("special points"), "{kind}: {note:?}");
+        agree(&scene, &worked.value);
+        for r in &worked.value.results {
+            assert!(r.drawn.is_some(), "{kind}: {} is not drawn", scene.find[r.find].text);
+        }
+        // Against the arm the two turn as their teeth say.
+        let ratio = match kind {
+            "gears" => -20.0 / 30.0,
+            "ring" => 20.0 / 60.0,
+            _ => continue,
+        };
+        let [three, arm, five] = ["omega_3", "omega_4", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
+        assert!((five - arm - ratio * (three - arm)).abs() < 1e-10, "{kind}: {three} {five} {arm}");
+    }
 }
 
 /// Gears on the two floating links of a five-bar: their pose is found as a whole, near the sketch.
