@@ -176,9 +176,27 @@ fn gears_side_by_side_repeat_or_lock() {
 /// arm, a wheel on a moving circle, a wheel on a moving line.
 fn rolling_on_one_another(kind: &str) -> Scene {
     let (c, d, links, rolls, find) = match kind {
-        "gears" => ([60, 150], [180, 130], r#""4": ["C", "D"],"#, r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}]"#, r#", "omega_4", "alpha_4""#),
-        "ring" => ([120, 150], [150, 150], r#""4": ["C", "D"],"#, r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 60], "ring": "5"}]"#, r#", "omega_4", "alpha_4""#),
-        "circle" => ([60, 150], [180, 150], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "50 mm", "on": "5", "track": "D", "track_radius": "70 mm"}]"#, ""),
+        "gears" => (
+            [60, 150],
+            [180, 130],
+            r#""4": ["C", "D"],"#,
+            r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}]"#,
+            r#", "omega_4", "alpha_4""#,
+        ),
+        "ring" => (
+            [120, 150],
+            [150, 150],
+            r#""4": ["C", "D"],"#,
+            r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 60], "ring": "5"}]"#,
+            r#", "omega_4", "alpha_4""#,
+        ),
+        "circle" => (
+            [60, 150],
+            [180, 150],
+            "",
+            r#""rolling": [{"wheel": "3", "centre": "C", "radius": "50 mm", "on": "5", "track": "D", "track_radius": "70 mm"}]"#,
+            "",
+        ),
         _ => ([70, 150], [200, 100], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "130 mm", "on": "5", "line": "ED"}]"#, ""),
     };
     read(&format!(

@@ -61,7 +61,14 @@ fn compare(name: &str, scene: &Scene) {
         let size = expected.iter().fold(0.0f64, |m, row| m.max(row[k].abs()));
         for (i, row) in expected.iter().enumerate() {
             let off = (column.values[i] - row[k]).abs();
-            assert!(off <= 1e-12 * size, "{name}, {} at {:?}: {} compiled, {} alone, {off:e} of {size}", column.name, values[i], column.values[i], row[k]);
+            assert!(
+                off <= 1e-12 * size,
+                "{name}, {} at {:?}: {} compiled, {} alone, {off:e} of {size}",
+                column.name,
+                values[i],
+                column.values[i],
+                row[k]
+            );
         }
     }
 }

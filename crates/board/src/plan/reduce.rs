@@ -41,9 +41,17 @@ struct State {
 #[derive(Clone, Copy, PartialEq)]
 enum Line {
     Leg(Hold),
-    Neighbour { pin: PointId, special: VertexId, link: LinkId },
+    Neighbour {
+        pin: PointId,
+        special: VertexId,
+        link: LinkId,
+    },
     /// Through a contact from the special point of the member that rolls there.
-    Contact { pair: RollingId, special: VertexId, link: LinkId },
+    Contact {
+        pair: RollingId,
+        special: VertexId,
+        link: LinkId,
+    },
 }
 
 impl Line {
@@ -117,7 +125,8 @@ impl Builder<'_> {
                 let pairs = (0..lines.len()).flat_map(|k| (k + 1..lines.len()).map(move |l| (k, l)));
                 let crossing = pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
                 let Some((a, b)) = crossing.map(|(k, l)| (&lines[k], &lines[l])) else { return false };
-                let special = Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
+                let special =
+                    Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
                 let s = self.special(special);
                 let mut chains = Vec::new();
                 for line in [a, b] {
@@ -187,7 +196,7 @@ impl Builder<'_> {
     }
 
     /// What the point of a link at a contact has beyond that of the other: nothing of the velocity, Ω²δ of the acceleration.
-    fn roll(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
+    pub(super) fn roll(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
         if level == Level::Velocity {
             return Vec::new();
         }

@@ -254,9 +254,7 @@ fn numbers(disc: &Disc, segment: &Segment) -> [f64; 4] {
     };
     match (disc.follower, disc.touch) {
         (Follower::Translating { .. }, _) => [a, x, y, h],
-        (Follower::Oscillating { pivot, arm, .. }, Touch::Point { .. }) => {
-            [a, -arm * x, -arm * y, -h - a * (pivot.norm2() + arm * arm)]
-        }
+        (Follower::Oscillating { pivot, arm, .. }, Touch::Point { .. }) => [a, -arm * x, -arm * y, -h - a * (pivot.norm2() + arm * arm)],
         (Follower::Oscillating { sense, .. }, Touch::Flat { lever }) => [a, sense * y, -sense * x, lever - h],
     }
 }
@@ -301,4 +299,3 @@ impl Terms {
         out
     }
 }
-

@@ -461,7 +461,13 @@ impl Compiler<'_> {
                 let k = self.meet(g, first, second, k)?;
                 let arm = self.emit_pair(P, Arm { from: a, to: k });
                 self.known_by_turning(link, Spot::Pin(pivot), pivot, centre - at, arm)?;
-                self.rows[g].push(Row::Distance { p: Spot::Fixed(link, centre), far: Spot::Pin(pin), l: s, rates: Rates::NONE, bar: false });
+                self.rows[g].push(Row::Distance {
+                    p: Spot::Fixed(link, centre),
+                    far: Spot::Pin(pin),
+                    l: s,
+                    rates: Rates::NONE,
+                    bar: false,
+                });
             }
             None => return Err(self.without_kernel(g)),
         }

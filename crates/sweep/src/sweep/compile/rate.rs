@@ -189,7 +189,9 @@ impl Compiler<'_> {
 
     /// A place that a cam leads along a guide of the ground: the rate times the direction of the guide.
     fn led_on_ground(&mut self, first: &Row, second: &Row, level: Level) -> Option<Pair> {
-        let (Row::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, Row::Guided { on: b, n, rates, .. }) = (first, second) else { return None };
+        let (Row::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, Row::Guided { on: b, n, rates, .. }) = (first, second) else {
+            return None;
+        };
         let s = rates.parts(level).1.filter(|_| *a == self.scene.ground && a == b)?;
         let q = self.fixed(Vec2::ZERO);
         Some(self.emit_pair(level, Along { q, t: *n, s }))
