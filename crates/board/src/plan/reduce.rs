@@ -124,15 +124,23 @@ impl Builder<'_> {
             [] => {
                 let pairs = (0..lines.len()).flat_map(|k| (k + 1..lines.len()).map(move |l| (k, l)));
                 let crossing = pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
-                let Some((a, b)) = crossing.map(|(k, l)| (&lines[k], &lines[l])) else { return false };
+                let Some((k, l)) = crossing else { return false };
+                let (a, b) = (&lines[k], &lines[l]);
+                // The tangent at a contact and the line of its centres cross in the contact itself.
+                let contact = [(k, l), (l, k)].into_iter().find(|&(k, l)| {
+                    let tangent = matches!(lines[k], Line::Leg(Hold::Rolls { .. }));
+                    tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
+                });
                 let special =
                     Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
-                let s = self.special(special);
+                let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
                 let mut chains = Vec::new();
                 for line in [a, b] {
                     let near = self.near_of(member.link, line);
                     let mut chain = self.chain_of(level, member.link, line);
-                    self.extend_to_special(level, &mut chain, member.link, s, near);
+                    if near != s {
+                        self.extend_to_special(level, &mut chain, member.link, s, near);
+                    }
                     chains.push(chain);
                 }
                 self.equation(level, s, chains, Method::Special);

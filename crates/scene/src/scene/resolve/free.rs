@@ -127,7 +127,8 @@ fn is_free(
     let wheels = (0..c.names.links.len())
         .map(LinkId)
         .filter(|l| *l != arm && c.carries(*l, to))
-        .all(|l| l != c.ground && c.names.links[l.0].points.len() == 1 && !guided(c, l));
+        // Another arm about it that carries nothing but centres is as free as they are.
+        .all(|l| l != c.ground && on_arm(c, l).all(|p| p == to || centre(p)) && !guided(c, l));
     // The first centre of an arm may be laid however far it is from the next ones: its direction is as free as it is.
     let first = arm != c.ground && !on_arm(c, arm).any(|p| laid.contains(&p));
     let inner = |l: &Length| first && c.carries(arm, l.a) && c.carries(arm, l.b);
