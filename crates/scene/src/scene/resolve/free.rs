@@ -61,7 +61,8 @@ fn lay(
         return;
     }
     // A further centre of an arm that meshes with two others stands over them, by its distance from each.
-    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(|q| c.carries(arm, *q)).nth(1).is_some() {
+    let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], Place::At(_)));
+    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(placed).nth(1).is_some() {
         let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
         if !given(from, &rolling.lengths)
             && let Some(value) = by_teeth(c, rolling, pair)

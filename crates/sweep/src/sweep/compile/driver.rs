@@ -4,15 +4,20 @@
 //! at each position by the angles at which the stretches of a turn begin, which are found once; at a joint that which follows in the driver's
 //! sense, as everywhere. A sweep that asks for what has no operation solves each position by itself.
 
-use super::{Compiler, NoKernel};
+use super::rate::Row;
+use super::{Compiler, NoKernel, Spot};
 use crate::cam::{Disc, Follower, Motion, Program as Law, Segment, Touch, Way};
 use crate::diag::{Diagnostic, both};
 use crate::geom::Vec2;
 use crate::mechanism::Level;
+use crate::position::Path;
 use crate::scene::cams::Turning;
+use crate::scene::{GuideId, LinkId, PointId};
+use crate::sweep::carry::{Along, Image, Product, Twist};
 use crate::sweep::kernel::{Kernel, Pair, Reg};
 use crate::sweep::led::{ByAngle, Faced, Higher, Lift, LiftRate, Parabola, Phase, Rock, RockRate, Stretch, Wave};
 use crate::sweep::program::{COS, SIN, VALUE};
+use crate::sweep::reading::Sum;
 use crate::sweep::station::position_now;
 use crate::sweep::turns::{Quarters, Turned};
 
@@ -125,6 +130,52 @@ impl Compiler<'_> {
         let known = (self.emit_pair(P, Quarters), Quarters.eval([value, c, s]));
         self.trains.quarters = Some(known);
         known
+    }
+
+    /// A spot that a driver pushes along a guide of a known link.
+    pub(super) fn driven_along(&mut self, g: usize, p: Spot, guide: GuideId, driver: usize) -> Result<Pair, NoKernel> {
+        let on = self.scene.guides[guide.0].on;
+        let rates = self.driver_rates(driver)?;
+        if let Some(slot) = self.slot(guide)? {
+            let s = self.driver_value(driver)?;
+            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: Rates::NONE });
+            self.rows[g].push(Row::Guided { p, on, n: slot.direction, rates });
+            return Ok(self.emit_pair(P, Along { q: slot.through, t: slot.direction, s }));
+        }
+        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
+        let turn = self.driver_turn(driver, Some(radius))?;
+        let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
+        let arm = self.emit_pair(P, Product { a: turn, b: axis });
+        let o = self.spot(Spot::Fixed(on, centre), P)?;
+        let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
+        let l = self.constant(radius);
+        self.rows[g].push(Row::Distance { p, far: Spot::Fixed(on, centre), l, rates: Rates::NONE, bar: false });
+        self.rows[g].push(Row::Guided { p, on, n: tangent, rates });
+        Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
+    }
+
+    /// In a link that is pinned at `far` and carries a straight guide along which a driver pushes a pin: the vector from
+    /// pivot to pin in the link's frame, its part along the guide, and the driver's rates.
+    pub(super) fn ram(
+        &mut self,
+        g: usize,
+        link: LinkId,
+        far: PointId,
+        guide: GuideId,
+        driver: usize,
+    ) -> Result<(Pair, Reg, Rates), NoKernel> {
+        let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
+        else {
+            return Err(self.without_kernel(g));
+        };
+        let start = (through - pivot).divide_by(direction);
+        let s = self.driver_value(driver)?;
+        let from = self.constant(start.x);
+        let way = self.emit(P, Sum { a: from, b: s, k: 1.0 }, 1);
+        let side = self.constant(start.y);
+        let straight = Pair { x: way, y: side };
+        let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
+        Ok((q, way, Rates::Even(self.even_rates(driver)?)))
     }
 
     /// A follower that leads something for which there is no operation.

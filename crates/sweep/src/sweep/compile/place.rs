@@ -7,11 +7,11 @@ use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use crate::position::{Path, Pose};
 use crate::scene::{GuideId, LinkId, PointId};
-use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
+use crate::sweep::carry::{Arm, Image, Product, Twist};
 use crate::sweep::closure::{CircleLine, Circles, Crossing, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{Joint, Op};
-use crate::sweep::reading::{Length, Quotient, Sum};
+use crate::sweep::reading::{Length, Quotient};
 
 /// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
 #[derive(Clone, Copy)]
@@ -167,45 +167,6 @@ impl Compiler<'_> {
         let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
         let radius = self.constant(radius);
         self.circle(g, p, Spot::Fixed(on, centre), radius, Rates::NONE, false)
-    }
-
-    /// A spot that a driver pushes along a guide of a known link.
-    fn driven_along(&mut self, g: usize, p: Spot, guide: GuideId, driver: usize) -> Result<Pair, NoKernel> {
-        let on = self.scene.guides[guide.0].on;
-        let rates = self.driver_rates(driver)?;
-        if let Some(slot) = self.slot(guide)? {
-            let s = self.driver_value(driver)?;
-            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: Rates::NONE });
-            self.rows[g].push(Row::Guided { p, on, n: slot.direction, rates });
-            return Ok(self.emit_pair(P, Along { q: slot.through, t: slot.direction, s }));
-        }
-        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
-        let turn = self.driver_turn(driver, Some(radius))?;
-        let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
-        let arm = self.emit_pair(P, Product { a: turn, b: axis });
-        let o = self.spot(Spot::Fixed(on, centre), P)?;
-        let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
-        let l = self.constant(radius);
-        self.rows[g].push(Row::Distance { p, far: Spot::Fixed(on, centre), l, rates: Rates::NONE, bar: false });
-        self.rows[g].push(Row::Guided { p, on, n: tangent, rates });
-        Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
-    }
-
-    /// In a link that is pinned at `far` and carries a straight guide along which a driver pushes a pin: the vector from
-    /// pivot to pin in the link's frame, its part along the guide, and the driver's rates.
-    fn ram(&mut self, g: usize, link: LinkId, far: PointId, guide: GuideId, driver: usize) -> Result<(Pair, Reg, Rates), NoKernel> {
-        let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
-        else {
-            return Err(self.without_kernel(g));
-        };
-        let start = (through - pivot).divide_by(direction);
-        let s = self.driver_value(driver)?;
-        let from = self.constant(start.x);
-        let way = self.emit(P, Sum { a: from, b: s, k: 1.0 }, 1);
-        let side = self.constant(start.y);
-        let straight = Pair { x: way, y: side };
-        let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
-        Ok((q, way, Rates::Even(self.even_rates(driver)?)))
     }
 
     /// Where two loci meet, on the side of the instant.
