@@ -111,7 +111,7 @@
 //! plan       diag scene mechanism
 //! construct  diag digits number geom scene mechanism position answer plan
 //! analytic   diag geom scene mechanism position answer
-//! sweep      diag digits trig number geom scene mechanism position answer analytic
+//! sweep      diag digits trig number geom cam scene mechanism position answer analytic
 //! paper      diag json geom scene mechanism plan
 //! render     diag geom paper
 //! accuracy   diag digits number geom scene mechanism position answer motion plan construct analytic

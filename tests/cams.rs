@@ -8,6 +8,10 @@ use hodograph::scene::{self, Angle, Scene};
 use hodograph::sweep::{self, Placed, Stations, Width};
 use hodograph::worked::{Scope, work};
 
+mod cams {
+    pub mod compiled;
+}
+
 const OMEGA: f64 = 3.0;
 const ALPHA: f64 = -2.0;
 

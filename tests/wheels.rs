@@ -2,6 +2,7 @@
 //! hold in one pose only, and that lock. And the phase of wheels neither of which is known before the other.
 
 use hodograph::answer::Value;
+use hodograph::certified::ladder::certify;
 use hodograph::diag::{Diagnostic, Faults, Severity};
 use hodograph::mechanism::{Mechanism, Opened, Survey};
 use hodograph::position::redundant::{Reason, Verdict, check};
@@ -172,22 +173,106 @@ fn gears_side_by_side_repeat_or_lock() {
     assert_eq!(errors(&work(&read(ring), Scope::Questions).unwrap_err()), ["locked"]);
 }
 
-/// Two wheels of a floating arm that mesh while neither is known: answered, as by instantaneous centres, and told why it is not drawn.
+/// Two links of a group that roll on one another while neither is known, on pivots of a crank and of the ground: meshing outside and inside on a floating
+/// arm, a wheel on a moving circle, a wheel on a moving line.
+fn rolling_on_one_another(kind: &str) -> Scene {
+    let (c, d, links, rolls, find) = match kind {
+        "gears" => (
+            [60, 150],
+            [180, 130],
+            r#""4": ["C", "D"],"#,
+            r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}]"#,
+            r#", "omega_4", "alpha_4""#,
+        ),
+        "ring" => (
+            [120, 150],
+            [150, 150],
+            r#""4": ["C", "D"],"#,
+            r#""gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 60], "ring": "5"}]"#,
+            r#", "omega_4", "alpha_4""#,
+        ),
+        "circle" => (
+            [60, 150],
+            [180, 150],
+            "",
+            r#""rolling": [{"wheel": "3", "centre": "C", "radius": "50 mm", "on": "5", "track": "D", "track_radius": "70 mm"}]"#,
+            "",
+        ),
+        _ => ([70, 150], [200, 100], "", r#""rolling": [{"wheel": "3", "centre": "C", "radius": "130 mm", "on": "5", "line": "ED"}]"#, ""),
+    };
+    read(&format!(
+        r#"{{"units": {{"length": "mm"}}, "links": {{"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], {links} "5": ["D", "E"]}}, "ground": "1",
+        "points": {{"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": {c:?}, "D": {d:?}}}, {rolls},
+        "driver": {{"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}}, "find": ["omega_3", "omega_5", "alpha_3", "alpha_5", "v_C", "a_C"{find}]}}"#
+    ))
+}
+
+/// They are drawn from their contact, which both have in common; drawing and loop equations agree on all of it.
 #[test]
-fn wheels_that_wait_for_one_another_are_told() {
-    let text = r#"{"units": {"length": "mm"}, "links": {"1": ["A", "E"], "2": ["A", "B"], "3": ["B", "C"], "4": ["C", "D"], "5": ["D", "E"]}, "ground": "1",
-        "points": {"A": [0, 0], "E": [200, 0], "B": [25, 43], "C": [60, 150], "D": [180, 130]},
-        "gears": [{"links": ["3", "5"], "centres": ["C", "D"], "teeth": [20, 30]}],
-        "driver": {"link": "2", "omega": "5 rad/s", "alpha": "2 rad/s^2"}, "find": ["omega_3", "omega_5", "alpha_5"]}"#;
+fn wheels_that_wait_for_one_another_are_drawn_from_their_contact() {
+    for kind in ["gears", "ring", "circle", "line"] {
+        let scene = rolling_on_one_another(kind);
+        let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{kind}: {f}"));
+        let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{kind}: {:?}", worked.notes));
+        assert!(note.message.en.contains("special points"), "{kind}: {note:?}");
+        agree(&scene, &worked.value);
+        for r in &worked.value.results {
+            assert!(r.drawn.is_some(), "{kind}: {} is not drawn", scene.find[r.find].text);
+        }
+        // Against the arm the two turn as their teeth say.
+        let ratio = match kind {
+            "gears" => -20.0 / 30.0,
+            "ring" => 20.0 / 60.0,
+            _ => continue,
+        };
+        let [three, arm, five] = ["omega_3", "omega_4", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
+        assert!((five - arm - ratio * (three - arm)).abs() < 1e-10, "{kind}: {three} {five} {arm}");
+    }
+}
+
+/// Of a closed train that splits the power over sun and ring, told by numbers of teeth alone: by Willis' formula.
+#[test]
+fn a_closed_train_needs_neither_sizes_nor_places() {
+    let text = r#"{"links": {"0": ["X", "O"], "1": ["X"], "2": ["O"], "3": ["O"], "4": ["O", "P"], "5": ["P"]}, "ground": "0",
+        "gears": [{"links": ["1", "2"], "centres": ["X", "O"], "teeth": [20, 50]}, {"links": ["1", "3"], "centres": ["X", "O"], "teeth": [18, 90]},
+        {"links": ["2", "5"], "centres": ["O", "P"], "teeth": [24, 30]}, {"links": ["5", "3"], "centres": ["P", "O"], "teeth": [30, 84], "ring": "3"}],
+        "driver": {"link": "1", "omega": "90 rad/s"}, "find": ["omega_2", "omega_3", "omega_4", "omega_5", "i_14"]}"#;
     let scene = read(text);
-    let worked = work(&scene, Scope::Questions).unwrap_or_else(|f| panic!("{f}"));
-    let note = worked.notes.iter().find(|d| d.code == "higher-group").unwrap_or_else(|| panic!("{:?}", worked.notes));
-    assert!(note.message.en.contains("3 and 5 roll on one another") && note.help.as_ref().unwrap().en.contains("centres"), "{note:?}");
-    // Against the arm the two turn as their teeth say.
-    let [three, five] = ["omega_3", "omega_5"].map(|find| scalar(&scene, &worked.value, find));
-    let arm = scene::read(text.replace(r#""omega_3", "omega_5", "alpha_5""#, r#""omega_4""#).as_str()).unwrap().value;
-    let arm = scalar(&arm, &work(&arm, Scope::Questions).unwrap().value, "omega_4");
-    assert!((30.0 * (five - arm) + 20.0 * (three - arm)).abs() < 1e-10, "{three} {five} {arm}");
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value;
+    agree(&scene, &worked);
+    let [sun, ring] = [-90.0 * 20.0 / 50.0, -90.0 * 18.0 / 90.0];
+    // (sun − arm)/(ring − arm) = −84/24, and the planet against the arm as the sun by −24/30.
+    let arm = (24.0 * sun + 84.0 * ring) / 108.0;
+    let planet = arm - 24.0 / 30.0 * (sun - arm);
+    for (find, exact) in [("omega_2", sun), ("omega_3", ring), ("omega_4", arm), ("omega_5", planet), ("i_14", 90.0 / arm)] {
+        let got = scalar(&scene, &worked, find);
+        assert!((got - exact).abs() < 1e-12 * exact.abs(), "{find} = {got}, not {exact}");
+    }
+}
+
+/// A rack on a rocker that only the mesh holds to its pinion: drawn as pinned at the pitch point.
+#[test]
+fn a_rack_held_by_its_mesh_is_drawn_from_the_pitch_point() {
+    let text = r#"{"links": {"1": ["O", "A"], "2": ["A", "B"], "3": ["B"], "4": ["O"]}, "ground": "1",
+        "points": {"O": [0, 0], "A": ["-300 mm", "-80 mm"], "B": ["-220 mm", "100 mm"]},
+        "gears": [{"links": ["4", "3"], "centres": ["O"], "radii": ["40 mm"], "rack": "3", "angle": "10 deg", "at": "Q"}],
+        "driver": {"link": "4", "omega": "3 rad/s", "alpha": "1 rad/s^2"}, "find": ["omega_2", "alpha_2", "omega_3", "alpha_3", "v_B", "a_B"]}"#;
+    let scene = read(text);
+    let worked = work(&scene, Scope::Figure).unwrap_or_else(|f| panic!("{f}")).value;
+    agree(&scene, &worked);
+    assert!(worked.plan.specials.is_empty() && worked.results.iter().all(|r| r.drawn.is_some()));
+}
+
+/// The pitch line of a rack that slides in the ground: the pair takes one freedom, whether a driver is named or not.
+#[test]
+fn a_rack_in_its_guide_is_held_by_the_guide() {
+    let text = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"slider": "3", "on": "1", "angle": "0 deg"}],
+        "gears": [{"links": ["2", "3"], "centres": ["O"], "radii": ["30 mm"], "rack": "3", "angle": "0 deg"}]}"#;
+    let survey = Survey::of(&scene::read_topology(text).unwrap().value);
+    assert_eq!((survey.counts.higher, survey.counts.freedom(0, 0)), (1, 1));
+    let lever = r#"{"links": {"1": ["O"], "2": ["O"]}, "ground": "1", "points": {"O": [0, 0]}, "guides": [{"pin": "B", "slider": "3", "on": "2", "through": "O"},
+        {"pin": "B", "slider": "4", "on": "1", "through": ["300 mm", 0], "angle": "90 deg"}], "driver": {"link": "2", "angle": "25 deg", "omega": "2 rad/s"}}"#;
+    assert_eq!(Survey::of(&scene::read_topology(lever).unwrap().value).counts.freedom(0, 0), 1);
 }
 
 /// Gears on the two floating links of a five-bar: their pose is found as a whole, near the sketch.
@@ -221,6 +306,9 @@ fn the_phase_of_wheels_that_wait_for_one_another_is_kept() {
             let scene = waiting_for_one_another(teeth, Some(own + more));
             let worked = work(&scene, Scope::Questions).unwrap().value;
             agree(&scene, &worked);
+            for c in certify(&scene, &worked, 20) {
+                assert!(c.why.is_none(), "{teeth:?}: {:?}", c.why);
+            }
             let off = (phase_of(&worked, &scene, teeth) - own - more + 180.0).rem_euclid(360.0) - 180.0;
             assert!(off.abs() < 1e-9, "{teeth:?}: the phase {} is missed by {off}°", own + more);
             let changed = (scalar(&scene, &worked, "omega_3") - rate).abs();

@@ -27,7 +27,7 @@ pub fn text(scene: &Scene, m: &Mechanism, w: &Writer) -> String {
         f.lower,
         f.higher,
         f.freedom,
-        match (lang, scene.drivers.len()) {
+        match (lang, scene.own_drivers()) {
             (Lang::En, 1) => "1 driver".to_string(),
             (Lang::En, n) => format!("{n} drivers"),
             (Lang::Zh, n) => format!("原动件 {n} 个"),
@@ -117,7 +117,9 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
         Core::Link { legs, .. } => legs.iter().filter_map(|l| Some(scene.point_name(l.line()?.pin()))).collect(),
         Core::Higher => Vec::new(),
     };
+    let led = g.constraints.iter().filter_map(|&c| m.constraints[c].form().driver()).any(|d| scene.is_led(d));
     let what = match (g.class(), lang) {
+        (None, lang) if led => tr(lang, "follower of the cam", "凸轮从动件").into(),
         (None, Lang::En) => g.kind(),
         (None, Lang::Zh) => match g.kind().as_str() {
             "driven slider" => "原动滑块".into(),

@@ -31,9 +31,9 @@ pub(super) fn notes(scene: &Scene, mechanism: &Mechanism, plan: &Plan) -> Vec<Di
         let between = contacts(scene, mechanism, group);
         if plan.undrawable.contains(&g) && !between.is_empty() {
             let message = both!(
-                "links {names} form a group higher than class III: {} roll on one another and neither is known before the other, so that no crossing of two loci gives \
-                 the acceleration of the contact; it is answered from the loop equations and not drawn",
-                "构件 {names} 组成高于Ⅲ级的杆组：{}相互滚动，二者均须由对方求得，接触点的加速度不能由两条轨迹线的交点得出；由回路方程求解，不作图",
+                "links {names} form a group higher than class III: {} roll on one another, and no link of the group is held along two lines whose crossing would be the \
+                 special point to begin with; it is answered from the loop equations and not drawn",
+                "构件 {names} 组成高于Ⅲ级的杆组：{}相互滚动，且组内没有一个构件受两条相交约束线控制，得不到可供起步的特殊点；由回路方程求解，不作图",
                 Both::listed(&between)
             );
             return Diagnostic::note("higher-group", message).help(both!(

@@ -61,7 +61,7 @@ impl Maker<'_> {
         blocks.push(Block::Paragraph(Phrase::new(&known)));
         let formula = format!("F = 3n - 2p_l - p_h = 3 \\times {n} - 2 \\times {low} - {high} = {}", f.freedom);
         blocks.push(Block::Formula(vec![Math::Row(Label::math(formula))]));
-        let drivers = self.scene.drivers.len();
+        let drivers = self.scene.own_drivers();
         let verdict = match self.lang() {
             Lang::En if drivers == 1 => "With one driver its motion is determined. Groups in the order of solving:".to_owned(),
             Lang::En => format!("With {drivers} drivers its motion is determined. Groups in the order of solving:"),

@@ -135,6 +135,30 @@ impl Grown {
         self.wheels.push(Wheel { link: rocker, centre: joint, radius: rng.between(0.3, 0.8) });
     }
 
+    /// Three links from a moving point to the ground, the first in mesh with the last while neither is known before the other.
+    fn waiting(&mut self, rng: &mut Rng) {
+        let from = self.mover(rng);
+        loop {
+            let (arm, part) = (rng.direction() * rng.between(0.8, 2.0), rng.between(0.3, 0.7));
+            let first = self.points[from] + rng.direction() * rng.between(0.8, 2.0);
+            let second = first + arm;
+            let pivot = second + rng.direction() * rng.between(0.8, 2.0);
+            // As the two are pinned at their contact, this is a dyad.
+            let contact = first + arm * part;
+            let (Some(u), Some(w)) = ((contact - self.points[from]).unit(), (pivot - contact).unit()) else { continue };
+            if u.cross(w).abs() < 0.4 {
+                continue;
+            }
+            let [c, d, e] = [first, second, pivot].map(|p| self.point(p));
+            let one = self.link(vec![from, c]);
+            self.link(vec![c, d]);
+            let other = self.link(vec![d, e]);
+            self.links[0].push(e);
+            self.gear([one, other], [c, d], [arm.norm() * part, arm.norm() * (1.0 - part)], None);
+            return;
+        }
+    }
+
     fn scene(&self, rng: &mut Rng) -> String {
         let links: Vec<String> = self
             .links
@@ -185,6 +209,10 @@ fn grown(seed: u64) -> (Grown, String) {
             3 => g.rolls(&mut rng),
             _ => g.dyad(&mut rng),
         }
+    }
+    // Of every other one a pair is found as a whole.
+    if seed % 2 == 1 {
+        g.waiting(&mut rng);
     }
     let text = g.scene(&mut rng);
     (g, text)

@@ -13,6 +13,6 @@
 use hodograph_analytic::analytic;
 use hodograph_base::{diag, digits, geom, number, trig};
 use hodograph_mechanism::{answer, mechanism, position};
-use hodograph_scene::scene;
+use hodograph_scene::{cam, scene};
 
 pub mod sweep;

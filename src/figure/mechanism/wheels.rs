@@ -183,10 +183,20 @@ impl Draft<'_> {
         let foot = |p: &Point| at + direction * (*p - at).dot(direction);
         let reach = held.iter().map(|p| (*p - at).dot(direction)).fold([back - half, ahead + half], |[a, b], s| [a.min(s), b.max(s)]);
         let [from, to] = reach.map(|s| at + direction * s);
-        let owner = self.d.draw(&id, "", sym::link(self.style, &[from, to]));
+        // As a ring is: the pitch line in chain, the body behind it in full.
+        let behind = if pair.toothed { -direction.perp() * RIM_MM } else { Vec2::ZERO };
+        let owner = if pair.toothed {
+            let stroke = self.style.outline;
+            self.d.shape(&id, "wheel", Shape::Line { from, to, stroke: stroke.dashed(Dash::DashDot) });
+            let pieces = vec![Piece::Line(from + behind), Piece::Line(to + behind), Piece::Line(to)];
+            self.d.shape(&id, "wheel", Shape::Path { start: from, pieces, closed: false, stroke: Some(stroke), fill: None })
+        } else {
+            self.d.draw(&id, "", sym::link(self.style, &[from, to]))
+        };
         let nearest = held.iter().min_by(|p, q| p.distance(foot(p)).total_cmp(&q.distance(foot(q))));
         if let Some(p) = nearest.filter(|p| p.distance(foot(p)) > super::SAME_MM) {
-            self.d.draw(&id, "", sym::link(self.style, &[*p, foot(p)]));
+            let near = if (*p - foot(p)).dot(behind) > 0.0 { foot(p) + behind } else { foot(p) };
+            self.d.draw(&id, "", sym::link(self.style, &[*p, near]));
         }
         self.d.of_link(None);
         if self.number_at[on.0].is_none() && self.forms[on.0].is_none() {

@@ -10,6 +10,7 @@ use crate::mechanism::Level;
 use crate::number::Real;
 use crate::plan::{Body, By, Rate, Spot, Term, TermKind, VertexId};
 use crate::position::Path;
+use crate::scene::{Contours, RollingId};
 
 impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
     /// ω or α of a body from what was read so far.
@@ -120,8 +121,31 @@ impl<N: Real, P: Pencil<N>> Board<'_, N, P> {
                 let size = v.norm2() / radius;
                 inward * if self.reversed(term) { -size } else { size }
             }
+            (TermKind::Roll, By::Contact(pair)) => {
+                let links = self.scene.rolling[pair.0].links;
+                let [one, other] = links.map(|l| self.rate(Level::Velocity, Body::Link(l)));
+                let way = if self.plan.vertex(term.of).on == Some(links[0]) { -1.0 } else { 1.0 };
+                self.contact_radius(pair, term.of) * ((other - one) * (other - one) * N::from_f64(way))
+            }
             _ => unreachable!("this kind of term is never known"),
         })
+    }
+
+    /// δn at a contact: δ = ρ₁ρ₂/(ρ₁ + ρ₂), of a straight track ρ of the wheel, n from the first link to the second; the radii as the contact divides the
+    /// line of centres, so that (ρ₁ + ρ₂)n is that line.
+    fn contact_radius(&self, pair: RollingId, contact: VertexId) -> Vec2<N> {
+        let rolling = &self.scene.rolling[pair.0];
+        let line = match rolling.centres() {
+            [Some(a), Some(b)] => self.joint(a).zip(self.joint(b)).map(|(a, b)| b - a),
+            [None, Some(b)] => self.joint(b).zip(self.done.diagram.spots[contact.0]).map(|(b, q)| b - q),
+            [_, None] => None,
+        };
+        let line = line.expect("the centres at a contact are drawn") * self.mu_l;
+        let [a, b] = rolling.sizes(&self.inputs);
+        match rolling.contours {
+            Contours::Circles { .. } => line * (a * b / ((a + b) * (a + b))),
+            Contours::Track { .. } => line,
+        }
     }
 
     fn given(&self, level: Level, driver: usize) -> N {

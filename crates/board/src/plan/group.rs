@@ -3,7 +3,7 @@
 use super::build::{Builder, slot};
 use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, RollingId, Scene};
 
 impl Builder<'_> {
     /// The alternatives of one group; leaves its results known. `None` where it is not drawn.
@@ -131,10 +131,29 @@ impl Builder<'_> {
                     self.ensure(level, v);
                 }
             }
-            (None, None, [_, _, _]) => return self.triad(level, g, link, &holds),
+            (None, None, [_, _, _]) => match in_contact(self.scene, &holds) {
+                Some((pair, other, third)) => self.pinned_at_contact(level, link, (pair, other), &holds[third]),
+                None => return self.triad(level, g, link, &holds),
+            },
             _ => {}
         }
         vec![std::mem::take(&mut self.pending)]
+    }
+
+    /// A link that touches a known one and rolls on it: at the contact both have one velocity, and of their accelerations the difference is
+    /// known, as if it were pinned there.
+    fn pinned_at_contact(&mut self, level: Level, link: LinkId, (pair, other): (RollingId, LinkId), third: &Hold) {
+        let at = self.scene.rolling[pair.0].at;
+        let (own, from) = (self.coincident(at, link), self.coincident(at, other));
+        self.ensure(level, from);
+        let known = self.roll(level, pair, own, from);
+        self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+        let near = self.near(link, third).expect("a leg of a triad has a point on the core");
+        let (known, unknown) = self.turning(level, Body::Link(link), near, own, false);
+        let chain = self.chain(level, Some(link), third, None);
+        self.equation(level, near, vec![Chain { start: own, known, unknown }, chain], Method::SameLink);
+        self.source(level, Body::Link(link), Rate::Measured { of: near, to: own });
+        self.sources_of(level, third);
     }
 
     /// Some point of a link that has none of its own in this group.
@@ -205,6 +224,18 @@ impl Builder<'_> {
         self.source(level, body, Rate::Measured { of: of.unwrap_or(nears[1]), to: nears[0] });
         alternatives
     }
+}
+
+/// The pair by which a link both touches a known one and rolls on it, that link, and which of its three legs is another.
+fn in_contact(scene: &Scene, holds: &[Hold]) -> Option<(RollingId, LinkId, usize)> {
+    let (pair, other) = holds.iter().find_map(|h| if let Hold::Rolls { pair, other, .. } = *h { Some((pair, other)) } else { None })?;
+    let touches = |h: &Hold| match *h {
+        Hold::Guide { guide, driver: None, .. } | Hold::Slot { guide, .. } => scene.rolling[pair.0].guide == Some(guide),
+        Hold::Guide { driver: Some(_), .. } | Hold::Distance { .. } | Hold::Glide { .. } | Hold::Rolls { .. } => false,
+    };
+    let rolls = |h: &Hold| matches!(*h, Hold::Rolls { pair: p, .. } if p == pair);
+    let third = holds.iter().position(|h| !touches(h) && !rolls(h))?;
+    (holds.len() == 3 && holds.iter().any(touches)).then_some((pair, other, third))
 }
 
 /// Which of two legs rolls, where the other is a bar that carries both centres: the bar's line and the tangent at the contact cross in the

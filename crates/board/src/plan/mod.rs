@@ -9,6 +9,7 @@
 
 mod between;
 mod build;
+mod contact;
 mod effects;
 mod group;
 mod locus;

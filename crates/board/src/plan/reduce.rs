@@ -2,15 +2,17 @@
 //!
 //! A link that two lines hold moves, as far as velocities go, as if pinned where they cross; with its other pins it is then a bar of a
 //! smaller group. Reduced so link after link, a group that has no core is drawn by crossings of two loci. Accelerations go the same way,
-//! their normal parts being known from the velocities. What no link's two lines open stays to the loop equations.
+//! their normal parts being known from the velocities. Two links of the group that roll on one another are pinned in the same sense at their
+//! contact: there both have one velocity, and of their accelerations the difference Ω²δ along the normal is known from the velocities.
+//! What no link's two lines open stays to the loop equations.
 //!
 //! # Source
 //! Assur points (特殊点): N. Rosenauer, A. H. Willis, *Kinematics of Mechanisms* (1953), §§ on auxiliary points.
 
 use super::build::Builder;
-use super::{Body, Chain, Method, Rate, Special, SpecialLine, Step, VertexId};
+use super::{Body, By, Chain, Method, Rate, Special, SpecialLine, Spot, Step, Term, TermKind, VertexId};
 use crate::mechanism::{Form, Hold, Level, Runner, Strut};
-use crate::scene::{LinkId, PointId, Scene};
+use crate::scene::{LinkId, PointId, RollingId, Scene};
 
 /// A link of the group that is no mere bar from a known pin.
 struct Member {
@@ -21,6 +23,8 @@ struct Member {
     holds: Vec<Hold>,
     /// Known pins on which it turns.
     pivots: Vec<PointId>,
+    /// Pairs by which it rolls on other members.
+    rolls: Vec<RollingId>,
 }
 
 /// How far a member is known.
@@ -37,15 +41,34 @@ struct State {
 #[derive(Clone, Copy, PartialEq)]
 enum Line {
     Leg(Hold),
-    Neighbour { pin: PointId, special: VertexId, link: LinkId },
+    Neighbour {
+        pin: PointId,
+        special: VertexId,
+        link: LinkId,
+    },
+    /// Through a contact from the special point of the member that rolls there.
+    Contact {
+        pair: RollingId,
+        special: VertexId,
+        link: LinkId,
+    },
 }
 
 impl Line {
-    /// The shared pin through which it runs.
-    fn pin(&self) -> Option<PointId> {
+    /// Whether both run through one shared pin, or through one contact.
+    fn passes_with(&self, other: &Line) -> bool {
+        match (*self, *other) {
+            (Line::Neighbour { pin: a, .. }, Line::Neighbour { pin: b, .. }) => a == b,
+            (Line::Contact { pair: a, .. }, Line::Contact { pair: b, .. }) => a == b,
+            (Line::Leg(_) | Line::Neighbour { .. } | Line::Contact { .. }, _) => false,
+        }
+    }
+
+    /// The special point from which it comes.
+    fn from(&self) -> Option<VertexId> {
         match *self {
             Line::Leg(_) => None,
-            Line::Neighbour { pin, .. } => Some(pin),
+            Line::Neighbour { special, .. } | Line::Contact { special, .. } => Some(special),
         }
     }
 }
@@ -84,24 +107,40 @@ impl Builder<'_> {
             return true;
         }
         let lines = self.lines(members, states, i);
-        match (&states[i].known[..], &lines[..]) {
-            ([start], [line, ..]) => {
+        let ends: Vec<[Option<VertexId>; 2]> = lines.iter().map(|l| [l.from(), Some(self.near_of(member.link, l))]).collect();
+        match states[i].known[..] {
+            [start] => {
                 // Known at one point and held along a line: a second one follows.
-                let (start, near) = (*start, self.near_of(member.link, line));
+                let through = |k: &usize| !self.in_line(&[&ends[*k][..], &[Some(start)]].concat());
+                let Some(line) = (0..lines.len()).find(through).map(|k| &lines[k]) else { return false };
+                let near = self.near_of(member.link, line);
                 let (known, unknown) = self.turning(level, Body::Link(member.link), near, start, false);
                 let second = self.chain_of(level, member.link, line);
                 self.equation(level, near, vec![Chain { start, known, unknown }, second], Method::SameLink);
                 self.known_at(states, members, near, i);
+                self.across(level, members, states, near);
                 true
             }
-            ([], [a, b, ..]) => {
-                let special = Special { group: g, link: member.link, lines: [special_line(a), special_line(b)], legs: None };
-                let s = self.special(special);
+            [] => {
+                let pairs = (0..lines.len()).flat_map(|k| (k + 1..lines.len()).map(move |l| (k, l)));
+                let crossing = pairs.into_iter().find(|&(k, l)| !self.in_line(&[ends[k], ends[l]].concat()));
+                let Some((k, l)) = crossing else { return false };
+                let (a, b) = (&lines[k], &lines[l]);
+                // The tangent at a contact and the line of its centres cross in the contact itself.
+                let contact = [(k, l), (l, k)].into_iter().find(|&(k, l)| {
+                    let tangent = matches!(lines[k], Line::Leg(Hold::Rolls { .. }));
+                    tangent && ends[l][0].is_some() && self.in_line(&[ends[k][1], ends[l][0], ends[l][1]])
+                });
+                let special =
+                    Special { group: g, link: member.link, lines: [special_line(self.scene, a), special_line(self.scene, b)], legs: None };
+                let s = contact.and_then(|(k, _)| ends[k][1]).unwrap_or_else(|| self.special(special));
                 let mut chains = Vec::new();
                 for line in [a, b] {
                     let near = self.near_of(member.link, line);
                     let mut chain = self.chain_of(level, member.link, line);
-                    self.extend_to_special(level, &mut chain, member.link, s, near);
+                    if near != s {
+                        self.extend_to_special(level, &mut chain, member.link, s, near);
+                    }
                     chains.push(chain);
                 }
                 self.equation(level, s, chains, Method::Special);
@@ -135,6 +174,60 @@ impl Builder<'_> {
             }
         }
         states[i].done = true;
+        for &pair in &member.rolls {
+            let contact = self.coincident(self.scene.rolling[pair.0].at, member.link);
+            if !self.is_known(level, contact) {
+                self.pending.push(Step::Image { link: member.link, target: contact, from: (a, b) });
+                self.learn(level, contact);
+            }
+            self.across(level, members, states, contact);
+        }
+    }
+
+    /// A point of contact that is known on one of two members is known on the other.
+    fn across(&mut self, level: Level, members: &[Member], states: &mut [State], found: VertexId) {
+        for member in members {
+            for &pair in &member.rolls {
+                let rolling = &self.scene.rolling[pair.0];
+                let Some(other) = rolling.other(member.link) else { continue };
+                let (own, from) = (self.coincident(rolling.at, member.link), self.coincident(rolling.at, other));
+                if from != found || self.is_known(level, own) {
+                    continue;
+                }
+                let known = self.roll(level, pair, own, from);
+                self.equation(level, own, vec![Chain { start: from, known, unknown: Vec::new() }], Method::Coincident);
+                if let Some(k) = members.iter().position(|m| m.link == member.link) {
+                    self.known_at(states, members, own, k);
+                }
+            }
+        }
+    }
+
+    /// What the point of a link at a contact has beyond that of the other: nothing of the velocity, Ω²δ of the acceleration.
+    pub(super) fn roll(&mut self, level: Level, pair: RollingId, of: VertexId, to: VertexId) -> Vec<Term> {
+        if level == Level::Velocity {
+            return Vec::new();
+        }
+        for link in self.scene.rolling[pair.0].links {
+            self.need_rate(Body::Link(link));
+        }
+        vec![Term { kind: TermKind::Roll, of, to, by: By::Contact(pair), known: true }]
+    }
+
+    /// Whether points lie on the line of centres of one contact for good: no two loci cross there.
+    fn in_line(&self, points: &[Option<VertexId>]) -> bool {
+        let points: Option<Vec<PointId>> = points
+            .iter()
+            .map(|v| match self.vertices[(*v)?.0].spot {
+                Spot::Point(p) => Some(p),
+                Spot::Special(_) => None,
+            })
+            .collect();
+        let Some(points) = points else { return false };
+        self.scene.rolling.iter().any(|r| {
+            let on = |p: &PointId| *p == r.at || r.centres().contains(&Some(*p));
+            points.iter().all(on)
+        })
     }
 
     /// A pin that is known is known on all members that carry it.
@@ -154,12 +247,25 @@ impl Builder<'_> {
             let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.shared.contains(&pin));
             // The line back to where a neighbour's point came from holds nothing new.
             others.filter_map(move |(_, (m, s))| match s.known[..] {
-                [special] if !s.used.iter().any(|l| l.pin() == Some(pin)) => Some(Line::Neighbour { pin, special, link: m.link }),
+                [special] => {
+                    let line = Line::Neighbour { pin, special, link: m.link };
+                    (!s.used.iter().any(|l| l.passes_with(&line))).then_some(line)
+                }
                 _ => None,
             })
         });
-        let lines: Vec<Line> = own.chain(through).collect();
-        let used = |l: &Line| states[i].used.iter().any(|u| u == l || l.pin().is_some() && u.pin() == l.pin());
+        let over = members[i].rolls.iter().flat_map(|&pair| {
+            let others = members.iter().zip(states).enumerate().filter(move |(k, (m, _))| *k != i && m.rolls.contains(&pair));
+            others.filter_map(move |(_, (m, s))| match s.known[..] {
+                [special] => {
+                    let line = Line::Contact { pair, special, link: m.link };
+                    (!s.used.iter().any(|l| l.passes_with(&line))).then_some(line)
+                }
+                _ => None,
+            })
+        });
+        let lines: Vec<Line> = own.chain(through).chain(over).collect();
+        let used = |l: &Line| states[i].used.iter().any(|u| u == l || u.passes_with(l));
         lines.into_iter().filter(|l| !used(l)).collect()
     }
 
@@ -168,6 +274,7 @@ impl Builder<'_> {
         match line {
             Line::Leg(hold) => self.near(link, hold).expect("a leg with a line has a point on the link"),
             Line::Neighbour { pin, .. } => self.pin(*pin),
+            Line::Contact { pair, .. } => self.coincident(self.scene.rolling[pair.0].at, link),
         }
     }
 
@@ -179,14 +286,22 @@ impl Builder<'_> {
                 let (known, unknown) = self.turning(level, Body::Link(link), near, special, false);
                 Chain { start: special, known, unknown }
             }
+            Line::Contact { pair, special, link: other } => {
+                let at = self.scene.rolling[pair.0].at;
+                let (own, near) = (self.coincident(at, link), self.coincident(at, other));
+                let (mut known, unknown) = self.turning(level, Body::Link(other), near, special, false);
+                known.extend(self.roll(level, pair, own, near));
+                Chain { start: special, known, unknown }
+            }
         }
     }
 }
 
-fn special_line(line: &Line) -> SpecialLine {
+fn special_line(scene: &Scene, line: &Line) -> SpecialLine {
     match line {
         Line::Leg(hold) => SpecialLine::Leg(hold.line().expect("members are held along lines")),
         Line::Neighbour { pin, special, .. } => SpecialLine::Through { pin: *pin, special: *special },
+        Line::Contact { pair, special, .. } => SpecialLine::Through { pin: scene.rolling[pair.0].at, special: *special },
     }
 }
 
@@ -215,7 +330,8 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
     let cores: Vec<LinkId> = group.links.iter().copied().filter(|l| !bars.iter().any(|b| b.0 == *l)).collect();
     let holder = |p: PointId| -> Vec<LinkId> { cores.iter().copied().filter(|l| on(*l).contains(&p)).collect() };
     let mut members: Vec<Member> =
-        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new() }).collect();
+        cores.iter().map(|l| Member { link: *l, shared: Vec::new(), holds: Vec::new(), pivots: Vec::new(), rolls: Vec::new() }).collect();
+    let between_members = |r: RollingId| scene.rolling[r.0].links.iter().all(|l| cores.contains(l));
     let mut add = |l: LinkId, hold: Hold| -> Option<()> {
         members.iter_mut().find(|m| m.link == l)?.holds.push(hold);
         Some(())
@@ -224,11 +340,14 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
     for &(link, near, far) in &bars {
         add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Bar(link) })?;
     }
+    let mut contacts: Vec<(RollingId, [LinkId; 2])> = Vec::new();
     // Of two ends that of the group, and the known one.
     let ends = |[a, b]: [bool; 2]| if a == b { None } else { Some(usize::from(b)) };
     for form in &forms {
         match *form {
             Form::Meet { .. } => {}
+            // At a contact between members this is said already.
+            Form::OnPath { guide, .. } if scene.guides[guide.0].rolling.is_some_and(between_members) => {}
             Form::OnPath { runner: Runner::Pin(pin), guide, on } => {
                 if inner(&pin) && !group.links.contains(&on) {
                     add(*holder(pin).first()?, Hold::Guide { pin, guide, driver: None })?;
@@ -244,6 +363,9 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
                 let (near, far) = (pins[own], pins[1 - own]);
                 add(*holder(near).first()?, Hold::Distance { near, far, strut: Strut::Cylinder(driver) })?;
             }
+            Form::Rolls { pair, links } if links.iter().all(|l| group.links.contains(l)) => {
+                contacts.push((pair, links));
+            }
             Form::Rolls { pair, links } => {
                 let own = ends(links.map(|l| group.links.contains(&l)))?;
                 add(links[own], Hold::Rolls { pair, other: links[1 - own], at: scene.rolling[pair.0].at })?;
@@ -252,6 +374,7 @@ fn members(scene: &Scene, m: &crate::mechanism::Mechanism, g: usize) -> Option<V
         }
     }
     for member in &mut members {
+        member.rolls.extend(contacts.iter().filter(|(_, links)| links.contains(&member.link)).map(|(pair, _)| *pair));
         for p in on(member.link) {
             if !inner(&p) {
                 member.pivots.push(p);

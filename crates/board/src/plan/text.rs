@@ -8,7 +8,7 @@ use super::notation::Notation;
 use super::{Body, By, Chain, Plan, Spot, Step, Term, TermKind, VertexId};
 use crate::diag::{Both, both};
 use crate::mechanism::Level;
-use crate::scene::{Contours, GuideId, GuidePath, Lang, RollingId, Scene};
+use crate::scene::{GuideId, GuidePath, Lang, Scene};
 
 /// What the texts are written for.
 #[derive(Clone, Copy, Debug)]
@@ -324,6 +324,7 @@ impl Writer<'_> {
                 let carried = self.plan.vertex(t.of).on == Some(self.scene.guides[guide.0].on);
                 if carried { format!("{k} \\to {p}") } else { format!("{p} \\to {k}") }
             }
+            (TermKind::Roll, By::Contact(pair)) if t.known => self.toward_centre(pair, t),
             (TermKind::Roll, By::Contact(pair)) => self.normal_line(pair),
             (TermKind::SlideNormal, By::Frame { about: Some(k), .. }) => {
                 format!("{} \\to {}", self.spot(t.of), point_label(self.scene.point_name(k)))
@@ -333,17 +334,6 @@ impl Writer<'_> {
             }
             (TermKind::Slide, By::Frame { about: None, .. }) => self.notation.unknown.clone(),
             (TermKind::Slide | TermKind::SlideNormal | TermKind::Roll, _) => String::new(),
-        }
-    }
-
-    /// The normal at a contact: the line of centres, or square to a straight track.
-    fn normal_line(&self, pair: RollingId) -> String {
-        let pair = &self.scene.rolling[pair.0];
-        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
-        match (&pair.contours, pair.guide) {
-            (Contours::Circles { centres: [a, b], .. }, _) => format!("\\parallel {}{}", p(*a.min(b)), p(*a.max(b))),
-            (Contours::Track { .. }, Some(guide)) => format!("\\perp {}", self.guide_line(guide)),
-            (Contours::Track { .. }, None) => String::new(),
         }
     }
 
@@ -378,6 +368,7 @@ impl Writer<'_> {
                 let squared = if v.contains('^') { format!("({v})^2") } else { v.replacen('_', "^2_", 1) };
                 format!("{squared}/\\rho")
             }
+            (TermKind::Roll, By::Contact(pair)) => self.of_contact(pair),
             _ => self.notation.known.clone(),
         }
     }

@@ -16,7 +16,7 @@ pub struct Mobility {
     pub moving: usize,
     /// Lower pairs; a pin that joins k links counts k − 1.
     pub lower: usize,
-    /// Pairs that take one freedom (bare pins in slots).
+    /// Pairs that take one freedom (bare pins in slots, gears, cams).
     pub higher: usize,
     /// Degrees of freedom.
     pub freedom: i64,
@@ -226,7 +226,7 @@ fn describe(scene: &Scene, n: Node) -> Both {
 
 fn too_free(scene: &Scene, constraints: &[Constraint], missing: usize, free: &[Node]) -> Diagnostic {
     let names: Vec<_> = free.iter().map(|n| describe(scene, *n)).collect();
-    let drivers = scene.drivers.len();
+    let drivers = scene.own_drivers();
     let span = match free[0] {
         Node::Link(l) => scene.links[l.0].span,
         Node::Pin(p) => scene.points[p.0].span,
@@ -291,8 +291,8 @@ fn too_tight(scene: &Scene, constraints: &[Constraint], units: &[(usize, Node, N
             homeless.len(),
             if homeless.len() == 1 { "" } else { "s" },
             count(scene, constraints).freedom,
-            scene.drivers.len(),
-            if scene.drivers.len() == 1 { "" } else { "s" },
+            scene.own_drivers(),
+            if scene.own_drivers() == 1 { "" } else { "s" },
             Both::join(&names, ", ", "、")
         ),
     )
@@ -358,6 +358,8 @@ pub(super) fn count(scene: &Scene, constraints: &[Constraint]) -> Mobility {
         }
     }
     lower += on_pin.iter().map(|n| n.saturating_sub(1)).sum::<usize>();
+    // A follower that a cam moves by a law is no driver: the two touch.
+    higher += (0..scene.drivers.len()).filter(|d| scene.is_led(*d)).count();
     let freedom = 3 * moving as i64 - 2 * lower as i64 - higher as i64;
     Mobility { moving, lower, higher, freedom }
 }

@@ -28,7 +28,7 @@ use redundant::Opening;
 pub use crate::scene::quantity::{Joined, Level, Need, joined};
 
 use crate::diag::{Diagnostic, Faults, Warned, both};
-use crate::scene::{Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
+use crate::scene::{Direction, Guide, GuideId, GuidePath, LinkId, PointId, RollingId, Scene, quantity};
 
 /// A thing whose place is to be found: a link (three freedoms) or a pin (two).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -298,10 +298,22 @@ fn is_optional(scene: &Scene, guide: &Guide) -> bool {
     guide.rolling.is_some_and(|r| scene.rolling[r.0].toothed)
 }
 
+/// Whether a rack slides along its own pitch line in the link that carries the axis of its gear: then it keeps its distance, whatever drives the two.
+fn runs_along(scene: &Scene, guide: &Guide) -> bool {
+    let line = |g: &Guide| match &g.path {
+        GuidePath::Line { direction: Direction::Instant(angle), .. } => Some(angle.value.radians()),
+        GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
+    };
+    // What a person types has nine digits.
+    let parallel = |g: &Guide| line(g).zip(line(guide)).is_some_and(|(a, b)| libm::sin(a - b).abs() < 1e-9);
+    let carries = |l: LinkId| guide.pin.is_some_and(|axis| scene.links[l.0].points.contains(&axis));
+    scene.guides.iter().any(|g| g.rolling.is_none() && g.slider == Some(guide.on) && carries(g.on) && parallel(g))
+}
+
 /// Adds the guides that keep gears in touch where nothing else does: those whose equation finds a home among the others'.
 fn touching(scene: &Scene, opening: &Opening, pins: &[PointId], mut constraints: Vec<Constraint>) -> Vec<Constraint> {
     let passive = &opening.passive;
-    for (g, _) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g)) {
+    for (g, _) in scene.guides.iter().enumerate().filter(|(_, g)| is_optional(scene, g) && !runs_along(scene, g)) {
         let closed = constraints.len();
         constraints.extend(constraints_of(scene, Item::Guide(GuideId(g))));
         if !mobility::all_have_a_home(scene, passive, pins, &constraints) {

@@ -69,9 +69,9 @@ impl ForDrivers {
         ["IV or higher", "III", "II"].into_iter().find(|c| has(c)).unwrap_or("I")
     }
 
-    /// What the drivers move, one after the other: `2`, `slider C`.
+    /// What the drivers move, one after the other: `2`, `slider C`; followers that cams lead are no drivers.
     pub fn names(&self) -> Vec<String> {
-        (0..self.scene.drivers.len()).map(|d| self.scene.driver_name(d).0).collect()
+        (0..self.scene.drivers.len()).filter(|d| !self.scene.is_led(*d)).map(|d| self.scene.driver_name(d).0).collect()
     }
 }
 

@@ -3,6 +3,8 @@
 //! The unknowns are the poses of its links and the places of its pins. Residuals are lengths (an angle's times the size of
 //! the mechanism) by the equations that all ways share ([`super::equations`]), their derivatives are written by hand.
 
+mod phase;
+
 use super::assemble::Assembly;
 use super::branch::Trial;
 use super::equations::{self, Given, Measured, View};
@@ -28,6 +30,8 @@ struct Coupled<'a, N> {
     forms: Vec<Form>,
     scale: f64,
     aside: Option<Aside>,
+    /// The pose that is meant.
+    meant: &'a Configuration,
 }
 
 /// A driver that stands elsewhere than at the instant: by so much (rad or m) farther on. The others hold what they held then.
@@ -72,9 +76,8 @@ impl<N: Real> View<N> for Placed<'_, N> {
         self.system.assembly.guides[g.0]
     }
 
-    /// Lengths and drivers do not tell how far one link has rolled on the other.
-    fn slip(&self, _: RollingId) -> Option<N> {
-        None
+    fn slip(&self, r: RollingId) -> Option<N> {
+        Some(self.system.slip(self, r)?.off)
     }
 }
 
@@ -98,7 +101,7 @@ impl<N: Real> Assembly<'_, N> {
         }
         let forms = group.constraints.iter().map(|&c| self.m.constraints[c].form()).collect();
         let scale = meant.extent();
-        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside };
+        let system = Coupled { assembly: self, links: &group.links, pins: &group.pins, forms, scale, aside, meant };
         let root = if N::refines() {
             if system.equations(&start).is_none() {
                 return Err(unproven(Unproven::NotWritten));
@@ -256,7 +259,7 @@ impl<N: Real> Coupled<'_, N> {
                     self.add_turn(row, against, N::from_f64(-1.0));
                 }
             }
-            Form::Rolls { .. } => return None,
+            Form::Rolls { pair, .. } => *row = self.slip(view, pair)?.row,
         }
         Some(rows)
     }
@@ -334,7 +337,7 @@ mod tests {
         let scale = at.extent();
         for aside in [None, Some(Aside { driver: 0, by: 0.01 })] {
             assembly.instant = aside.map(|_| &at);
-            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside };
+            let system = Coupled { assembly: &assembly, links: &links, pins: &pins, forms: forms.clone(), scale, aside, meant: &at };
             let state = State {
                 poses: links.iter().map(|l| at.poses[l.0].expect("placed")).collect(),
                 pins: pins.iter().map(|p| at.point(*p)).collect(),
@@ -367,6 +370,11 @@ mod tests {
         }
     }
 
+    const GEARED: &str = r#"{"links": {"1": ["O", "D"], "2": ["O", "A"], "3": ["A", "B"], "4": ["B", "C"], "5": ["C", "D"]}, "ground": "1",
+        "points": {"O": [0, 0], "D": ["200 mm", 0]}, "lengths": {"OA": "50 mm", "AB": "120 mm", "BC": "100 mm", "CD": "110 mm"},
+        "sketch": {"B": [0.1, 0.11], "C": [0.19, 0.1]}, "gears": [{"links": ["3", "5"], "centres": ["B", "C"], "teeth": [30, 45], "at": "K", "phase": "10 deg"}],
+        "driver": {"link": "2", "angle": "60 deg", "omega": "10 rad/s"}, "find": ["omega_3", "omega_5"]}"#;
+
     /// A root stays a root whatever the derivatives are, but what is proved of it does not.
     #[test]
     fn derivatives_are_the_slopes_of_the_equations() {
@@ -374,7 +382,10 @@ mod tests {
         for t in templates::list() {
             check(t.name, templates::get(t.name).expect("its name is of the list"), &mut seen);
         }
-        let all = ["meet", "pin on an arc", "pin on a line", "link on a line", "along a line", "distance", "driven angle", "kept angle"];
+        // Rolling is told at the instant by phases alone.
+        check("five-bar with gears on its floating links", GEARED, &mut seen);
+        let all =
+            ["meet", "pin on an arc", "pin on a line", "link on a line", "along a line", "distance", "driven angle", "kept angle", "rolls"];
         for kind in all {
             for aside in [false, true] {
                 assert!(seen.contains(&(kind, aside)), "no template has {kind}, aside {aside}: {seen:?}");

@@ -72,6 +72,11 @@ impl Rolled {
         Rolled { start, turned: [0.0; 3] }
     }
 
+    /// By how much each link and the line of centres have turned (rad).
+    pub(super) fn turned(&self) -> [f64; 3] {
+        self.turned
+    }
+
     /// In a pose next to this one: nothing has turned by half a turn or more between the two.
     pub(super) fn on(&self, now: &Seen) -> Rolled {
         let wrapped = [
@@ -168,7 +173,7 @@ fn mark<N: Real>(scene: &Scene, l: LinkId, local: impl Fn(PointId) -> Option<Poi
 }
 
 /// An angle that is known but for whole turns, near to one that is known roughly.
-fn whole<N: Real>(wrapped: N, near: f64) -> N {
+pub(super) fn whole<N: Real>(wrapped: N, near: f64) -> N {
     wrapped + N::from_f64(libm::round((near - wrapped.approx()) / TAU)) * (N::pi() + N::pi())
 }
 
@@ -301,7 +306,7 @@ impl<N: Real> Assembly<'_, N> {
         self.meant.and_then(|m| m.rolled.get(id.0)?.as_ref()).map_or([0.0; 3], |r| r.turned)
     }
 
-    fn mark(&self, l: LinkId) -> Option<Vec2<N>> {
+    pub(super) fn mark(&self, l: LinkId) -> Option<Vec2<N>> {
         mark(self.scene, l, |p| self.shapes[l.0].local(p))
     }
 

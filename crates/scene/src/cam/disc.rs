@@ -6,7 +6,7 @@
 
 use super::jet::{Jet, Plane};
 use super::outline::Segment;
-use super::{Program, Side, in_half_turns, in_turn};
+use super::{Program, Side, in_half_turns};
 use crate::geom::Vec2;
 
 /// How the follower moves. The origin is the centre of the cam.
@@ -195,7 +195,7 @@ impl Station {
 
 /// Step (rad) beside a joint at which it is told which piece comes next: larger than the rounding of a joint's place, and far smaller than a
 /// piece.
-const BESIDE: f64 = 1e-9;
+pub(super) const BESIDE: f64 = 1e-9;
 
 impl Disc {
     /// Radius of the circle about the centre that the follower's point touches on the base circle, or the face.
@@ -306,48 +306,10 @@ impl Disc {
     pub fn corners(&self) -> Vec<f64> {
         match &self.motion {
             Motion::Law { program, .. } => program.corners(),
-            Motion::Profile(segments) if segments.len() > 1 => self.changes(),
+            Motion::Profile(segments) if segments.len() > 1 => self.changes(segments),
             Motion::Profile(_) => Vec::new(),
         }
     }
-
-    /// The angles at which the contact goes from one piece of the profile to another, by bisection between samples.
-    fn changes(&self) -> Vec<f64> {
-        // A piece that holds the contact for less than a quarter of a degree is found by its neighbours only.
-        const STEPS: usize = 1440;
-        let at = |k: usize| std::f64::consts::TAU * (k as f64 + 0.123) / STEPS as f64;
-        let touched = |phi: f64| self.touched(phi, Side::After);
-        let mut out = Vec::new();
-        for k in 0..STEPS {
-            let ends = [at(k), at(k + 1)];
-            if touched(ends[0]) != touched(ends[1]) {
-                between(ends, &touched, &mut out, 0);
-            }
-        }
-        let mut out: Vec<f64> = out.into_iter().map(in_turn).collect();
-        out.sort_by(f64::total_cmp);
-        out
-    }
-}
-
-/// The places where a function changes its value, each to rounding.
-fn between([mut low, mut high]: [f64; 2], of: &dyn Fn(f64) -> Option<usize>, out: &mut Vec<f64>, depth: usize) {
-    let (first, last) = (of(low), of(high));
-    while high - low > 1e-14 {
-        let middle = 0.5 * (low + high);
-        match of(middle) {
-            here if here == first => low = middle,
-            here if here == last => high = middle,
-            _ if depth < 8 => {
-                between([low, middle], of, out, depth + 1);
-                between([middle, high], of, out, depth + 1);
-                return;
-            }
-            _ => break,
-        }
-    }
-    // The piece beside is asked for a step ahead.
-    out.push(0.5 * (low + high) + BESIDE);
 }
 
 /// Angles of the cam from 0 to a whole turn: equal steps and, at every joint, both sides.

@@ -7,6 +7,7 @@
 //! Conventions: lengths in metres, angles in radians, the origin in the centre of the cam. φ counts how far the cam has turned from the
 //! start of its law, in the cam's own sense. The frame of the cam is that of the ground at φ = 0.
 
+mod contact;
 pub mod disc;
 pub mod jet;
 pub mod law;

@@ -52,6 +52,7 @@ const FILES: &[(&str, &str)] = &[
     ("cam-centres", include_str!("../../../../templates/cam-centres.json")),
     ("cam-valve-train", include_str!("../../../../templates/cam-valve-train.json")),
     ("cam-offset-roller", include_str!("../../../../templates/cam-offset-roller.json")),
+    ("cam-on-arm", include_str!("../../../../templates/cam-on-arm.json")),
     ("eccentric-three-ways", include_str!("../../../../templates/eccentric-three-ways.json")),
     ("turning-plate", include_str!("../../../../templates/turning-plate.json")),
     ("disc-on-rod", include_str!("../../../../templates/disc-on-rod.json")),

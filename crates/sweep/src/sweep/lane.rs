@@ -30,6 +30,9 @@ pub trait Lane: Ring + Div<Output = Self> + Mul<f64, Output = Self> + Add<f64, O
     /// The nearest whole number, of numbers below 2⁵¹; its derivative is zero.
     fn nearest(self) -> Self;
 
+    /// `after` where the number is at least `from`, else, and where it is NaN, `before`.
+    fn past(self, from: f64, after: Self, before: Self) -> Self;
+
     /// The smaller one; `other` where either is NaN.
     fn least(self, other: Self) -> Self;
 
@@ -68,6 +71,11 @@ impl Lane for f64 {
     #[inline(always)]
     fn or_zero(self) -> f64 {
         if self < 0.0 { 0.0 } else { self }
+    }
+
+    #[inline(always)]
+    fn past(self, from: f64, after: f64, before: f64) -> f64 {
+        if self >= from { after } else { before }
     }
 
     #[inline(always)]
@@ -113,6 +121,11 @@ impl<S: Simd> Lane for f64x4<S> {
     fn or_zero(self) -> Self {
         let zero = f64x4::splat(self.simd, 0.0);
         self.simd_lt(zero).select(zero, self)
+    }
+
+    #[inline(always)]
+    fn past(self, from: f64, after: Self, before: Self) -> Self {
+        self.simd_ge(f64x4::splat(self.simd, from)).select(after, before)
     }
 
     #[inline(always)]
@@ -251,6 +264,10 @@ impl Lane for Dual {
         Dual { value: self.value.or_zero(), ..self }
     }
 
+    fn past(self, from: f64, after: Dual, before: Dual) -> Dual {
+        if self.value >= from { after } else { before }
+    }
+
     fn least(self, other: Dual) -> Dual {
         if self.value < other.value { self } else { other }
     }
@@ -278,9 +295,10 @@ mod tests {
             let y = [1e-15, 1e-16, 0.7, -3.0];
             let (vx, vy) = (f64x4::from_slice(simd, &x), f64x4::from_slice(simd, &y));
             type One = fn(f64, f64) -> f64;
-            let both: [(f64x4<_>, One); 9] = [
+            let both: [(f64x4<_>, One); 10] = [
                 ((vx * 3.7).nearest(), |x, _| (x * 3.7).nearest()),
                 (vx.least(vy), |x, y| x.least(y)),
+                (vx.past(0.0, vy, vx * 2.0), |x, y| x.past(0.0, y, x * 2.0)),
                 (vy.root_unless_touching(vx, vy), |x, y| y.root_unless_touching(x, y)),
                 (vx.touching(vy), |x, y| x.touching(y)),
                 (vx.or_zero(), |x, _| x.or_zero()),

@@ -23,6 +23,7 @@ pub mod fuse;
 mod general;
 pub mod kernel;
 pub mod lane;
+pub mod led;
 pub mod limit;
 pub mod long;
 pub mod pieces;
@@ -152,14 +153,9 @@ impl<'a> Sweep<'a> {
     }
 }
 
-/// The program of a driver; none where followers of cams move with it by laws, which have no operation.
+/// The program of a driver.
 fn compiled(placed: &Placed, driver: usize) -> Result<Program, Diagnostic> {
-    let scene = placed.scene;
-    if scene.has_laws(driver) {
-        let message = both!("followers of cams move by laws: each position is solved by itself", "凸轮从动件按规律运动：逐个位置求解");
-        return Err(Diagnostic::note("no-kernel", message));
-    }
-    compile(scene, placed.mechanism, &placed.at, Some(driver), &scene.find)
+    compile(placed.scene, placed.mechanism, &placed.at, Some(driver), &placed.scene.find)
 }
 
 /// All rows by the general solver, each by itself.

@@ -9,6 +9,7 @@ use super::follow::triad::Track;
 use super::fuse::Fused;
 use super::kernel::{Kernel, Pair, Reg};
 use super::lane::{Dual, Lane};
+use super::led::{ByAngle, Faced, Higher, Lift, LiftRate, Parabola, Phase, Rock, RockRate, Stretch, Wave};
 use super::reading::{Coriolis, Direction, Dot, Length, Part, Quotient, Sum};
 use super::rows::{Bars, BarsRate, Cross, Distance, DistanceRate, Guided, GuidedRate, Reduced, ReducedRate, SlotRate, Three, TurnOf};
 use super::run::{Runner, operations};
@@ -101,6 +102,28 @@ operations! { Op:
     WayRate,
     /// The rate of that.
     WayAcceleration,
+    /// The angle of a cam.
+    Phase,
+    /// What is known of the piece that is touched.
+    Stretch,
+    /// A translating follower.
+    Lift,
+    /// Its rates.
+    LiftRate,
+    /// A translating face with its rates.
+    Faced,
+    /// An oscillating follower.
+    Rock,
+    /// Its rates.
+    RockRate,
+    /// A law of the second degree.
+    Parabola,
+    /// What is of higher degrees.
+    Higher,
+    /// A wave.
+    Wave,
+    /// Rates of what goes by an angle.
+    ByAngle,
 }
 
 /// An operation and the first of the registers that it fills.

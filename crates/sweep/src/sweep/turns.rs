@@ -11,7 +11,7 @@ use crate::geom::Vec2;
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// π/2 in two parts: the first has 33 bits, so that a whole number of them is exact.
-const QUARTER: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
+pub(super) const QUARTER: [f64; 2] = [1.570_796_326_734_125_6, 6.077_100_506_506_192e-11];
 
 /// cos and sin of `x` and `j` quarter turns, |x| hardly more than an eighth of a turn.
 ///
@@ -41,7 +41,7 @@ fn rotor<N: Lane>(j: N, x: N) -> [N; 2] {
 
 /// cos and sin of an angle (rad) and a number of quarter turns.
 #[inline(always)]
-fn turned<N: Lane>(j: N, x: N) -> [N; 2] {
+pub(super) fn turned<N: Lane>(j: N, x: N) -> [N; 2] {
     let more = (x * FRAC_2_PI).nearest();
     rotor(j + more, x + more * -QUARTER[0] + more * -QUARTER[1])
 }

@@ -110,9 +110,23 @@ impl Quantity for CamQuantity {
         let Some((cam, t)) = self.cam(scene) else {
             let d = Diagnostic::error(
                 "no-cam",
-                both!("`{}` needs a cam on the ground with its follower", "`{}` 需要装在机架上的凸轮及其从动件", find.text),
+                both!(
+                    "`{}` needs a cam that turns about a pin of the link in which its follower slides or turns",
+                    "`{}` 需要绕从动件导路（或转轴）所在构件上一点转动的凸轮",
+                    find.text
+                ),
             );
-            return Some(d.at(find.span));
+            let d = d.at(find.span);
+            return Some(match self.pair(scene) {
+                None => d,
+                Some(pair) => {
+                    let [cam, follower] = [pair.cam, pair.follower].map(|l| scene.link_name(l));
+                    d.help(both!(
+                        "no link carries both the pivot of cam `{cam}` and the guide or pivot of `{follower}`: list the pivot in \"links\" among the points of the ground, or of the link that carries the follower",
+                        "没有构件同时支承凸轮 `{cam}` 的轴心和 `{follower}` 的导路或转轴：请在 \"links\" 中把轴心写入机架（或支承从动件的构件）的点"
+                    ))
+                }
+            });
         };
         let swings = matches!(t.disc.follower, Follower::Oscillating { .. });
         let wrong = match self.what {
@@ -159,12 +173,17 @@ fn least_radius(t: &Turning) -> Option<f64> {
 impl CamQuantity {
     /// The cam that is meant.
     fn cam<'s>(&self, scene: &'s Scene) -> Option<(&'s Cam, &'s Turning)> {
+        let cam = self.pair(scene)?;
+        Some((cam, cam.disc.as_ref()?))
+    }
+
+    /// The pair that is meant, wherever its cam turns.
+    fn pair<'s>(&self, scene: &'s Scene) -> Option<&'s Cam> {
         let meant = |c: &&Cam| match (self.what, self.follower) {
             (What::Rho, follower) => c.cam == self.link && follower == Some(c.follower),
             (What::RhoMin, _) => c.cam == self.link,
             (What::Lift | What::Swing | What::Stroke | What::Angle | What::Rise | What::Pressure, _) => c.follower == self.link,
         };
-        let cam = scene.cams.iter().find(meant)?;
-        Some((cam, cam.disc.as_ref()?))
+        scene.cams.iter().find(meant)
     }
 }

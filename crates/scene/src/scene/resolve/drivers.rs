@@ -114,7 +114,8 @@ fn guided(
     angle: Option<Given<Angle>>,
     faults: &mut Faults,
 ) -> Option<Option<Given<Angle>>> {
-    let stated = guides.iter().find_map(|(g, _)| match &g.path {
+    // Where pairs alone are counted, a guide without a direction has any.
+    let stated = guides.iter().filter(|_| !c.raw.topology).find_map(|(g, _)| match &g.path {
         GuidePath::Line { direction: Direction::Instant(angle), .. } if g.on == link => Some(angle),
         GuidePath::Line { .. } | GuidePath::Arc { .. } => None,
     });

@@ -61,7 +61,8 @@ fn lay(
         return;
     }
     // A further centre of an arm that meshes with two others stands over them, by its distance from each.
-    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(|q| c.carries(arm, *q)).nth(1).is_some() {
+    let placed = |q: &PointId| c.carries(arm, *q) && (laid.contains(q) || matches!(places[q.0], Place::At(_)));
+    if on_arm(c, arm).any(|p| laid.contains(&p)) && neighbours(rolling, to).filter(placed).nth(1).is_some() {
         let given = |p: PointId, rolled: &[Length]| lengths.iter().chain(rolled).any(|l| (l.a, l.b) == (p, to) || (l.b, l.a) == (p, to));
         if !given(from, &rolling.lengths)
             && let Some(value) = by_teeth(c, rolling, pair)
@@ -127,7 +128,8 @@ fn is_free(
     let wheels = (0..c.names.links.len())
         .map(LinkId)
         .filter(|l| *l != arm && c.carries(*l, to))
-        .all(|l| l != c.ground && c.names.links[l.0].points.len() == 1 && !guided(c, l));
+        // Another arm about it that carries nothing but centres is as free as they are.
+        .all(|l| l != c.ground && on_arm(c, l).all(|p| p == to || centre(p)) && !guided(c, l));
     // The first centre of an arm may be laid however far it is from the next ones: its direction is as free as it is.
     let first = arm != c.ground && !on_arm(c, arm).any(|p| laid.contains(&p));
     let inner = |l: &Length| first && c.carries(arm, l.a) && c.carries(arm, l.b);

@@ -85,7 +85,7 @@ fn pair(
     let id = RollingId(out.rolling.len());
     let wheel = b.centre?;
     let (contours, path) = match a.centre {
-        None => straight(c, raw, a.link, wheel, faults)?,
+        None => straight(c, raw, a.link, (wheel, places), faults)?,
         Some(centre) => round(c, raw, [centre, wheel], faults)?,
     };
     let common = a.centre.is_some_and(|p| (0..c.names.links.len()).any(|l| c.carries(LinkId(l), p) && c.carries(LinkId(l), wheel)));
@@ -122,7 +122,13 @@ fn side(c: &Context, raw: &RawRollingSide, faults: &mut Faults) -> Option<Side> 
 }
 
 /// A wheel on a straight track: its centre runs along the track.
-fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &mut Faults) -> Option<(Contours, GuidePath)> {
+fn straight(
+    c: &Context,
+    raw: &RawRolling,
+    on: LinkId,
+    (wheel, places): (PointId, &[Place]),
+    faults: &mut Faults,
+) -> Option<(Contours, GuidePath)> {
     let ends = raw.line.as_ref().map(|word| note(c.line_on(word, on), faults));
     let angle = raw.angle.as_ref().map(|q| c.values.angle(q, faults));
     let radius = match &raw.sizes {
@@ -185,7 +191,11 @@ fn straight(c: &Context, raw: &RawRolling, on: LinkId, wheel: PointId, faults: &
     // The wheel's centre runs beside the track, at the distance of its radius.
     let (through, offset) = match &raw.through {
         Some(given) => (guides::through(c, on, given, faults)?, Some(radius.clone())),
-        None => (Through::Pin, None),
+        // A wheel that coordinates place tells where its track is; else it is the line itself.
+        None => match &direction {
+            Direction::Along(from, _, None) if matches!(places[wheel.0], Place::Unknown) => (Through::Point(*from), Some(radius.clone())),
+            Direction::Along(..) | Direction::Instant(_) | Direction::Own => (Through::Pin, None),
+        },
     };
     Some((Contours::Track { centre: wheel, radius }, GuidePath::Line { through, direction, offset }))
 }

@@ -3,12 +3,13 @@
 //! Compiled on demand: what is asked for calls for points and turnings at a level, those call for groups at that level,
 //! those for what lies upstream. Lengths, guides and the branch of each closure are those of the instant's configuration: the
 //! branch of a dyad is the sign of its area (or the side of the foot of a guide), a class III group keeps its assembly.
-//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`ask`] the questions.
+//! Decided here: what a link is known by, and who asks whom. [`place`] and [`rate`] know the groups ([`triad`] those that are followed, [`rolling`] the trains), [`driver`] the drivers, [`ask`] the questions.
 //!
 //! A group that has no kernel is named ([`Compiler::without_kernel`]); the caller then follows the whole mechanism by
 //! Newton's method, position by position.
 
 pub(super) mod ask;
+mod driver;
 mod place;
 mod rate;
 mod rolling;
@@ -18,7 +19,7 @@ use super::carry::{Arm, Image, Swing, SwingRate, Turning, TurningRate, Twist};
 use super::extreme::Output;
 use super::follow::triad::Track;
 use super::kernel::{Pair, Reg};
-use super::program::{COS, Joint, Op, Program, SIN, Step, VALUE};
+use super::program::{Joint, Op, Program, SIN, Step};
 use super::station::driver_positions;
 use super::train::Train;
 use crate::diag::{Diagnostic, both};
@@ -121,6 +122,8 @@ pub(super) struct Compiler<'a> {
     done: Vec<Option<Level>>,
     rows: Vec<Vec<Row>>,
     trains: Trains,
+    /// Followers that cams lead.
+    leds: Vec<(usize, driver::Led)>,
 }
 
 impl<'a> Compiler<'a> {
@@ -145,6 +148,7 @@ impl<'a> Compiler<'a> {
             done: vec![None; m.groups.len()],
             rows: vec![Vec::new(); m.groups.len()],
             trains: Trains::new(Train::of(scene, m, at)),
+            leds: Vec::new(),
         };
         let zero = c.zero();
         let still = Pair { x: zero, y: zero };
@@ -232,32 +236,6 @@ impl<'a> Compiler<'a> {
     fn emit_pair(&mut self, level: Level, op: impl Into<Op>) -> Pair {
         let out = self.emit(level, op, 2);
         Pair { x: out, y: Reg(out.0 + 1) }
-    }
-
-    /// The swept driver's value, or a driver's fixed one.
-    fn driver_value(&mut self, d: usize) -> Reg {
-        if self.driver == Some(d) { VALUE } else { self.constant(self.values[d]) }
-    }
-
-    /// Cosine and sine of a driver's angle; `arc`: of its way along an arc of this radius.
-    fn driver_turn(&mut self, d: usize, arc: Option<f64>) -> Pair {
-        if self.driver == Some(d) {
-            return Pair { x: COS, y: SIN };
-        }
-        let (s, c) = match self.scene.drivers[d].kind.angle() {
-            Some(angle) => crate::trig::sin_cos(angle.value),
-            None => {
-                let angle = self.values[d] / arc.unwrap_or(1.0);
-                (libm::sin(angle), libm::cos(angle))
-            }
-        };
-        self.fixed(Vec2::new(c, s))
-    }
-
-    /// Rate of a driver and the rate of that.
-    fn driver_rates(&self, d: usize) -> [f64; 2] {
-        let driver = &self.scene.drivers[d];
-        [driver.rate.value, driver.acceleration.as_ref().map_or(0.0, |a| a.value)]
     }
 
     fn body(&mut self, l: LinkId) -> Result<&Body, NoKernel> {

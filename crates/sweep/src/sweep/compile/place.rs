@@ -1,16 +1,17 @@
 //! Positions of a group as operations, and the rows that its legs will give for velocities and accelerations.
 
+use super::driver::Rates;
 use super::rate::Row;
 use super::{Body, Compiler, NoKernel, Spot};
 use crate::geom::{Point, Vec2};
 use crate::mechanism::{Core, Entry, Hold, Leg, Level, Strut};
 use crate::position::{Path, Pose};
 use crate::scene::{GuideId, LinkId, PointId};
-use crate::sweep::carry::{Along, Arm, Image, Product, Twist};
+use crate::sweep::carry::{Arm, Image, Product, Twist};
 use crate::sweep::closure::{CircleLine, Circles, Crossing, Lever, Lines};
 use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{Joint, Op};
-use crate::sweep::reading::{Length, Quotient, Sum};
+use crate::sweep::reading::{Length, Quotient};
 
 /// Where a point may lie as far as one leg is concerned, with its centre or a point and direction at the instant.
 #[derive(Clone, Copy)]
@@ -131,10 +132,10 @@ impl Compiler<'_> {
                     return Err(self.lost(link));
                 };
                 let radius = self.constant(a.distance(b));
-                self.circle(g, p, Spot::Pin(far), radius, [0.0; 2], matches!(p, Spot::Pin(_)))
+                self.circle(g, p, Spot::Pin(far), radius, Rates::NONE, matches!(p, Spot::Pin(_)))
             }
             Strut::Cylinder(driver) => {
-                let (radius, rates) = (self.driver_value(driver), self.driver_rates(driver));
+                let (radius, rates) = (self.driver_value(driver)?, self.driver_rates(driver)?);
                 self.circle(g, p, Spot::Pin(far), radius, rates, false)
             }
             Strut::Ram { link, guide, driver } => {
@@ -149,7 +150,7 @@ impl Compiler<'_> {
     }
 
     /// A spot at a distance from another: its locus and its row.
-    fn circle(&mut self, g: usize, p: Spot, far: Spot, l: Reg, rates: [f64; 2], bar: bool) -> Result<Locus, NoKernel> {
+    fn circle(&mut self, g: usize, p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool) -> Result<Locus, NoKernel> {
         let centre = self.spot(far, P)?;
         self.rows[g].push(Row::Distance { p, far, l, rates, bar });
         Ok(Locus::Circle { centre, radius: l, now: self.now(far) })
@@ -160,51 +161,12 @@ impl Compiler<'_> {
         let on = self.scene.guides[guide.0].on;
         if let Some(slot) = self.slot(guide)? {
             let Some(Path::Line { through, direction }) = self.at.guides[guide.0] else { return Err(self.without_kernel(g)) };
-            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: [0.0; 2] });
+            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: Rates::NONE });
             return Ok(Locus::Line { through: slot.through, direction: slot.direction, now: (through, direction) });
         }
         let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
         let radius = self.constant(radius);
-        self.circle(g, p, Spot::Fixed(on, centre), radius, [0.0; 2], false)
-    }
-
-    /// A spot that a driver pushes along a guide of a known link.
-    fn driven_along(&mut self, g: usize, p: Spot, guide: GuideId, driver: usize) -> Result<Pair, NoKernel> {
-        let on = self.scene.guides[guide.0].on;
-        let rates = self.driver_rates(driver);
-        if let Some(slot) = self.slot(guide)? {
-            let s = self.driver_value(driver);
-            self.rows[g].push(Row::Guided { p, on, n: slot.normal, rates: [0.0; 2] });
-            self.rows[g].push(Row::Guided { p, on, n: slot.direction, rates });
-            return Ok(self.emit_pair(P, Along { q: slot.through, t: slot.direction, s }));
-        }
-        let Some(Path::Arc { centre, radius }) = self.at.shapes.guides[guide.0] else { return Err(self.without_kernel(g)) };
-        let turn = self.driver_turn(driver, Some(radius));
-        let axis = self.direction_on(on, Vec2::new(radius, 0.0))?;
-        let arm = self.emit_pair(P, Product { a: turn, b: axis });
-        let o = self.spot(Spot::Fixed(on, centre), P)?;
-        let tangent = self.emit_pair(P, Twist { d: arm, k: [0.0, 1.0 / radius] });
-        let l = self.constant(radius);
-        self.rows[g].push(Row::Distance { p, far: Spot::Fixed(on, centre), l, rates: [0.0; 2], bar: false });
-        self.rows[g].push(Row::Guided { p, on, n: tangent, rates });
-        Ok(self.emit_pair(P, Image { o, d: arm, k: [1.0, 0.0] }))
-    }
-
-    /// In a link that is pinned at `far` and carries a straight guide along which a driver pushes a pin: the vector from
-    /// pivot to pin in the link's frame, its part along the guide, and the driver's rates.
-    fn ram(&mut self, g: usize, link: LinkId, far: PointId, guide: GuideId, driver: usize) -> Result<(Pair, Reg, [f64; 2]), NoKernel> {
-        let (Some(Path::Line { through, direction }), Some(pivot)) = (self.at.shapes.guides[guide.0], self.at.shapes.local(link, far))
-        else {
-            return Err(self.without_kernel(g));
-        };
-        let start = (through - pivot).divide_by(direction);
-        let s = self.driver_value(driver);
-        let from = self.constant(start.x);
-        let way = self.emit(P, Sum { a: from, b: s, k: 1.0 }, 1);
-        let side = self.constant(start.y);
-        let straight = Pair { x: way, y: side };
-        let q = self.emit_pair(P, Twist { d: straight, k: [direction.x, direction.y] });
-        Ok((q, way, self.driver_rates(driver)))
+        self.circle(g, p, Spot::Fixed(on, centre), radius, Rates::NONE, false)
     }
 
     /// Where two loci meet, on the side of the instant.
@@ -252,7 +214,7 @@ impl Compiler<'_> {
         let Entry { pivot, angle, holds, .. } = Entry::of(legs);
         if let Some((of, driver)) = angle {
             let (d, arm) = self.arm_at_angle(g, link, of, driver)?;
-            let rates = driver.map_or([0.0; 2], |d| self.driver_rates(d));
+            let rates = driver.map_or(Ok(Rates::NONE), |d| self.driver_rates(d))?;
             self.rows[g].push(Row::Turning { of, rates });
             match pivot {
                 Some(pin) => self.known_by_turning(link, Spot::Pin(pin), pin, d, arm)?,
@@ -297,7 +259,7 @@ impl Compiler<'_> {
             Some(c.at.shapes.local(l, b)? - c.at.shapes.local(l, a)?)
         };
         let own = local(self, link, line).ok_or_else(|| self.without_kernel(g))?;
-        let turn = self.driver_turn(driver, None);
+        let turn = self.driver_turn(driver, None)?;
         let base = if of == self.scene.ground && against_line.is_none() {
             Vec2::new(1.0, 0.0)
         } else {
@@ -388,7 +350,7 @@ impl Compiler<'_> {
                     let now = self.now(spot);
                     let pose = self.at.poses[other.0].unwrap_or(Pose::GROUND);
                     let through = self.spot(Spot::Fixed(other, pose.to_local(now)), P)?;
-                    self.rows[g].push(Row::Guided { p: spot, on: other, n: slot.normal, rates: [0.0; 2] });
+                    self.rows[g].push(Row::Guided { p: spot, on: other, n: slot.normal, rates: Rates::NONE });
                     Ok((spot, Locus::Line { through, direction: slot.direction, now: (now, direction) }))
                 } else {
                     self.in_slot(g, link, Spot::Own(other), guide)
@@ -423,7 +385,7 @@ impl Compiler<'_> {
             }
             Some(Path::Arc { centre, radius }) => {
                 let (spot, radius) = (Spot::Fixed(link, centre), self.constant(radius));
-                Ok((spot, self.circle(g, spot, over, radius, [0.0; 2], false)?))
+                Ok((spot, self.circle(g, spot, over, radius, Rates::NONE, false)?))
             }
             None => Err(self.without_kernel(g)),
         }
@@ -460,7 +422,13 @@ impl Compiler<'_> {
                 let k = self.meet(g, first, second, k)?;
                 let arm = self.emit_pair(P, Arm { from: a, to: k });
                 self.known_by_turning(link, Spot::Pin(pivot), pivot, centre - at, arm)?;
-                self.rows[g].push(Row::Distance { p: Spot::Fixed(link, centre), far: Spot::Pin(pin), l: s, rates: [0.0; 2], bar: false });
+                self.rows[g].push(Row::Distance {
+                    p: Spot::Fixed(link, centre),
+                    far: Spot::Pin(pin),
+                    l: s,
+                    rates: Rates::NONE,
+                    bar: false,
+                });
             }
             None => return Err(self.without_kernel(g)),
         }

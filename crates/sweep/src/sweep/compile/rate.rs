@@ -1,5 +1,6 @@
 //! Velocities and accelerations of a group as operations: a row for each leg, and the rows solved.
 
+use super::driver::Rates;
 use super::{Compiler, NoKernel, Spot};
 use crate::geom::Vec2;
 use crate::mechanism::{Core, Level};
@@ -19,13 +20,13 @@ pub(super) enum Row {
     /// A pin that sits on a known link.
     Carried { at: Spot },
     /// `p` keeps the distance `l` from `far`; `bar`: two of them make the everyday dyad.
-    Distance { p: Spot, far: Spot, l: Reg, rates: [f64; 2], bar: bool },
+    Distance { p: Spot, far: Spot, l: Reg, rates: Rates, bar: bool },
     /// `p` moves at a rate along `n`, fixed in a known link.
-    Guided { p: Spot, on: LinkId, n: Pair, rates: [f64; 2] },
+    Guided { p: Spot, on: LinkId, n: Pair, rates: Rates },
     /// A slot of the core link, square to `n`, runs over a known place.
     Slot { link: LinkId, over: Spot, n: Pair },
     /// The core link turns against a known one at a rate.
-    Turning { of: LinkId, rates: [f64; 2] },
+    Turning { of: LinkId, rates: Rates },
     /// The core link rolls on a known one: at the contact both have one velocity along `n`, and of their accelerations the parts along it.
     Rolled { pair: RollingId, other: LinkId, n: Pair },
     /// A link pinned at `far` along whose guide a driver pushes the core pin: it follows.
@@ -71,11 +72,14 @@ impl Compiler<'_> {
             (Some(Row::Distance { far: a, bar: true, .. }), Some(Row::Distance { far: b, bar: true, .. }), None) => {
                 self.two_bars(g, pin, *a, *b, level)?
             }
-            (Some(first), Some(second), None) => {
-                let (n1, _, c1) = self.row(first, None, level)?;
-                let (n2, _, c2) = self.row(second, None, level)?;
-                self.emit_pair(level, Cross { n1, c1, n2, c2 })
-            }
+            (Some(first), Some(second), None) => match self.led_on_ground(first, second, level) {
+                Some(pair) => pair,
+                None => {
+                    let (n1, _, c1) = self.row(first, None, level)?;
+                    let (n2, _, c2) = self.row(second, None, level)?;
+                    self.emit_pair(level, Cross { n1, c1, n2, c2 })
+                }
+            },
             _ => return Err(self.without_kernel(g)),
         };
         self.points[pin.0][level as usize] = Some(pair);
@@ -113,12 +117,17 @@ impl Compiler<'_> {
         let held: Vec<Row> = rows.into_iter().filter(|r| !matches!(r, Row::Turning { .. })).collect();
         let slot = level as usize - 1;
         if let Some((of, rates)) = turned {
-            let turning = self.turned(of, rates[slot], level)?;
+            let turning = self.turned(of, rates, level)?;
             self.set_turning(link, slot, turning);
             if let [first, second] = held[..] {
-                let (n1, c1) = self.reduced(&first, link, level)?;
-                let (n2, c2) = self.reduced(&second, link, level)?;
-                let own = self.emit_pair(level, Cross { n1, c1, n2, c2 });
+                let own = match self.led_on_ground(&first, &second, level) {
+                    Some(own) => own,
+                    None => {
+                        let (n1, c1) = self.reduced(&first, link, level)?;
+                        let (n2, c2) = self.reduced(&second, link, level)?;
+                        self.emit_pair(level, Cross { n1, c1, n2, c2 })
+                    }
+                };
                 self.set_own(link, level, own);
             }
         } else if let [only] = held[..] {
@@ -162,16 +171,30 @@ impl Compiler<'_> {
     }
 
     /// ω or α of a link that turns against a known one at a rate.
-    fn turned(&mut self, of: LinkId, rate: f64, level: Level) -> Result<Reg, NoKernel> {
+    fn turned(&mut self, of: LinkId, rates: Rates, level: Level) -> Result<Reg, NoKernel> {
+        let (rate, led) = rates.parts(level);
         if of == self.scene.ground {
-            return Ok(self.constant(rate));
+            return Ok(led.unwrap_or_else(|| self.constant(rate)));
         }
         let base = self.turning(of, level)?;
-        if rate == 0.0 {
-            return Ok(base);
+        match led {
+            Some(led) => Ok(self.emit(level, Sum { a: base, b: led, k: 1.0 }, 1)),
+            None if rate == 0.0 => Ok(base),
+            None => {
+                let one = self.constant(1.0);
+                Ok(self.emit(level, Sum { a: base, b: one, k: rate }, 1))
+            }
         }
-        let one = self.constant(1.0);
-        Ok(self.emit(level, Sum { a: base, b: one, k: rate }, 1))
+    }
+
+    /// A place that a cam leads along a guide of the ground: the rate times the direction of the guide.
+    fn led_on_ground(&mut self, first: &Row, second: &Row, level: Level) -> Option<Pair> {
+        let (Row::Guided { on: a, rates: Rates::Even([0.0, 0.0]), .. }, Row::Guided { on: b, n, rates, .. }) = (first, second) else {
+            return None;
+        };
+        let s = rates.parts(level).1.filter(|_| *a == self.scene.ground && a == b)?;
+        let q = self.fixed(Vec2::ZERO);
+        Some(self.emit_pair(level, Along { q, t: *n, s }))
     }
 
     /// For accelerations the row of a link's point takes the centripetal part along: c + ω² n·r.
@@ -201,7 +224,8 @@ impl Compiler<'_> {
     /// n, the arm from the core link's own point to where the leg holds it (with a core link), and c.
     fn row(&mut self, row: &Row, core: Option<LinkId>, level: Level) -> Result<(Pair, Option<Pair>, Reg), NoKernel> {
         match *row {
-            Row::Distance { p, far, l, rates: [rate, acceleration], .. } => {
+            Row::Distance { p, far, l, rates, .. } => {
+                let Rates::Even([rate, acceleration]) = rates else { unreachable!("no cam leads a cylinder") };
                 let n = self.between(far, p)?;
                 let r = self.arm_to(core, p)?;
                 let vf = self.spot(far, V)?;
@@ -214,7 +238,8 @@ impl Compiler<'_> {
                 };
                 Ok((n, r, c))
             }
-            Row::Guided { p, on, n, rates: [rate, acceleration] } => {
+            Row::Guided { p, on, n, rates } => {
+                let (rate, led) = rates.parts(level);
                 let reach = self.arm_to(core, p)?;
                 // A guide on ground does not move; where its arm leads from is nobody's concern.
                 let (r, vo, omega) = match on == self.scene.ground {
@@ -224,10 +249,11 @@ impl Compiler<'_> {
                 let c = match level {
                     A => {
                         let (vp, ao, alpha) = (self.spot(p, V)?, self.spot(Spot::Own(on), A)?, self.turning(on, A)?);
-                        self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration }, 1)
+                        self.emit(A, GuidedRate { n, r, vp, vo, ao, omega, alpha, acceleration: rate }, 1)
                     }
                     _ => self.emit(V, Guided { n, r, vo, omega, rate }, 1),
                 };
+                let c = led.map_or(c, |led| self.emit(level, Sum { a: c, b: led, k: 1.0 }, 1));
                 Ok((n, reach, c))
             }
             Row::Slot { link, over, n } => {
@@ -291,7 +317,7 @@ impl Compiler<'_> {
         level: Level,
     ) -> Result<Reg, NoKernel> {
         let Some(Path::Line { direction, .. }) = self.at.shapes.guides[guide.0] else { return Err(self.lost(link)) };
-        let [rate, acceleration] = self.driver_rates(driver);
+        let [rate, acceleration] = self.even_rates(driver)?;
         let d = self.between(Spot::Pin(far), Spot::Pin(pin))?;
         let t = self.direction_on(link, direction)?;
         let (from, to) = (self.point(far, level)?, self.point(pin, level)?);

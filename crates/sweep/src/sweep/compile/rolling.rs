@@ -10,12 +10,12 @@ use crate::mechanism::{Form, Level};
 use crate::position::{Path, Pose};
 use crate::scene::{Contours, LinkId, PointId, RollingId};
 use crate::sweep::carry::{Along, Arm, Image, Product, Swing, SwingRate, Twist};
-use crate::sweep::kernel::{Kernel, Pair, Reg};
+use crate::sweep::kernel::{Pair, Reg};
 use crate::sweep::program::{Program, VALUE};
 use crate::sweep::reading::{Dot, Sum};
 use crate::sweep::station::{angle_per_value, position_now};
 use crate::sweep::train::{Combination, Ratio, Source, Train, add, together};
-use crate::sweep::turns::{Against, Geared, Quarters, Turned, WayAcceleration, WayRate};
+use crate::sweep::turns::{Against, Geared, Turned, WayAcceleration, WayRate};
 use std::f64::consts::{PI, TAU};
 
 const P: Level = Level::Position;
@@ -28,7 +28,7 @@ pub(super) struct Trains {
     /// Groups that are placed by their angles.
     placed: Vec<usize>,
     /// The driver's angle in quarter turns, and what it was.
-    quarters: Option<(Pair, [f64; 2])>,
+    pub(super) quarters: Option<(Pair, [f64; 2])>,
     rotors: Vec<([f64; 2], Pair)>,
     wound: Vec<(Source, Wound)>,
     /// See [`Program::turns`].
@@ -144,8 +144,8 @@ impl Compiler<'_> {
         for &(source, ratio) in turned {
             match source {
                 Source::Driver(d) if self.driver == Some(d) => with = with.plus(ratio),
-                // The other drivers stand; and where none is swept, everything does.
-                Source::Driver(_) => {}
+                // The other drivers stand, but for those that cams lead; and where none is swept, everything does.
+                Source::Driver(d) => drop(self.even_rates(d)?),
                 _ if self.driver.is_none() => {}
                 Source::Link(_) | Source::Line(..) | Source::Way(_) => {
                     let wound = self.wound(source)?;
@@ -166,17 +166,7 @@ impl Compiler<'_> {
     /// cos and sin of a part of the driver's way; `None` without a driver.
     fn geared(&mut self, ratio: Ratio) -> Option<Pair> {
         let driver = self.driver?;
-        let (quarters, start) = match self.trains.quarters {
-            Some(known) => known,
-            None => {
-                let value = position_now(self.scene, self.at, driver);
-                let written = self.scene.drivers[driver].kind.angle();
-                let (s, c) = written.map_or_else(|| (libm::sin(value), libm::cos(value)), |angle| crate::trig::sin_cos(angle.value));
-                let known = (self.emit_pair(P, Quarters), Quarters.eval([value, c, s]));
-                self.trains.quarters = Some(known);
-                known
-            }
-        };
+        let (quarters, start) = self.quarters(driver);
         let [p, q] = match ratio.exact {
             Some((p, q)) => [p as f64, q as f64],
             None => [ratio.value, 1.0],
@@ -307,7 +297,7 @@ impl Compiler<'_> {
         let mut rates = Vec::new();
         for &(source, ratio) in turned {
             match source {
-                Source::Driver(d) => driven += ratio.value * self.driver_rates(d)[level as usize - 1],
+                Source::Driver(d) => driven += ratio.value * self.even_rates(d)?[level as usize - 1],
                 Source::Link(l) => rates.push((self.turning(l, level)?, ratio.value)),
                 Source::Line(a, b) => rates.push((self.turning_of_line([a, b], level)?, ratio.value)),
                 Source::Way(r) => rates.push((self.rate_of_way(r, level)?, ratio.value)),

@@ -1,0 +1,53 @@
+//! Words of a contact: along which line its two points differ, and by how much.
+
+use super::Term;
+use super::names::{name_label, point_label};
+use super::text::Writer;
+use crate::scene::{Contours, RollingId};
+
+impl Writer<'_> {
+    /// The normal at a contact: the line of centres, or square to a straight track.
+    pub(super) fn normal_line(&self, pair: RollingId) -> String {
+        let pair = &self.scene.rolling[pair.0];
+        let p = |q: crate::scene::PointId| point_label(self.scene.point_name(q));
+        match (&pair.contours, pair.guide) {
+            (Contours::Circles { centres: [a, b], .. }, _) => format!("\\parallel {}{}", p(*a.min(b)), p(*a.max(b))),
+            (Contours::Track { .. }, Some(guide)) => format!("\\perp {}", self.guide_line(guide)),
+            (Contours::Track { .. }, None) => String::new(),
+        }
+    }
+
+    /// The way along the normal at a contact on which Ω²δ lies of a point against the other: to the centre of its own contour, of a hollow or a straight
+    /// one away from the centre of the other.
+    pub(super) fn toward_centre(&self, pair: RollingId, t: &Term) -> String {
+        let rolling = &self.scene.rolling[pair.0];
+        let own = usize::from(self.plan.vertex(t.of).on == Some(rolling.links[1]));
+        let hollow = match rolling.contours {
+            Contours::Circles { hollow, .. } => hollow,
+            Contours::Track { .. } => Some(0),
+        };
+        let centre = |k: usize| rolling.centres()[k].map(|p| point_label(self.scene.point_name(p))).unwrap_or_default();
+        match hollow == Some(own) {
+            true => format!("{} \\to {}", centre(1 - own), self.spot(t.of)),
+            false => format!("{} \\to {}", self.spot(t.of), centre(own)),
+        }
+    }
+
+    /// Ω²δ at a contact, by the radii of both links.
+    pub(super) fn of_contact(&self, pair: RollingId) -> String {
+        let rolling = &self.scene.rolling[pair.0];
+        let [a, b] = rolling.links.map(|l| name_label(self.scene.link_name(l)));
+        let omega = format!("(\\omega_{{{b}}} - \\omega_{{{a}}})^2");
+        match rolling.contours {
+            Contours::Circles { hollow, .. } => {
+                let sum = match hollow {
+                    None => format!("r_{{{a}}} + r_{{{b}}}"),
+                    Some(0) => format!("r_{{{a}}} - r_{{{b}}}"),
+                    Some(_) => format!("r_{{{b}}} - r_{{{a}}}"),
+                };
+                format!("{omega} r_{{{a}}} r_{{{b}}}/({sum})")
+            }
+            Contours::Track { .. } => format!("{omega} r_{{{b}}}"),
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Over which angles of the cam each piece of its profile is touched.
+//!
+//! A piece is entered and left where the follower stands at one of its ends. There the cam's angle has a closed form: the follower's point is at a
+//! known distance from the centre (a face: it has a known normal), so its place in the plane is one of two, and the cam is turned by the angle
+//! from its own end to that place. Between two such angles the pieces within reach stay the same, and the contact goes from one to another only
+//! where both hold the follower equally far out, or where one ceases to reach it; that is found by bisection.
+
+use super::disc::{BESIDE, Disc, Follower, Motion, Touch};
+use super::outline::Segment;
+use super::{Side, in_turn};
+use crate::geom::Vec2;
+
+/// Angles nearer than this (rad) are one joint: two ends that meet are computed in two ways.
+const ONE_JOINT: f64 = 1e-11;
+
+impl Disc {
+    /// The stretches of a turn in which one piece of the profile is touched: the angle at which each begins, from 0 on, and the piece; `None` where
+    /// nothing is. One stretch without joints, and of a law, begins at 0; else the last goes on through 0.
+    pub fn stretches(&self) -> Vec<(f64, Option<usize>)> {
+        let joints = match &self.motion {
+            Motion::Profile(segments) if segments.len() > 1 => self.changes(segments),
+            Motion::Profile(_) | Motion::Law { .. } => Vec::new(),
+        };
+        if joints.is_empty() {
+            return vec![(0.0, self.touched(0.0, Side::After))];
+        }
+        joints.into_iter().map(|phi| (phi, self.touched(phi, Side::After))).collect()
+    }
+
+    /// The angles at which the contact goes from one piece of the profile to another, from 0 on.
+    pub(super) fn changes(&self, segments: &[Segment]) -> Vec<f64> {
+        let mut ends: Vec<f64> = segments.iter().flat_map(|s| self.ends(s)).filter(|phi| phi.is_finite()).map(in_turn).collect();
+        ends.push(0.0);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|a, b| (*a - *b).abs() < ONE_JOINT);
+        let mut out = Vec::new();
+        for (k, &here) in ends.iter().enumerate() {
+            if self.touched(here, Side::Before) != self.touched(here, Side::After) {
+                out.push(here);
+            }
+            let next = ends.get(k + 1).copied().unwrap_or(std::f64::consts::TAU);
+            // Where two pieces reach the follower it may go over to the other and back again between two ends.
+            const PARTS: usize = 4;
+            let at = |i: usize| here + (next - here) * i as f64 / PARTS as f64;
+            let (first, last) = (here + 2.0 * BESIDE, next - 2.0 * BESIDE);
+            let mut from = first;
+            for i in 1..=PARTS {
+                let to = if i == PARTS { last } else { at(i) };
+                if to > from {
+                    self.between([from, to], &mut out, 0);
+                    from = to;
+                }
+            }
+        }
+        let mut out: Vec<f64> = out.into_iter().map(in_turn).collect();
+        out.sort_by(f64::total_cmp);
+        out
+    }
+
+    /// The angles of the cam at which the follower stands at an end of a piece, whether it touches there or not.
+    fn ends(&self, segment: &Segment) -> Vec<f64> {
+        let turns: Vec<f64> = match (segment, self.touch) {
+            (Segment::Arc { normals: [from, to], .. }, _) if (to - from).abs() >= std::f64::consts::TAU => Vec::new(),
+            (Segment::Arc { centre, radius, normals }, Touch::Point { radius: r }) => {
+                normals.iter().flat_map(|n| self.turns_to(*centre + Vec2::from_angle(*n) * (radius + r))).collect()
+            }
+            (Segment::Line { normal, distance, ends }, Touch::Point { radius: r }) => {
+                let n = Vec2::from_angle(*normal);
+                ends.iter().flat_map(|t| self.turns_to(n * (distance + r) + n.perp() * *t)).collect()
+            }
+            (Segment::Arc { centre, radius, normals }, Touch::Flat { lever }) => {
+                normals.iter().flat_map(|n| self.turns_facing(*n, Vec2::from_angle(*n).dot(*centre) + radius - lever)).collect()
+            }
+            (Segment::Line { .. }, Touch::Flat { .. }) => Vec::new(),
+        };
+        turns.into_iter().map(|turn| self.sense * turn).collect()
+    }
+
+    /// By which angles the cam is turned where the follower's point is at a place of the cam.
+    fn turns_to(&self, place: Vec2) -> [f64; 2] {
+        let reach = place.norm();
+        let places = match self.follower {
+            Follower::Translating { direction, offset } => {
+                let along = (reach * reach - offset * offset).sqrt();
+                [along, -along].map(|q| direction * q - direction.perp() * offset)
+            }
+            Follower::Oscillating { pivot, arm, .. } => {
+                let d = pivot.norm();
+                let foot = (reach * reach + d * d - arm * arm) / (2.0 * d);
+                let aside = (reach * reach - foot * foot).sqrt();
+                let u = pivot * (1.0 / d);
+                [aside, -aside].map(|h| u * foot + u.perp() * h)
+            }
+        };
+        places.map(|at| at.angle() - place.angle())
+    }
+
+    /// By which angles the cam is turned where a face has a normal of the cam, the point of the cam that it touches being `out` along the
+    /// normal, less the face's distance from its pivot.
+    fn turns_facing(&self, normal: f64, out: f64) -> [f64; 2] {
+        match self.follower {
+            Follower::Translating { direction, .. } => [direction.angle() - normal; 2],
+            Follower::Oscillating { pivot, .. } => {
+                let aside = libm::acos(out / pivot.norm());
+                [aside, -aside].map(|a| pivot.angle() + a - normal)
+            }
+        }
+    }
+
+    /// The places where the piece that is touched changes, each to rounding.
+    fn between(&self, [mut low, mut high]: [f64; 2], out: &mut Vec<f64>, depth: usize) {
+        let of = |phi: f64| self.touched(phi, Side::After);
+        let (first, last) = (of(low), of(high));
+        if first == last {
+            return;
+        }
+        while high - low > 1e-14 {
+            let middle = 0.5 * (low + high);
+            match of(middle) {
+                here if here == first => low = middle,
+                here if here == last => high = middle,
+                _ if depth < 8 => {
+                    self.between([low, middle], out, depth + 1);
+                    self.between([middle, high], out, depth + 1);
+                    return;
+                }
+                _ => break,
+            }
+        }
+        // The piece beside is asked for a step ahead.
+        out.push(0.5 * (low + high) + BESIDE);
+    }
+}
