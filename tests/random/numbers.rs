@@ -117,6 +117,8 @@ fn balls_that_reach_zero() {
                         let truth = within(300, || Ball::exact(Big::from_f64(inside)).sqrt().enclosure()).expect("a root");
                         assert!(root.meets(&truth), "{kind}: the root of {reaching:?} is {root:?}, without that of {inside:e}");
                     }
+                    assert!(root.largest() >= upper.sqrt(), "{kind}: {root:?} reaches no farther than {:e}", root.largest());
+                    assert!(root.largest() <= 1.001 * upper.sqrt() + 1e-280, "{kind}: the root of {reaching:?} is wide: {root:?}");
                 }
             }
             for radius in [0.0, 1e-9 * size, 0.999 * size] {
@@ -186,6 +188,25 @@ fn sines_at_special_angles_and_a_hair_beside_them() {
                     assert!(seen.meets(truth), "{kind}: the {what} of {text}° is {seen:?}, not {truth:?}");
                 }
             }
+        }
+    }
+}
+
+/// A decimal is enclosed whatever it is: zeros in all their spellings, numbers below and beyond the range of `f64`.
+#[test]
+fn decimals_are_inside_what_is_read_of_them() {
+    fn read<N: Certain>(text: &str) -> Option<Enclosure> {
+        N::from_decimal(text).enclosure()
+    }
+    for text in
+        ["0", "0.0", "-0.000", "0e9", "1e-320", "5e-324", "1e-400", "-1e-330", "0.1", "123456789012345", "1234567890123456", "0.3e-7"]
+    {
+        let truth = within(400, || read::<Ball<Big>>(text)).expect("a decimal has a value");
+        for (kind, seen) in
+            [("f64", read::<Ball<f64>>(text)), ("double-double", read::<Ball<Dd>>(text)), ("long", within(150, || read::<Ball<Big>>(text)))]
+        {
+            let seen = seen.unwrap_or_else(|| panic!("{kind}: {text} is undecided"));
+            assert!(seen.radius >= 0.0 && seen.meets(&truth), "{kind}: {text} is {seen:?}, not {truth:?}");
         }
     }
 }
