@@ -96,10 +96,10 @@ impl Relation {
                 line.max(u.abs() * turns(a)).max(w.abs() * turns(b))
             }
             Relation::Track { body, rho, p, q, arm, .. } => {
-                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho * turns(body).max(turns(q)))
+                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho.abs() * turns(body).max(turns(q)))
             }
             Relation::Meet { p, q, .. } | Relation::Distance { p, q, .. } => of(p, p.r.norm()).max(of(q, q.r.norm())),
-            Relation::Turn { a, b, .. } => of(a, 1.0).max(of(b, 1.0)),
+            Relation::Turn { a, b, .. } => turns(a).max(turns(b)),
             Relation::Along { p, q, arm, .. } => of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))),
             Relation::Line { body, p, q, d, .. } => {
                 let turned = if body.first.is_some_and(|i| i + 2 == unknown) { 1.0 } else { 0.0 };
