@@ -96,6 +96,15 @@ fn large_mechanisms_are_drawn_and_coarse_labels_are_told() {
     }
 }
 
+/// Writes the scenes of the table of largest sizes in `docs/reliability.md` for who measures them: nothing is tested.
+#[test]
+#[ignore = "writes scenes to measure"]
+fn large_scenes_to_measure() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    println!("{}", written(folder, "chain-200.json", &chain(200)).display());
+    println!("{}", written(folder, "points-1900.json", &points_on_a_link(1900)).display());
+}
+
 #[test]
 fn more_than_can_be_drawn_is_refused_at_once() {
     let folder = tempfile::tempdir().unwrap();

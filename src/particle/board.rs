@@ -5,13 +5,15 @@
 //! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used.
 
 use super::ask::Asked;
-use super::law::{Way, jet};
+use super::law::{Way, jet, sine_cosine};
 use super::plate::Part;
 use super::{Kind, Motion, Problem};
 use crate::construct::scale::choose;
 use crate::diag::{Both, Diagnostic, both};
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
+use crate::number::{Big, Jet, Real, within};
+use crate::scene::front::Law;
 
 /// Room of a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
@@ -71,6 +73,37 @@ pub enum Views {
     },
 }
 
+/// What the laws say at the instant, in double precision whatever the instant is: the sine of an angle of 10⁹ rad has lost half of its
+/// digits when the angle is rounded first, so the laws are evaluated in longer numbers, and rounded then.
+struct Told<'a> {
+    time: &'a Law,
+}
+
+/// Bits of the longer numbers.
+const BITS: usize = 256;
+
+type Jet3 = [f64; 3];
+
+impl Told<'_> {
+    fn told<T>(&self, of: impl FnOnce(Big) -> Result<T, Diagnostic>) -> Result<T, Diagnostic> {
+        within(BITS, || of(self.time.at(Big::from_f64(0.0))?.number.0[0]))
+    }
+
+    /// A law's value and derivatives.
+    fn law(&self, law: &Law) -> Result<Jet3, Diagnostic> {
+        self.told(|t| Ok(rounded(jet(law, t)?)))
+    }
+
+    /// Two coordinates with their derivatives.
+    fn way(&self, way: &Way) -> Result<[Jet3; 2], Diagnostic> {
+        self.told(|t| Ok(way.at(t)?.map(rounded)))
+    }
+}
+
+fn rounded(jet: Jet<Big>) -> Jet3 {
+    jet.0.map(|x| x.approx())
+}
+
 /// Draws all motions that have something to draw: chases and points on plates.
 ///
 /// # Errors
@@ -102,11 +135,11 @@ fn most(all: &[Vec2]) -> [f64; 2] {
 
 fn chase(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
     let Some((chase, target)) = problem.chase(m) else { return Ok(None) };
-    let t = problem.instant();
-    let Some(here) = super::solve::course(&chase, &[t])?.pop() else { return Ok(None) };
-    let [x, y] = chase.target.at(t)?;
-    let speed = jet(chase.speed, t)?.0;
-    let (b, v_b) = (Point::new(x.0[0], y.0[0]), Vec2::new(x.0[1], y.0[1]));
+    let told = Told { time: &problem.time };
+    let Some(here) = super::solve::course(&chase, &[problem.instant()])?.pop() else { return Ok(None) };
+    let [x, y] = told.way(chase.target)?;
+    let speed = told.law(chase.speed)?;
+    let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
     let a = b - Vec2::new(here.d[0], here.d[1]);
     let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(most(&[b - a]), ROOM_MM));
     let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
@@ -182,24 +215,24 @@ struct OnPlate {
     tangential: Vec2,
 }
 
-fn on_plate(way: &Way, t: f64) -> Result<OnPlate, Diagnostic> {
-    let [r, z] = way.at(t)?;
-    let place = Point::new(r.0[0], z.0[0]);
+fn on_plate(way: &Way, told: &Told) -> Result<OnPlate, Diagnostic> {
+    let [r, z] = told.way(way)?;
+    let place = Point::new(r[0], z[0]);
     Ok(match way {
         Way::Line { angle, s, .. } => {
-            let (sine, cosine) = angle.at(t)?.sin_cos();
-            let (along, s) = (Vec2::new(sine.0[0], cosine.0[0]), jet(s, t)?.0);
+            let [sine, cosine] = told.told(|t| sine_cosine(angle, t).map(|(s, c)| [s, c].map(rounded)))?;
+            let (along, s) = (Vec2::new(sine[0], cosine[0]), told.law(s)?);
             OnPlate { place, velocity: along * s[1], normal: Vec2::ZERO, tangential: along * s[2] }
         }
         Way::Circle { centre, radius, s, .. } => {
-            let centre = Point::new(jet(&centre[0], t)?.0[0], jet(&centre[1], t)?.0[0]);
-            let (radius, s) = (jet(radius, t)?.0[0], jet(s, t)?.0);
+            let centre = Point::new(told.law(&centre[0])?[0], told.law(&centre[1])?[0]);
+            let (radius, s) = (told.law(radius)?[0], told.law(s)?);
             let inward = (centre - place) * (1.0 / radius);
             let along = -inward.perp();
             OnPlate { place, velocity: along * s[1], normal: inward * (s[1] * s[1] / radius), tangential: along * s[2] }
         }
         Way::Free(_) => {
-            let (velocity, a) = (Vec2::new(r.0[1], z.0[1]), Vec2::new(r.0[2], z.0[2]));
+            let (velocity, a) = (Vec2::new(r[1], z[1]), Vec2::new(r[2], z[2]));
             let tangential = velocity.unit().map_or(a, |e| e * e.dot(a));
             OnPlate { place, velocity, normal: a - tangential, tangential }
         }
@@ -208,13 +241,16 @@ fn on_plate(way: &Way, t: f64) -> Result<OnPlate, Diagnostic> {
 
 fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
     let Kind::OnPlate(p, way) = &m.kind else { return Ok(None) };
-    let (plate, t) = (&problem.plates[*p], problem.instant());
-    let turn = plate.turning.at(t)?;
-    let offset = plate.offset.as_ref().map(|law| jet(law, t)).transpose()?.map_or(0.0, |j| j.0[0]);
-    let on = on_plate(way, t)?;
-    let (w, alpha) = (turn.omega, turn.alpha);
+    let (plate, told) = (&problem.plates[*p], Told { time: &problem.time });
+    let offset = plate.offset.as_ref().map(|law| told.law(law)).transpose()?.map_or(0.0, |j| j[0]);
+    let on = on_plate(way, &told)?;
+    // cos φ and sin φ, ω and α.
+    let [cosine, sine, w, alpha] = told.told(|t| {
+        let turn = plate.turning.at(t)?;
+        Ok([turn.cos.0[0], turn.sin.0[0], turn.omega, turn.alpha].map(|x| x.approx()))
+    })?;
     // The two views: u to the right and the axis up; the plate in its direction, its foot on the axis' side.
-    let along = Vec2::new(turn.cos.0[0], turn.sin.0[0]);
+    let along = Vec2::new(cosine, sine);
     let seen = (along * on.place.x + along.perp() * offset).to_point();
     let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
     let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(extent, [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]));

@@ -91,9 +91,13 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     Ok(Solved { answers: answers?, ends })
 }
 
-/// How a pursuit ends, in the longest numbers that its laws have values in.
+/// How a pursuit ends, in the longest numbers that its laws have values in. Whether it has an end is found in `f64`: what goes round after a
+/// faster target for good is not followed in numbers that cost fifty times as much.
 fn ended(chase: &Chase) -> Result<End, Diagnostic> {
-    if longer(chase)? { chase.end::<Dd>() } else { chase.end::<f64>() }
+    match chase.end::<f64>()? {
+        End::Meet { .. } if longer(chase)? => chase.end::<Dd>(),
+        end => Ok(end),
+    }
 }
 
 /// Whether double-double numbers tell the laws.

@@ -65,6 +65,9 @@ const CLOSER: [Setting; 5] = [
     Setting { line_em: CLOSE_LINE_EM, columns: true, filled: true, ..USUAL },
 ];
 
+/// A side of more pages is not set closer: nobody misses the page, and each setting costs as much as the first.
+const LONG: usize = 8;
+
 /// Sets a document on pages. Each of its sides begins on a new one, and is set closer where that saves a page; a side of a page
 /// and some lines has its short lists in columns, or else its drawing beside the text.
 pub fn pages(document: &Document) -> Vec<Page> {
@@ -76,7 +79,7 @@ pub fn pages(document: &Document) -> Vec<Page> {
         for setting in CLOSER {
             // A narrow column beside a wide drawing is worth it only where all then stands on one page.
             let most = if setting.beside_part > BESIDE_PART { 2 } else { best.len() };
-            if best.len() > 1 {
+            if (2..=LONG).contains(&best.len()) {
                 let other = set(document, title, side, setting);
                 best = if other.len() < most { other } else { best };
             }

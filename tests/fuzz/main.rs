@@ -1,10 +1,11 @@
-//! Mutated input, as long as one likes: scenes, style files, arguments. (Journals: `src/cli/part/tests.rs`.)
+//! Mutated input, as long as one likes: scenes, style files, arguments; wishes and motions ([`tasks`]). (Journals: `src/cli/part/tests.rs`.)
 //!
 //! A few seconds of it run with every `cargo test`, always the same inputs. `HODOGRAPH_FUZZ_SECONDS=60 cargo test fuzz` runs each target
-//! for a minute, `HODOGRAPH_FUZZ_SEED=7` with others. The seeds are all templates and the scenes of `tests/bad` and `tests/repro`. An
+//! for a minute, `HODOGRAPH_FUZZ_SEED=7` with others. The seeds of scenes are all templates and the scenes of `tests/bad` and `tests/repro`. An
 //! input that breaks something is printed with the failure.
 
 mod mutate;
+mod tasks;
 
 use hodograph::certified::certify;
 use hodograph::figure::sheet::{Options, sheet};
@@ -68,6 +69,17 @@ fn told(faults: &hodograph::diag::Faults, input: &[u8]) {
     assert!(!said.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{said:?}");
 }
 
+/// What is said of answers can be printed, and its numbers are numbers.
+fn finite(text: &str) {
+    assert!(!text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{text:?}");
+    let mut words = text.split(|c: char| !c.is_alphanumeric());
+    assert!(!words.any(|w| matches!(w, "NaN" | "inf")), "{text}");
+}
+
+fn well_formed(xml: &str) {
+    drop(roxmltree::Document::parse(xml).unwrap());
+}
+
 /// A scene is refused with words, or solved and drawn: all that is written of it is well-formed.
 fn scene_target(input: &[u8], k: u64) -> bool {
     let scene = match scene::read(input) {
@@ -87,16 +99,16 @@ fn scene_target(input: &[u8], k: u64) -> bool {
     let lang = if k.is_multiple_of(2) { Lang::En } else { Lang::Zh };
     let certified = certify(&scene, &worked, answers::DIGITS);
     let text = answers::text(&scene, &worked, &certified, answers::DIGITS, lang);
-    assert!(!text.contains(|c: char| c.is_control() && !matches!(c, '\n' | '\t')), "{text:?}");
+    finite(&text);
     let drawn = sheet(&scene, &worked, &Options::of_language(lang)).and_then(|f| svg::write(&f));
     match drawn {
-        Ok(svg) => drop(roxmltree::Document::parse(&svg.value).unwrap()),
+        Ok(svg) => well_formed(&svg.value),
         Err(faults) => told(&faults, input),
     }
     if k.is_multiple_of(4) {
         let document = worksheet(&scene, &worked, &Sheets::of_language(lang));
         if let Ok(page) = html::html(&document) {
-            roxmltree::Document::parse(page.trim_start_matches("<!DOCTYPE html>")).unwrap();
+            well_formed(page.trim_start_matches("<!DOCTYPE html>"));
         }
         if let Ok((source, _)) = typst::typst(&document, "a") {
             let root = typst_syntax::parse(&source);
@@ -131,7 +143,7 @@ fn fuzz_styles() {
                 let usual = Options::of_language(Lang::En);
                 let options = Options { notation: style.marks.over(&usual.notation), style, ..usual };
                 match sheet(&scene, &worked, &options).and_then(|f| svg::write(&f)) {
-                    Ok(svg) => drop(roxmltree::Document::parse(&svg.value).unwrap()),
+                    Ok(svg) => well_formed(&svg.value),
                     Err(faults) => told(&faults, input),
                 }
             }
@@ -147,7 +159,7 @@ const WORDS: &str = "draw lesson solve plan worksheet accuracy sweep batch curve
     360 --style print slides dark --font --digits 6 30 31 --drafting 0.1mm --drafting=0.1mm 9mm --dpi 40 1e9 --reveal --positions 8 --driver 1 9 --json \
     --toward-toggle --patience 1 --over phi_1 l_BC driver driver2 --from 0 90deg --to 1e300 1rad nan --find v_C,a_C v_Q omega_3/2 --point E --marks 2 \
     --vary l_BC=200..300:3 l_BC=200...300:3 l_BC=..:3 x=1..2 --random 4 --seed 2 crank-rocker shaper --set l_AB=80 l_AB= l_AB=1e400 l_AB=(((( \
-    --problem-only --solution --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
+    --problem-only --solution --pick 2 --profile p.dxf --frames 3 --centrodes --link 4 --all --speed wish.json cam.json motion.json --help 曲 \u{1b}[31m \u{fffe} =x -- ''";
 
 /// Whatever the arguments are, the program ends by itself with one of its exit codes.
 #[test]
@@ -164,13 +176,27 @@ fn fuzz_arguments() {
         "worksheet scene.json -o a.md",
         "limits scene.json --json",
         "plan scene.json --json",
+        "synth wish.json --pick 1 -o design.json",
+        "animate scene.json --frames 3 -o a.gif",
+        "cam cam.json --profile p.csv --steps 12",
+        "curvature scene.json --link 2 --point E",
+        "composite scene.json --json",
+        "attempts scene.json --all",
+        "inversions scene.json -o out",
+        "centres scene.json",
+        "mobility scene.json",
+        "readings scene.json --set l_AB=80",
+        "solve motion.json --digits 12",
     ];
     let seeds: Vec<String> = right.iter().map(|s| s.to_string()).collect();
     let folder = tempfile::tempdir().unwrap();
     fs::copy(root("templates/crank-rocker.json"), folder.path().join("scene.json")).unwrap();
+    for (name, seed) in [("wish", "synthesis/time-ratio"), ("cam", "cam-offset-roller"), ("motion", "particle/pursuit")] {
+        fs::copy(root(&format!("templates/{seed}.json")), folder.path().join(format!("{name}.json"))).unwrap();
+    }
     fs::copy(root("crates/paper/src/paper/style/dark.json"), folder.path().join("style.json")).unwrap();
     let before = fs::read(folder.path().join("scene.json")).unwrap();
-    fuzz("arguments", &seeds, 60, &|input, k| {
+    fuzz("arguments", &seeds, 100, &|input, k| {
         let mut rng = Rng::new(k);
         let mut line: Vec<String> = seeds[rng.below(seeds.len())].split(' ').map(str::to_owned).collect();
         for _ in 0..1 + rng.below(3) * rng.below(2) {

@@ -27,6 +27,9 @@ const HITS: usize = 3;
 const WAVE: usize = 4;
 /// Optima that are told.
 const TOLD: usize = 3;
+/// Of more places than these the runs look at so many, evenly taken; what they find is then refined for all. So the work of a search has a
+/// bound: nine unknowns, or ten, are told by sixteen places as well as by hundreds that lie between them.
+const PLACES: usize = 16;
 
 /// A crank-rocker with its coupler point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -154,7 +157,35 @@ impl Linkage {
 pub fn search(points: &[Point], seed: u64) -> Search {
     let (middle, size) = extent(points);
     let same = |a: &Fit, b: &Fit| (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms);
-    until_sure(size, &same, |run| alone(points, middle, size, stream(seed, run)))
+    let few = few(points);
+    let found = until_sure(size, &same, |run| alone(&few, middle, size, stream(seed, run)));
+    if few.len() == points.len() {
+        return found;
+    }
+    found.of_all(&same, |fit, evaluations| {
+        let cranks = nearest(&fit.linkage, points, evaluations)?;
+        refine(fit.linkage, cranks, points, evaluations)
+    })
+}
+
+/// Those of many that the runs look at, the first among them.
+pub(super) fn few<T: Copy>(all: &[T]) -> Vec<T> {
+    let count = all.len().min(PLACES);
+    (0..count).map(|i| all[i * all.len() / count]).collect()
+}
+
+impl Search {
+    /// What was found for some of the places, refined for all of them.
+    pub(super) fn of_all(self, same: &dyn Fn(&Fit, &Fit) -> bool, refined: impl Fn(&Fit, &mut u64) -> Option<Fit>) -> Search {
+        let mut out = Search { fits: Vec::new(), ..self };
+        for fit in self.fits.iter().filter_map(|fit| refined(fit, &mut out.evaluations)) {
+            if !out.fits.iter().any(|f| same(f, &fit)) {
+                out.fits.push(fit);
+            }
+        }
+        out.fits.sort_by(|a, b| a.rms.total_cmp(&b.rms));
+        out
+    }
 }
 
 /// The stream of numbers of a run.

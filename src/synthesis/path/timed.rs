@@ -6,7 +6,7 @@
 //! Levenberg's damping. The cognate whose crank turns with the crank (Roberts) meets the same places at the same angles: both are told.
 
 use super::evolution::{Population, Random, evolve};
-use super::search::{Fit, Linkage, Search, extent, stream, until_sure};
+use super::search::{Fit, Linkage, Search, extent, few, stream, until_sure};
 use crate::diag::{Diagnostic, both};
 use crate::geom::{Point, Vec2};
 use nalgebra::{SMatrix, SVector};
@@ -30,8 +30,12 @@ pub fn search(points: &[Point], turns: &[f64], seed: u64) -> Search {
         (a.rms - b.rms).abs() <= 1e-9 * size.max(b.rms)
             && a.linkage.lengths.iter().zip(b.linkage.lengths).all(|(p, q)| (p - q).abs() <= 1e-6 * size)
     };
-    let task = Timed { points, turns, size };
-    let mut found = until_sure(size, &same, |run| task.alone(stream(seed, run)));
+    let (some, at) = (few(points), few(turns));
+    let mut found = until_sure(size, &same, |run| Timed { points: &some, turns: &at, size }.alone(stream(seed, run)));
+    if some.len() < points.len() {
+        let all = Timed { points, turns, size };
+        found = found.of_all(&same, |fit, evaluations| all.refine((fit.linkage, *fit.cranks.first()?), evaluations));
+    }
     // Of those that would grow beyond the bound one stands for all.
     let mut grown = 0;
     found.fits.retain(|f| {

@@ -96,10 +96,10 @@ impl Relation {
                 line.max(u.abs() * turns(a)).max(w.abs() * turns(b))
             }
             Relation::Track { body, rho, p, q, arm, .. } => {
-                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho * turns(body).max(turns(q)))
+                of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))).max(rho.abs() * turns(body).max(turns(q)))
             }
             Relation::Meet { p, q, .. } | Relation::Distance { p, q, .. } => of(p, p.r.norm()).max(of(q, q.r.norm())),
-            Relation::Turn { a, b, .. } => of(a, 1.0).max(of(b, 1.0)),
+            Relation::Turn { a, b, .. } => turns(a).max(turns(b)),
             Relation::Along { p, q, arm, .. } => of(p, p.r.norm()).max(of(q, q.r.norm().max(arm.norm()))),
             Relation::Line { body, p, q, d, .. } => {
                 let turned = if body.first.is_some_and(|i| i + 2 == unknown) { 1.0 } else { 0.0 };
@@ -181,5 +181,92 @@ impl Handle {
     fn bias(&self, q: &DVector<f64>) -> Vec2 {
         let w = self.omega(q);
         self.r * -(w * w)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Three bodies; the third takes part in no equation.
+    const UNKNOWNS: usize = 9;
+    const STEP: f64 = 1e-5;
+
+    fn turned(v: Vec2, by: f64) -> Vec2 {
+        v.rotate_by(Vec2::from_angle(by))
+    }
+
+    /// What an equation keeps or is given, as a function of small motions of the bodies: by the definitions of [`Relation`].
+    fn kept(relation: &Relation, x: &[f64; UNKNOWNS]) -> f64 {
+        let turn = |h: &Handle| h.first.filter(|_| h.turns).map_or(0.0, |i| x[i + 2]);
+        let moved = |h: &Handle| {
+            let i = h.first.unwrap();
+            Vec2::new(x[i], x[i + 1]) + turned(h.r, turn(h)) - h.r
+        };
+        let between = |p: &Handle, q: &Handle, d: Vec2| d + moved(p) - moved(q);
+        // How far a line has turned.
+        let swung = |d: Vec2, now: Vec2| d.cross(now).atan2(d.dot(now));
+        match relation {
+            Relation::Meet { p, q, k } => k.dot(moved(p) - moved(q)),
+            Relation::Turn { a, b, .. } => turn(a) - turn(b),
+            Relation::Along { p, q, k, arm, .. } => turned(*k, turn(q)).dot(between(p, q, *arm)),
+            Relation::Distance { p, q, d, .. } => between(p, q, *d).norm(),
+            Relation::Line { body, p, q, d, .. } => swung(*d, between(p, q, *d)) - turn(body),
+            Relation::Roll { bodies: [a, b], weights: [u, w], p, q, d } => {
+                let beta = swung(*d, between(p, q, *d));
+                u * (turn(a) - beta) + w * (turn(b) - beta)
+            }
+            Relation::Track { body, rho, p, q, k, arm } => turned(*k, turn(q)).dot(between(p, q, *arm)) + rho * (turn(body) - turn(q)),
+        }
+    }
+
+    /// A relation of each kind, its bodies and lines turned to a pose of their own, and its unknowns.
+    fn in_pose(pose: usize, size: f64) -> Vec<(Relation, &'static [usize])> {
+        let at = |k: f64| Vec2::from_angle(pose as f64 * k);
+        let p = Handle { first: Some(0), turns: true, r: at(2.4) * (0.7 * size) };
+        let q = Handle { first: Some(3), turns: true, r: at(3.9) * (1.9 * size) };
+        let (d, k, drive) = (at(1.7) * (1.3 * size), at(5.1), [0.0; 2]);
+        let pin = Handle { turns: false, ..q };
+        let mut all: Vec<(Relation, &[usize])> = vec![
+            (Relation::Meet { p, q, k }, &[0, 1, 2, 3, 4, 5]),
+            (Relation::Meet { p, q: pin, k }, &[0, 1, 2, 3, 4]),
+            (Relation::Turn { a: p, b: q, drive }, &[2, 5]),
+            (Relation::Along { p, q, k, arm: d, drive }, &[0, 1, 2, 3, 4, 5]),
+            (Relation::Distance { p, q, d, drive }, &[0, 1, 2, 3, 4, 5]),
+            (Relation::Line { body: p, p, q, d, drive }, &[0, 1, 2, 3, 4, 5]),
+        ];
+        for sign in [1.0, -1.0] {
+            all.push((Relation::Roll { bodies: [p, q], weights: [1.0, sign * 0.25], p, q, d }, &[0, 1, 2, 3, 4, 5]));
+            all.push((Relation::Track { body: p, rho: sign * 2.9 * size, p, q, k, arm: d }, &[0, 1, 2, 3, 4, 5]));
+        }
+        all
+    }
+
+    /// The largest coefficient in all poses, from finite differences, is what is said of it, but for the sum of its up to four parts.
+    #[test]
+    fn coefficients_reach_as_far_as_is_said() {
+        for size in [0.2, 1.0, 6.0] {
+            for kind in 0..in_pose(0, size).len() {
+                for unknown in 0..UNKNOWNS {
+                    let (mut most, mut said) = (0.0f64, 0.0f64);
+                    for pose in 0..300 {
+                        let (relation, _) = in_pose(pose, size)[kind];
+                        let [ahead, behind] = [STEP, -STEP].map(|by| {
+                            let mut x = [0.0; UNKNOWNS];
+                            x[unknown] = by;
+                            kept(&relation, &x)
+                        });
+                        most = most.max((ahead - behind).abs() / (2.0 * STEP));
+                        said = relation.reach(unknown);
+                    }
+                    let has = in_pose(0, size)[kind].1.contains(&unknown);
+                    assert_eq!(has, said != 0.0, "kind {kind}, size {size}, unknown {unknown}: {said}");
+                    assert!(
+                        most <= 4.0 * said + 1e-9 && said <= 1.5 * most + 1e-9,
+                        "kind {kind}, size {size}, unknown {unknown}: the largest is {most}, {said} is said"
+                    );
+                }
+            }
+        }
     }
 }

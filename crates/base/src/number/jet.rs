@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn derivatives_are_those_of_differences() {
         type F<N> = fn(N) -> N;
-        fn all<N: Real>() -> [F<N>; 10] {
+        fn all<N: Real>() -> [F<N>; 11] {
             [
                 |x| x * x + x,
                 |x| x - N::from_f64(1.0) / x,
@@ -201,6 +201,7 @@ mod tests {
                 |x| x.hypot(x * x),
                 |x| x.sin_cos().0,
                 |x| x.sin_cos().1,
+                |x| (x * N::from_f64(20.0)).sin_cos_degrees().0,
                 |x| (x * N::from_f64(20.0)).sin_cos_degrees().1,
                 |x| x.atan2(x * x + N::from_f64(1.0)),
                 |x| x.pow(N::from_f64(3.0)) + x.pow(N::from_f64(1.0)) - x.pow(N::from_f64(-2.0)),
@@ -223,5 +224,18 @@ mod tests {
         assert_eq!(both, (x.ln() * x).exp());
         let square = Jet::<Ball<f64>>::variable(Ball::from_f64(0.0)).pow(Jet::from_f64(2.0));
         assert_eq!(square.0.map(Real::approx), [0.0, 0.0, 2.0]);
+    }
+
+    /// What is said of a jet is said of its value: the same calls on the value alone.
+    #[test]
+    fn a_jet_of_balls_knows_the_error_of_its_value() {
+        for (mid, radius) in [(3.0, 0.25), (-1.0, 0.0), (-2.0, 1e-9), (0.5, 1.0), (f64::NAN, 0.0)] {
+            let ball = Ball::<f64>::new(mid, radius);
+            let jet = Jet::variable(ball);
+            assert_eq!(jet.radius(), ball.radius());
+            assert_eq!(jet.mid().radius(), 0.0);
+            assert_eq!(jet.is_surely_negative(), ball.is_surely_negative());
+            assert_eq!(jet.is_decided(), ball.is_decided());
+        }
     }
 }

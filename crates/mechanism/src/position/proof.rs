@@ -76,7 +76,7 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
     if !N::knows_its_error() {
         return Ok(at);
     }
-    let eta = newton(&at).iter().map(|s| s.approx().abs() + s.radius()).fold(0.0, f64::max);
+    let eta = largest(newton(&at).iter().map(|s| s.approx().abs() + s.radius()));
     // At least the smallest normal number: a box of no width proves nothing.
     let rho = (2.0 * eta).max(f64::MIN_POSITIVE);
     if !rho.is_finite() || rho > LONGEST * scale {
@@ -101,9 +101,14 @@ pub(super) fn root<N: Real, S: System<N>>(system: &S, start: S::State, scale: f6
         };
         (0..n).map(entry).map(|x| x.approx().abs() + x.radius()).sum::<f64>()
     });
-    let contraction = rows.fold(0.0, f64::max);
+    let contraction = largest(rows);
     // With q ≤ 0.49 the box of 2η is mapped into itself, rounding of these sums included.
     if contraction <= 0.49 { Ok(all) } else { Err(Unproven::NotUnique) }
+}
+
+/// The largest; none where one of them is none: what is undecided proves nothing, and `f64::max` would pass it over.
+fn largest(all: impl Iterator<Item = f64>) -> f64 {
+    all.fold(0.0, |most: f64, x| if most.is_nan() || x <= most { most } else { x })
 }
 
 /// The unit vector `axis` turned by 2 atan(`step`/2): the angle of the step but for its cube, and rational.
@@ -118,4 +123,49 @@ fn approximate_inverse<N: Real>(jacobian: &[Vec<N>]) -> Option<DMatrix<f64>> {
     let n = jacobian.len();
     let inverse = DMatrix::from_fn(n, n, |i, j| jacobian[i][j].approx()).try_inverse()?;
     inverse.iter().all(|x| x.is_finite()).then_some(inverse)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::number::Ball;
+
+    /// x − 2 = 0 twice, in the second of which the slope, or the residual beside the root, is told in balls of some width or not.
+    struct Pair {
+        slope: bool,
+        residual: bool,
+    }
+
+    impl System<Ball<f64>> for Pair {
+        type State = [Ball<f64>; 2];
+
+        fn residuals(&self, at: &Self::State) -> Vec<Ball<f64>> {
+            let off = at.map(|x| x - Ball::from_f64(2.0));
+            let none = Ball::from_f64(0.0) / Ball::from_f64(0.0);
+            vec![off[0], if self.residual || off[1].approx() != 0.0 { off[1] } else { none }]
+        }
+
+        fn jacobian(&self, at: &Self::State) -> Vec<Vec<Ball<f64>>> {
+            let (one, zero) = (Ball::from_f64(1.0), Ball::from_f64(0.0));
+            let slope = if self.slope || at[1].radius() == 0.0 { one } else { zero / zero };
+            vec![vec![one, zero], vec![zero, slope]]
+        }
+
+        fn moved(&self, at: &Self::State, step: &[Ball<f64>]) -> Self::State {
+            [at[0] + step[0], at[1] + step[1]]
+        }
+
+        fn angles(&self) -> Vec<(usize, f64)> {
+            Vec::new()
+        }
+    }
+
+    #[test]
+    fn what_is_undecided_proves_nothing() {
+        let start = || [Ball::from_f64(2.0 + 1e-9), Ball::from_f64(2.0 - 1e-9)];
+        let proved = |slope, residual| root(&Pair { slope, residual }, start(), 1.0);
+        let two = proved(true, true).unwrap_or_else(|_| panic!("a linear system is solved"));
+        assert!(two.iter().all(|x| (x.approx() - 2.0).abs() <= x.radius() && x.radius() < 1e-12), "{two:?}");
+        assert!(proved(false, true).is_err() && proved(true, false).is_err() && proved(false, false).is_err());
+    }
 }

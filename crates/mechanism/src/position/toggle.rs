@@ -205,4 +205,10 @@ mod tests {
         assert_eq!(meeting(&[line(0.0, 2.0, 30.0), line(1.0, 0.0, 210.0), line(4.0, 1.0, 30.0)], 1.0), Some(true));
         assert_eq!(meeting(&[line(0.0, 2.0, 0.0), line(1.0, 0.0, 90.0), line(0.0, 1.1, 45.0)], 1.0), None);
     }
+    #[test]
+    fn names_are_listed_as_each_language_lists_them() {
+        let names = ["a", "b", "c"].map(str::to_owned);
+        assert_eq!([1, 2, 3].map(|n| listed(&names[..n], Lang::En)), ["a", "a and b", "a, b and c"]);
+        assert_eq!([1, 2, 3].map(|n| listed(&names[..n], Lang::Zh)), ["a", "a、b", "a、b、c"]);
+    }
 }
