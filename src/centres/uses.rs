@@ -15,6 +15,7 @@ use crate::worked::Worked;
 use super::lines::{Place, SAME};
 use super::locate::Centre;
 use super::rounds::Closure;
+use super::velocities::RESTING;
 
 /// How a link moves against the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -183,6 +184,7 @@ impl Chain<'_> {
                     continue;
                 }
                 if let Some((by, motion)) = self.known.iter().find_map(|m| self.next(k, m)) {
+                    let motion = self.settled(motion);
                     self.known.push(Turning { link: k, by, motion, omega: 0.0 });
                 }
             }
@@ -217,6 +219,21 @@ impl Chain<'_> {
             (Place::At(_), Place::Infinity(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::Infinity(_), Motion::Turn(_)) => None,
+        }
+    }
+
+    /// A motion that is nothing beside the fastest known one is rest: two distances that cancel leave their rounding.
+    fn settled(&self, motion: Motion) -> Motion {
+        let size = self.size();
+        let rate = |m: &Motion| match m {
+            Motion::Turn(omega) => omega.abs(),
+            Motion::Slide(v) => v.norm() / size,
+        };
+        let fastest = self.known.iter().map(|t| rate(&t.motion)).fold(0.0, f64::max);
+        match motion {
+            m if rate(&m) > RESTING * fastest => m,
+            Motion::Turn(_) => Motion::Turn(0.0),
+            Motion::Slide(_) => Motion::Slide(Vec2::ZERO),
         }
     }
 

@@ -7,6 +7,7 @@
 mod chromium;
 mod design;
 mod ink;
+mod motion;
 mod predict;
 mod stage;
 mod touch;

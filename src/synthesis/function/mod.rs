@@ -109,6 +109,18 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
         return None;
     }
+    if !inverted && crank.is_some() && frame.is_some() {
+        let message = both!(
+            "`crank` and `frame` are both given, but the pairs leave only the size free: the proportions follow from them",
+            "同时给出了 `crank` 与 `frame`，而各对应位置已确定杆长比，只有尺寸可选"
+        );
+        let help = both!(
+            "leave one of the two out; three pairs with a given \"input\" and \"relative\": \"output\" take both",
+            "请去掉其中一个；三对位置、给定 \"input\" 且 \"relative\": \"output\" 时可同时给出"
+        );
+        form.fault(Diagnostic::error("given-twice", message).at(form.span("crank")).help(help));
+        return None;
+    }
     if let Some((i, j)) = coincide(&steps) {
         let message = both!("the input is the same at points {i} and {j}", "第 {i} 点与第 {j} 点的输入角相同");
         form.fault(
