@@ -102,13 +102,22 @@ pub struct Uses {
 /// Turning rates and speeds from the first driver on.
 pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
     let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
-    let (frame, first) = match chain.driver() {
+    let (frame, first) = match chain.driver(0) {
         Some((frame, link, motion)) => (frame, Some((link, By::Driver, motion))),
         None => (scene.ground, chain.analysis()),
     };
     chain.frame = frame;
     if let Some((link, by, motion)) = first {
         chain.known.push(Turning { link, by, motion, omega: 0.0 });
+    }
+    // Further drivers that are given against the same link.
+    for k in 1..scene.drivers.len() {
+        match chain.driver(k) {
+            Some((other, link, motion)) if other == frame && !chain.known.iter().any(|t| t.link == link) => {
+                chain.known.push(Turning { link, by: By::Driver, motion, omega: 0.0 });
+            }
+            Some(_) | None => {}
+        }
     }
     chain.go_on();
     chain.against_ground();
@@ -135,9 +144,9 @@ impl Chain<'_> {
         self.list.iter().find(|c| c.step.pair == pair)?.place
     }
 
-    /// Frame, link and motion that the first driver gives.
-    fn driver(&self) -> Option<(LinkId, LinkId, Motion)> {
-        let driver = self.scene.drivers.first()?;
+    /// Frame, link and motion that a driver gives.
+    fn driver(&self, k: usize) -> Option<(LinkId, LinkId, Motion)> {
+        let driver = self.scene.drivers.get(k)?;
         let rate = driver.rate.value;
         let at = &self.worked.configuration;
         match &driver.kind {

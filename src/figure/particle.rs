@@ -93,6 +93,30 @@ pub fn within_text(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &St
     Maker { problem, solved, style, lang, also: &ALONE }.figure(drawn, false)
 }
 
+/// The motion as a problem gives it: where a pursuit begins and how the target goes on, a plate in both views, without anything that is wanted.
+///
+/// # Errors
+/// Laws without a value on the way.
+pub fn as_given(problem: &Problem, solved: &Solved, drawn: &Drawn, style: &Style, lang: Lang) -> Result<Figure, Diagnostic> {
+    let maker = Maker { problem, solved, style, lang, also: &ALONE };
+    let views = match &drawn.views {
+        Views::Chase { .. } => maker.start(drawn).into_iter().collect(),
+        Views::Plate { .. } => vec![maker.on_plate(drawn, Level::Position, &[])?, maker.along_axis(drawn, Level::Position, &[])],
+    };
+    let mut parts: Vec<Part> = views.into_iter().map(|v| maker.captioned(v)).collect();
+    let tree = Tree::row((0..parts.len()).map(Tree::Leaf).collect());
+    let size = tree.size(&parts);
+    let page = [size[0] + 2.0 * MARGIN_MM, size[1] + 2.0 * MARGIN_MM];
+    tree.put(&mut parts, Point::new(MARGIN_MM, page[1] - MARGIN_MM));
+    let mut items: Vec<Item> = parts.into_iter().flat_map(|p| p.items).collect();
+    items.iter_mut().enumerate().for_each(|(k, item)| item.id = format!("given-{k}"));
+    let title = lang.of(&problem.title).to_owned();
+    let tag = words(lang).tag.into();
+    let mut figure = Figure { width_mm: page[0], height_mm: page[1], desc: title.clone(), title, lang: tag, paper: Colour::WHITE, items };
+    style.palette.paint(&mut figure);
+    Ok(figure)
+}
+
 impl Maker<'_> {
     /// The views of a motion: the course, the velocities, the accelerations of a pursuit; of a plate both views with the velocities, then
     /// with the accelerations.
@@ -201,8 +225,12 @@ impl Maker<'_> {
     }
 
     fn scales(&self, drawn: &Drawn, level: Level) -> Vec<(Level, f64)> {
-        let mu = if level == Level::Acceleration { drawn.mu[2] } else { drawn.mu[1] };
-        vec![(Level::Position, drawn.mu[0]), (level, mu)]
+        let lengths = (Level::Position, drawn.mu[0]);
+        match level {
+            Level::Position => vec![lengths],
+            Level::Velocity => vec![lengths, (level, drawn.mu[1])],
+            Level::Acceleration => vec![lengths, (level, drawn.mu[2])],
+        }
     }
 }
 

@@ -254,8 +254,8 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
             mm(paper_a(a_r).x.abs())
         ),
         both!(
-            "$a_c = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
-            "$a_k = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
+            "$a_c = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
+            "$a_k = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
             mm(across.abs()),
             mm(ak.norm())
         ),

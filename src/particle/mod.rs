@@ -43,6 +43,8 @@ pub struct Problem {
     pub statement: Option<Localized>,
     /// The language it names.
     pub language: Option<Lang>,
+    /// Names and values of the parameters as they are written.
+    pub parameters: Vec<(String, String)>,
     /// Its sheet and scales.
     pub paper: Paper,
     /// The instant.

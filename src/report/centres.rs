@@ -315,7 +315,7 @@ impl<'a> Words<'a> {
         match t.by {
             By::Driver | By::Analysis => {
                 let why = if t.by == By::Driver {
-                    tr(lang, "  (the driver)", "（原动件）")
+                    tr(lang, if self.scene.drivers.len() > 1 { "  (a driver)" } else { "  (the driver)" }, "（原动件）")
                 } else {
                     tr(lang, "  (by the analysis)", "（由解析法）")
                 };

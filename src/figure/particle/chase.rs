@@ -56,6 +56,21 @@ impl Maker<'_> {
         Some(View { part: d.finish(), caption: caption(*until, *meets), scales: vec![(Level::Position, drawn.mu[0])] })
     }
 
+    /// Pursuer and target at the start, with the way that the target takes.
+    pub(super) fn start(&self, drawn: &Drawn) -> Option<View> {
+        let Views::Chase { course, .. } = &drawn.views else { return None };
+        let motion = &self.problem.motions[drawn.motion];
+        let (_, target) = self.problem.chase(motion)?;
+        let mut d = Drawing::new("course", self.style.clone());
+        let [a, b] = *course.first()?;
+        self.line(&mut d, "target", course.iter().map(|p| p[1]).collect(), self.style.thin.dashed(Dash::DashDot));
+        self.line(&mut d, "line", vec![a, b], self.style.thin);
+        self.named(&mut d, &motion.point, a);
+        self.named(&mut d, target, b);
+        let caption = both!("At the start, t = 0, with the path of {target}", "t = 0 时的起始位置及 {target} 的轨迹");
+        Some(View { part: d.finish(), caption, scales: vec![(Level::Position, drawn.mu[0])] })
+    }
+
     /// The two at the instant and the line between them.
     pub fn pair(&self, drawn: &Drawn) -> Part {
         let mut d = Drawing::new("course", self.style.clone());

@@ -125,12 +125,21 @@ pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn
                 both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
             }
         ),
-        both!(
-            "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
-            "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
-            m.point,
-            mm((tip_t + tip_n).norm())
-        ),
+        if a_t == 0.0 {
+            both!(
+                "$a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: {} mm",
+                "$v$ 不变，$a_{{{}}} = v\\omega$，垂直于连线，量得 {} mm",
+                m.point,
+                mm((tip_t + tip_n).norm())
+            )
+        } else {
+            both!(
+                "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
+                "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
+                m.point,
+                mm((tip_t + tip_n).norm())
+            )
+        },
     ];
     let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
     let readings = vec![

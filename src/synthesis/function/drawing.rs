@@ -4,7 +4,7 @@ use super::Function;
 use crate::diag::both;
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
-use crate::synthesis::board::{Board, Weight};
+use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::Draft;
 
 impl Function {
@@ -38,8 +38,20 @@ impl Function {
             board.line(d, *at, Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
             turned.push(back);
         }
-        board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
-        let c = board.centre(turned[0], turned[1], turned[2])?;
+        let c = match turned[..] {
+            [b1, b2] => {
+                board.step(both!(
+                    "The bisector of B1B2' meets the follower's first direction in C1",
+                    "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
+                ));
+                let follower = Line::ray(d, phi + self.steps[0][1]);
+                board.bisector(b1, b2)?.cross(&follower)?
+            }
+            _ => {
+                board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
+                board.centre(turned[0], turned[1], turned[2])?
+            }
+        };
         board.mark("C_1", c);
         board.step(both!(
             "The linkage A B1 C1 D; C1 lies on the follower's first direction",
