@@ -11,6 +11,8 @@ use crate::diag::{Diagnostic, both};
 use crate::number::{Ball, Dd, Real};
 use crate::scene::front::Law;
 
+/// The code of what is said where the steps do not follow a course to its end.
+pub const LOST: &str = "pursuit-lost";
 /// More steps are not made.
 const MOST_STEPS: usize = 4000;
 /// No meeting within so many times the time that the pursuer would need to the first place of the target.
@@ -216,7 +218,7 @@ impl Chase<'_> {
             "the steps of the integration become too small or too many; what holds at an earlier \"time\" can be asked",
             "积分步长过小或步数过多；可求较早 \"time\" 的结果"
         );
-        Err(Diagnostic::error("pursuit", message).help(help))
+        Err(Diagnostic::error(LOST, message).help(help))
     }
 
     /// When and where the two meet.

@@ -73,7 +73,8 @@ pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
         // A pursuit whose end is not found can still be told at the instant.
         match ended(&chase) {
             Ok(end) => ends.push((k, end)),
-            Err(d) => lost.push((k, d)),
+            Err(d) if d.code == pursuit::LOST => lost.push((k, d)),
+            Err(d) => return Err(d.into()),
         }
         let end = ends.iter().find(|e| e.0 == k).map(|e| &e.1);
         chases.push((k, caught(problem, &chase, m, target, end, longer(&chase)?)?));

@@ -118,16 +118,16 @@ impl CrankRocker {
             Fixed::Crank(crank) => {
                 let half = significant(90.0 + theta.to_degrees() / 2.0, 5);
                 board.step(both!(
-                    "AG = AC2 on AC1 leaves C1G = 2AB, and C1C2 is seen from G under 90° + θ/2 = {half}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives G",
-                    "在 AC1 上取 AG = AC2，则 C1G = 2AB，且 ∠C1GC2 = 90° + θ/2 = {half}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 G"
+                    "AH = AC2 on AC1 leaves C1H = 2AB, and C1C2 is seen from H under 90° + θ/2 = {half}°: the circle with that inscribed angle, cut by the opening 2AB about C1, gives H",
+                    "在 AC1 上取 AH = AC2，则 C1H = 2AB，且 ∠C1HC2 = 90° + θ/2 = {half}°：作以该角为圆周角的圆，以 C1 为圆心、2AB 为半径截得 H"
                 ));
                 let (other, wide) = board.inscribed(c1, c2, FRAC_PI_2 + theta / 2.0, beyond)?;
                 let opening = board.mm(2.0 * crank);
                 board.circle(c1, opening, Weight::Thin);
-                let g = board.circles(c1, opening, other, wide)?[k];
-                board.mark("G", g);
-                board.step(both!("The line C1G meets the circle again in A", "C1G 的延长线与圆再交于 A"));
-                let crossings = board.cut(&Line::through(c1, g)?, centre, radius)?;
+                let h = board.circles(c1, opening, other, wide)?[k];
+                board.mark("H", h);
+                board.step(both!("The line C1H meets the circle again in A", "C1H 的延长线与圆再交于 A"));
+                let crossings = board.cut(&Line::through(c1, h)?, centre, radius)?;
                 crossings.into_iter().max_by(|p, q| p.distance(c1).total_cmp(&q.distance(c1)))?
             }
             Fixed::Line(given) => {
