@@ -58,15 +58,17 @@ struct Reader<'a> {
     places: Vec<(Word, [Law; 2])>,
     /// The instant (s).
     now: f64,
+    /// Points whose places could not be read.
+    misplaced: Vec<String>,
     /// The points of motions that could not be read; none where not even that is known.
     faulty: Vec<Option<String>>,
 }
 
-/// The point of a motion, whatever else is wrong with it.
-fn named_point(node: &Node) -> Option<String> {
+/// A name in a motion, whatever else is wrong with that.
+fn named(node: &Node, wanted: &str) -> Option<Word> {
     let NodeKind::Object(members) = &node.kind else { return None };
     members.iter().find_map(|(key, value)| match &value.kind {
-        NodeKind::Text(name) if key.text == "point" => Some(name.clone()),
+        NodeKind::Text(name) if key.text == wanted => Some(Word { text: name.clone(), span: value.span }),
         _ => None,
     })
 }
@@ -86,7 +88,7 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
         faults.push(d.at(f.get("time").map_or(f.span(), |n| n.span)).help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")));
     }
-    let mut r = Reader { front: &front, faults, places: Vec::new(), now, faulty: Vec::new() };
+    let mut r = Reader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
     r.points(f.get("points"));
     let plates = r.plates(f.get("plates"));
     let motions = r.motions(&f, &plates);
@@ -174,8 +176,9 @@ impl Reader<'_> {
     fn points(&mut self, node: Option<&Node>) {
         let Some(members) = node.and_then(|n| object(n, "\"points\"", self.faults)) else { return };
         for (name, place) in members {
-            if let Some(at) = self.two(place, &name.text) {
-                self.places.push((name.clone(), at));
+            match self.two(place, &name.text) {
+                Some(at) => self.places.push((name.clone(), at)),
+                None => self.misplaced.push(name.text.clone()),
             }
         }
     }
@@ -245,9 +248,11 @@ impl Reader<'_> {
             return Vec::new();
         }
         let (mut all, mut toward): (Vec<Motion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
+        let mut astray: Vec<Word> = Vec::new();
         for node in items {
             let Some((point, kind, target)) = self.motion(node, plates) else {
-                self.faulty.push(named_point(node));
+                self.faulty.push(named(node, "point").map(|w| w.text));
+                astray.extend(named(node, "toward"));
                 continue;
             };
             if all.iter().any(|m| m.point == point.text) {
@@ -279,14 +284,23 @@ impl Reader<'_> {
                 }
                 // What is wrong with that motion is told.
                 None if self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text)) => {}
-                None => {
-                    let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
-                    let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
-                    self.fault("unknown-point", name.span, message, near);
-                }
+                None => self.no_motion(&name, &all),
+            }
+        }
+        // Targets of motions that could not be read.
+        for name in astray {
+            let known = all.iter().any(|m| m.point == name.text) || self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
+            if !known {
+                self.no_motion(&name, &all);
             }
         }
         all
+    }
+
+    fn no_motion(&mut self, name: &Word, all: &[Motion]) {
+        let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
+        let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
+        self.fault("unknown-point", name.span, message, near);
     }
 
     fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, Kind, Option<Word>)> {
@@ -335,7 +349,8 @@ impl Reader<'_> {
         if known.is_none() && !needed {
             return Some([Law::zero(), Law::zero()]);
         }
-        if known.is_none() {
+        // What is wrong with its place is told there.
+        if known.is_none() && !self.misplaced.contains(&point.text) {
             let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
             let help = both!("add \"points\": {{\"{}\": [0, 0]}}", "请加 \"points\": {{\"{}\": [0, 0]}}", point.text);
             self.fault("missing-key", point.span, message, help);
