@@ -142,7 +142,7 @@ impl CrankRocker {
         };
         let k = number(own, own, |k| self.works(way.clone(), k)).map(|k| both!("K = {} has one", "K = {} 时有解", told(k)));
         match (other, k) {
-            (Some(one), Some(two)) => both!("{}; so has, else as given: {}", "{}；或其余不变：{}", one, two),
+            (Some(one), Some(two)) => both!("{}; with all else as given, {}", "{}；或其余不变：{}", one, two),
             (Some(one), None) | (None, Some(one)) => one,
             (None, None) => both!(
                 "leave \"frame\", \"limit\" and \"line\" out and give \"swing\" alone: the linkage with the best transmission angle is taken",
