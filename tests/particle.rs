@@ -204,7 +204,7 @@ fn figures_have_no_labels_on_one_another() {
 fn faults_are_told_with_their_places() {
     for (text, codes) in [
         (r#"{"motions": []}"#, vec!["wrong-count"]),
-        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key"]),
+        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key", "unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#, vec!["pursuit"]),
         (
