@@ -345,8 +345,7 @@ fn two_pairs_with_crank_and_frame_have_one_linkage() {
 /// Links that turn alike are a parallelogram; roots at infinity are no linkages.
 #[test]
 fn links_that_turn_alike_are_a_parallelogram() {
-    for n in [3, 5] {
-        let swing = json!({"swing": "60 deg"});
+    for (n, swing) in [(3, json!({"from": "30 deg", "swing": "60 deg"})), (5, json!({"swing": "60 deg"}))] {
         let task = json!({"synthesis": "function", "function": {"y": "x", "from": 1, "to": 2}, "points": n, "input": swing, "output": swing, "frame": "100 mm"});
         let found = design(&task).unwrap();
         let c = &found.candidates[0];

@@ -107,7 +107,7 @@ impl Frame {
     }
 
     /// Drawn to other scales.
-    fn to_scale(self, mu: [f64; 3]) -> Result<Frame, Faults> {
+    fn scaled(self, mu: [f64; 3]) -> Result<Frame, Faults> {
         let problem = self.problem.at(self.problem.instant(), Some(mu))?;
         let drawn = self.drawn_again(&problem)?;
         Ok(Frame { problem, drawn, ..self })
@@ -221,7 +221,7 @@ fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), F
         .into_iter()
         .map(|f| {
             let mu = [0, 1, 2].map(|k| f.drawn.mu[k].max(usual[k]));
-            if mu == f.drawn.mu { Ok(f) } else { f.to_scale(mu) }
+            if mu == f.drawn.mu { Ok(f) } else { f.scaled(mu) }
         })
         .collect::<Result<_, Faults>>()?;
     let Some(base) = frames.iter().position(|f| f.problem.instant() == now) else { return Err(nothing(which).into()) };

@@ -143,7 +143,7 @@ impl Function {
             _ => USUAL_RATIO,
         };
         let which = both!("parallelogram: the two turn alike with cranks of any length", "平行四边形机构：两连架杆转角相等，曲柄长可任取");
-        alike.then(|| (which, Generator { start: [start; 2], k: [ratio, ratio, 1.0] }))
+        alike.then_some((which, Generator { start: [start; 2], k: [ratio, ratio, 1.0] }))
     }
 
     /// Two pairs, crank and frame given: K₂ and K₃ are left, from two linear equations.
