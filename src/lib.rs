@@ -128,9 +128,9 @@
 //! synthesis  diag json digits number geom scene mechanism position construct sweep
 //! particle   diag json digits number geom scene construct
 //! report     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper render accuracy worked certified effort trains centres composite attempts curvature inversions particle synthesis
-//! figure     diag digits number geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
+//! figure     diag digits geom cam scene mechanism position answer plan construct analytic sweep paper accuracy worked certified effort gears trains centres composite attempts curvature inversions particle synthesis report
 //! worksheet  diag digits geom scene mechanism answer plan construct paper render worked certified attempts particle synthesis report figure
-//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified synthesis report figure
+//! lesson     diag digits geom scene mechanism position plan construct sweep paper render worked certified particle synthesis report figure
 //! cli        diag json digits geom cam scene mechanism position plan sweep render worked certified effort centres composite attempts curvature inversions particle synthesis report figure worksheet lesson
 //! ```
 //!

@@ -4,7 +4,7 @@
 use hodograph::figure::particle::figures;
 use hodograph::figure::style::Style;
 use hodograph::particle::plate::Part;
-use hodograph::particle::{Asked, Solved, board, read, solve, templates};
+use hodograph::particle::{Asked, Solved, board, read, solve, solve_again, templates};
 use hodograph::report::particle as report;
 use hodograph::scene::Lang;
 use serde_json::Value as Json;
@@ -204,7 +204,7 @@ fn figures_have_no_labels_on_one_another() {
 fn faults_are_told_with_their_places() {
     for (text, codes) in [
         (r#"{"motions": []}"#, vec!["wrong-count"]),
-        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key"]),
+        (r#"{"motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["missing-key", "unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "B", "speed": "5 m/s"}]}"#, vec!["unknown-point"]),
         (r#"{"points": {"A": [0, 0]}, "motions": [{"point": "A", "toward": "A", "speed": "5 m/s"}]}"#, vec!["pursuit"]),
         (
@@ -215,7 +215,7 @@ fn faults_are_told_with_their_places() {
             r#"{"plates": [{"link": "2", "axis": "w", "angle": "0 deg"}], "motions": [{"point": "M", "on": "3", "to_axis": "0 deg", "s": "1 m"}]}"#,
             vec!["unknown-word", "unknown-plate"],
         ),
-        (r#"{"time": "-1 s", "motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["time"]),
+        (r#"{"time": "-1 s", "motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["time", "unknown-question"]),
         (r#"{"motions": [{"point": "B", "x": "1 m/s*t", "y": "0 m"}], "find": ["v_C"]}"#, vec!["unknown-question"]),
     ] {
         let faults = read(text).unwrap_err();
@@ -233,5 +233,55 @@ fn faults_are_told_with_their_places() {
     ] {
         let faults = read(text).and_then(|p| solve(&p.value)).unwrap_err();
         assert_eq!(faults.list[0].code, code, "{faults}");
+    }
+}
+
+fn run_after(u: f64, v: f64, angle: f64) -> String {
+    format!(
+        r#"{{"time": "0 s", "points": {{"A": [0, 0], "B": ["30 m", "40 m"]}},
+        "motions": [{{"point": "B", "angle": "{angle} deg", "s": "{u} m/s*t"}}, {{"point": "A", "toward": "B", "speed": "{v} m/s"}}], "find": ["T_AB", "l_AB"]}}"#
+    )
+}
+
+/// T = r₀(v + u cos θ)/(v² − u²), however near the two speeds are; with equal speeds the distance tends to r₀(1 + cos θ)/2.
+#[test]
+fn pursuits_of_nearly_equal_speed_are_followed() {
+    for (u, angle, cosine) in [(4.9, 90.0, 0.8), (4.95, 0.0, 0.6)] {
+        let exact = 50.0 * (5.0 + u * cosine) / (25.0 - u * u);
+        let found = scalar(&run_after(u, 5.0, angle), "T_AB");
+        assert!((found - exact).abs() < 1e-9 * exact, "{u}, {angle}: {found} {exact}");
+    }
+    let (problem, solved) = solved(&run_after(5.0, 5.0, 0.0));
+    assert!((solved.answers[1].value.scalar().unwrap() - 50.0).abs() < 1e-12);
+    let told = report::text(&problem, &solved, &[], 6, false, Lang::En);
+    assert!(told.contains("does not catch") && told.contains("4.0000e1 m"), "{told}");
+}
+
+/// Shape, names and questions are told in one list.
+#[test]
+fn all_faults_of_a_file_are_told_at_once() {
+    let text = r#"{"motions": [{"point": "B", "angle": "0 deg", "s": "4 m"}, {"point": "A", "toward": "C", "speed": "5 kg"}, {"point": "D", "toward": "E", "speed": "5 m/s"}],
+        "points": {"A": [0, 0], "B": [0, "3 km"], "D": [1, 0]}, "find": ["v_B", "x_B", "a_A"]}"#;
+    let faults = read(text).unwrap_err();
+    let codes: Vec<&str> = faults.list.iter().map(|d| d.code).collect();
+    // C, the unit, E, the place of D, x_B. What rests on them is no fault of its own: where D starts, and a_A.
+    assert_eq!(codes, ["unknown-point", "unknown-unit", "unknown-point", "no-unit", "unknown-question"], "{faults}");
+}
+
+/// At another instant the same motion has the answers of a file that says so; rates of an instant go on with their acceleration.
+#[test]
+fn an_instant_can_be_moved() {
+    for name in templates::names() {
+        let (problem, a) = solved(templates::get(name).unwrap());
+        let later = problem.at(problem.instant() + 0.25, None).unwrap();
+        let b = solve_again(&later, &a).unwrap();
+        let moved = a.answers.iter().zip(&b.answers).any(|(a, b)| a.value.vector() != b.value.vector());
+        assert!(moved, "{name} stands still");
+        let drawn = board::draw_again(&later, &board::draw(&problem).unwrap()).unwrap();
+        let fresh = board::draw(&later).unwrap();
+        for ((what, one), (_, other)) in drawn[0].readings.iter().zip(&fresh[0].readings) {
+            let size = one.iter().map(|x| x * x).sum::<f64>().sqrt();
+            assert!(one.iter().zip(other).all(|(a, b)| (a - b).abs() <= 1e-9 * size), "{name}: {what:?}");
+        }
     }
 }

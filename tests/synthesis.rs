@@ -314,3 +314,71 @@ fn precision_points_are_told_with_their_turns() {
         off(&power, name, exact, unit);
     }
 }
+
+/// Two pairs with crank and frame: C₁ on the bisector of B₁B₂′ and on the follower's direction, as course books construct it.
+#[test]
+fn two_pairs_with_crank_and_frame_have_one_linkage() {
+    let pairs = json!([["45 deg", "60 deg"], ["90 deg", "100 deg"]]);
+    let task = json!({"synthesis": "function", "pairs": pairs, "frame": "100 mm", "crank": "40 mm"});
+    let found = design(&task).unwrap();
+    let c = &found.candidates[0];
+    // By hand: B₁ and the turned-back B₂′ are as far from C₁.
+    let (sin, cos) = (|d: f64| d.to_radians().sin(), |d: f64| d.to_radians().cos());
+    let b1 = [40.0 * cos(45.0), 40.0 * sin(45.0)];
+    let [x, y] = [40.0 * cos(90.0) - 100.0, 40.0 * sin(90.0)];
+    let back = [100.0 + x * cos(40.0) + y * sin(40.0), -x * sin(40.0) + y * cos(40.0)];
+    let off = |t: f64, p: [f64; 2]| (100.0 + t * cos(60.0) - p[0]).hypot(t * sin(60.0) - p[1]);
+    let (mut low, mut high) = (1.0, 400.0);
+    for _ in 0..200 {
+        let t = 0.5 * (low + high);
+        let same = (off(t, b1) > off(t, back)) == (off(low, b1) > off(low, back));
+        (low, high) = if same { (t, high) } else { (low, t) };
+    }
+    assert!((number(&found, c, "CD").unwrap() * 1e3 - low).abs() < 1e-9, "{low}");
+    assert!((number(&found, c, "BC").unwrap() * 1e3 - off(low, b1)).abs() < 1e-9);
+    let short = json!({"synthesis": "function", "pairs": pairs, "frame": "100 mm"});
+    assert!(design(&short).unwrap_err().contains("two pairs leave more"));
+    let three = json!({"synthesis": "function", "pairs": [["20 deg", "35 deg"], ["50 deg", "60 deg"], ["95 deg", "90 deg"]], "frame": "100 mm", "crank": "40 mm"});
+    assert!(design(&three).unwrap_err().contains("leave only the size free"));
+}
+
+/// Links that turn alike are a parallelogram; roots at infinity are no linkages.
+#[test]
+fn links_that_turn_alike_are_a_parallelogram() {
+    for (n, swing) in [(3, json!({"from": "30 deg", "swing": "60 deg"})), (5, json!({"swing": "60 deg"}))] {
+        let task = json!({"synthesis": "function", "function": {"y": "x", "from": 1, "to": 2}, "points": n, "input": swing, "output": swing, "frame": "100 mm"});
+        let found = design(&task).unwrap();
+        let c = &found.candidates[0];
+        assert!((number(&found, c, "AB").unwrap() - number(&found, c, "CD").unwrap()).abs() < 1e-15, "{n}");
+        assert!((number(&found, c, "BC").unwrap() - 0.1).abs() < 1e-15 && number(&found, c, "error_0").is_none());
+    }
+}
+
+/// Where the linear least squares miss closing at a pair, those of the angles are still found.
+#[test]
+fn least_squares_go_on_where_the_linear_ones_do_not_close() {
+    let pairs = [[20, 35], [35, 48], [50, 60], [65, 71], [80, 81], [95, 90]].map(|p| p.map(|a| format!("{a} deg")));
+    let found = design(&json!({"synthesis": "function", "pairs": pairs, "frame": "120 mm"})).unwrap();
+    let worst = number(&found, &found.candidates[0], "max_error").unwrap().abs().to_degrees();
+    assert!(worst < 0.7529, "{worst}");
+}
+
+/// A crank beside K, rocker and swing (CD = 290 mm, ψ = 32°, K = 1.25, AB = 75 mm): the coupler by the law of cosines, the frame on both sides of C₁C₂.
+#[test]
+fn a_crank_fixes_the_linkage_of_a_time_ratio() {
+    let task =
+        json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "75 mm"});
+    let found = design(&task).unwrap();
+    let mut frames: Vec<f64> = found.candidates.iter().map(|c| number(&found, c, "AD").unwrap() * 1e3).collect();
+    frames.sort_by(f64::total_cmp);
+    for (frame, exact) in frames.iter().zip([278.716821600, 371.713146288]) {
+        assert!((frame - exact).abs() < 1e-8, "{frames:?}");
+    }
+    for c in &found.candidates {
+        assert!((number(&found, c, "AB").unwrap() * 1e3 - 75.0).abs() < 1e-10);
+        assert!((number(&found, c, "BC").unwrap() * 1e3 - 176.014260774).abs() < 1e-8);
+    }
+    let long =
+        json!({"synthesis": "time-ratio", "linkage": "crank-rocker", "K": 1.25, "rocker": "290 mm", "swing": "32 deg", "crank": "120 mm"});
+    assert!(design(&long).unwrap_err().contains("no coupler closes"));
+}

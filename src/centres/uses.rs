@@ -15,6 +15,7 @@ use crate::worked::Worked;
 use super::lines::{Place, SAME};
 use super::locate::Centre;
 use super::rounds::Closure;
+use super::velocities::RESTING;
 
 /// How a link moves against the frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,13 +102,22 @@ pub struct Uses {
 /// Turning rates and speeds from the first driver on.
 pub(super) fn uses(scene: &Scene, worked: &Worked, closure: &Closure, list: &[Centre]) -> Uses {
     let mut chain = Chain { scene, worked, closure, list, frame: scene.ground, known: Vec::new() };
-    let (frame, first) = match chain.driver() {
+    let (frame, first) = match chain.driver(0) {
         Some((frame, link, motion)) => (frame, Some((link, By::Driver, motion))),
         None => (scene.ground, chain.analysis()),
     };
     chain.frame = frame;
     if let Some((link, by, motion)) = first {
         chain.known.push(Turning { link, by, motion, omega: 0.0 });
+    }
+    // Further drivers that are given against the same link.
+    for k in 1..scene.drivers.len() {
+        match chain.driver(k) {
+            Some((other, link, motion)) if other == frame && !chain.known.iter().any(|t| t.link == link) => {
+                chain.known.push(Turning { link, by: By::Driver, motion, omega: 0.0 });
+            }
+            Some(_) | None => {}
+        }
     }
     chain.go_on();
     chain.against_ground();
@@ -134,9 +144,9 @@ impl Chain<'_> {
         self.list.iter().find(|c| c.step.pair == pair)?.place
     }
 
-    /// Frame, link and motion that the first driver gives.
-    fn driver(&self) -> Option<(LinkId, LinkId, Motion)> {
-        let driver = self.scene.drivers.first()?;
+    /// Frame, link and motion that a driver gives.
+    fn driver(&self, k: usize) -> Option<(LinkId, LinkId, Motion)> {
+        let driver = self.scene.drivers.get(k)?;
         let rate = driver.rate.value;
         let at = &self.worked.configuration;
         match &driver.kind {
@@ -183,6 +193,7 @@ impl Chain<'_> {
                     continue;
                 }
                 if let Some((by, motion)) = self.known.iter().find_map(|m| self.next(k, m)) {
+                    let motion = self.settled(motion);
                     self.known.push(Turning { link: k, by, motion, omega: 0.0 });
                 }
             }
@@ -217,6 +228,21 @@ impl Chain<'_> {
             (Place::At(_), Place::Infinity(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::At(_), Motion::Slide(_))
             | (Place::Infinity(_), Place::Infinity(_), Motion::Turn(_)) => None,
+        }
+    }
+
+    /// A motion that is nothing beside the fastest known one is rest: two distances that cancel leave their rounding.
+    fn settled(&self, motion: Motion) -> Motion {
+        let size = self.size();
+        let rate = |m: &Motion| match m {
+            Motion::Turn(omega) => omega.abs(),
+            Motion::Slide(v) => v.norm() / size,
+        };
+        let fastest = self.known.iter().map(|t| rate(&t.motion)).fold(0.0, f64::max);
+        match motion {
+            m if rate(&m) > RESTING * fastest => m,
+            Motion::Turn(_) => Motion::Turn(0.0),
+            Motion::Slide(_) => Motion::Slide(Vec2::ZERO),
         }
     }
 

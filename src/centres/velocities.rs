@@ -15,7 +15,7 @@ use super::rounds::Pair;
 /// A difference of turning rates below this part of the largest is looked at in numbers that know their error.
 const DOUBTFUL: f64 = 1e-7;
 /// Relative motions below this part of the largest are rounding.
-const RESTING: f64 = 1e-11;
+pub(super) const RESTING: f64 = 1e-11;
 /// Digits to which a difference is asked whether it is zero.
 const DIGITS: usize = 12;
 

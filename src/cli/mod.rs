@@ -353,6 +353,9 @@ fn lesson(a: args::Lesson) -> Run {
         return synth::lesson(&a, style);
     }
     synth::no_pick(a.pick)?;
+    if particle::is_problem(&a.common.scene) {
+        return particle::lesson(&a, style);
+    }
     let mut input = Input::read(&a.common)?.drawn_in(&style);
     if !a.reveal {
         input.over_a_turn();

@@ -1,4 +1,4 @@
-//! Files of motions without a mechanism: `solve`, `draw` and `worksheet` take them as they take scenes.
+//! Files of motions without a mechanism: `solve`, `draw`, `worksheet` and `lesson` take them as they take scenes.
 
 use super::worksheet::{Writer, stem};
 use super::{Failure, Run, args, draw, edit, files, lang, values};
@@ -8,11 +8,13 @@ use crate::figure::item::Figure;
 use crate::figure::particle as figure;
 use crate::figure::sheet;
 use crate::figure::style::Style;
+use crate::lesson::motion;
 use crate::particle::board::Drawn;
 use crate::particle::{self, Problem, Solved, Value, board};
 use crate::report::particle as report;
 use crate::scene::{self, Lang};
 use crate::worksheet::{Options, Sides};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// A file, read and solved.
@@ -36,7 +38,7 @@ pub fn no_scene() -> Diagnostic {
         "not-a-scene",
         both!("this file has motions without a mechanism: there are no links", "此文件是无机构的运动：没有构件"),
     );
-    d.help(both!("`solve`, `draw` and `worksheet` take it", "请用 `solve`、`draw`、`worksheet`"))
+    d.help(both!("`solve`, `draw`, `worksheet` and `lesson` take it", "请用 `solve`、`draw`、`worksheet`、`lesson`"))
 }
 
 impl Input {
@@ -127,6 +129,21 @@ pub fn draw(a: &args::Draw, style: &Style) -> Run {
     }
     let notes = draw::put(a, &input.name, figures, |f| input.failed(f))?;
     input.say(notes);
+    Ok(input.verdict())
+}
+
+/// The lesson of a motion: the construction step by step, at an instant that is moved.
+pub fn lesson(a: &args::Lesson, style: Style) -> Run {
+    if a.reveal {
+        return Err(not_of_these("--reveal"));
+    }
+    let input = Input::read(&a.common)?;
+    let options = motion::Options { lang: input.lang(), style, positions: a.positions as usize, motion: a.driver as usize - 1 };
+    let page = motion::lesson(&input.problem, &options).map_err(|f| input.failed(f))?;
+    let path = a.output.clone().unwrap_or_else(|| format!("{}.html", files::stem(&input.name, "lesson")));
+    files::write(Path::new(&path), page.as_bytes())?;
+    files::print_names(&format!("{path}\n"))?;
+    input.say(Vec::new());
     Ok(input.verdict())
 }
 

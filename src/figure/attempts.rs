@@ -126,7 +126,7 @@ fn overlay(w: &Wanted, maker: &Maker, words: &Words, a: &Attempt) -> Option<Part
     let owner = d.shape("gap", "gap", Shape::Line { from: tips[0], to: tips[1], stroke: gap });
     let label = Label::math(gap_symbol(&wrong_words, a));
     d.label("gap", "gap", LabelRequest::along(label, style.label_mm, tips[0], tips[1], gap.width_mm / 2.0).owned(owner));
-    let caption = words.frame_of_drawing();
+    let caption = words.frame_of_drawing(a);
     Some(maker.titled(d.finish(), Label::text(caption), &of_level(&w.scene.book, level, right.mu), "attempt"))
 }
 

@@ -7,9 +7,9 @@ use crate::mechanism::Level;
 use crate::report::inversions as report;
 
 use super::drawing::Part;
-use super::item::Item;
+use super::item::{Figure, Item};
 use super::label::Label;
-use super::list::{Entry, Pages, Wanted, page};
+use super::list::{Entry, Pages, Wanted};
 use super::mechanism;
 use super::sheet::Maker;
 
@@ -21,19 +21,35 @@ pub const ENTRY: Entry =
 
 /// Between drawings.
 const GAP_MM: f64 = 14.0;
+/// Most drawings to a page; where there are more, a page has fewer: such chains have many links, and need the room.
+const PER_PAGE: usize = 6;
+const FEWER: usize = 4;
 /// Drawings to a row: four links stand two by two, six three by two.
 const PER_ROW: [usize; 2] = [2, 3];
 
 fn draw(w: &Wanted) -> Result<Warned<Pages>, Faults> {
     let Warned { value: all, notes } = inversions(w.scene)?;
-    let mut parts: Vec<Part> = all.iter().enumerate().map(|(k, i)| part(w, i, k)).collect();
+    let numbered: Vec<(usize, &Inversion)> = all.iter().enumerate().collect();
+    // Equal pages: twelve as three of four.
+    let count = numbered.len().div_ceil(PER_PAGE).max(1);
+    let count = if count > 1 { numbered.len().div_ceil(FEWER) } else { count };
+    let mut pages = Pages::new();
+    for (k, some) in numbered.chunks(numbered.len().div_ceil(count).max(1)).enumerate() {
+        let name = if count > 1 { format!("{}-{}", ENTRY.name, k + 1) } else { ENTRY.name.to_owned() };
+        pages.push((name, sheet(w, some)));
+    }
+    Ok(Warned { value: pages, notes })
+}
+
+/// Some of them on a page.
+fn sheet(w: &Wanted, some: &[(usize, &Inversion)]) -> Figure {
+    let mut parts: Vec<Part> = some.iter().map(|(k, i)| part(w, i, *k)).collect();
     let columns = PER_ROW[usize::from(parts.len() > 4)];
     stand(&mut parts, columns);
     let maker = Maker { scene: w.scene, worked: w.worked, options: w.options, certified: Vec::new() };
     let mut figure = maker.alone(Part::of(parts.into_iter().flat_map(|p| p.items).collect()));
-    figure.desc = all.iter().map(|i| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
-    let pages = page(ENTRY.name, (!all.is_empty()).then_some(figure))?;
-    Ok(Warned { value: pages.value, notes })
+    figure.desc = some.iter().map(|(_, i)| report::line(i, w.options.lang)).collect::<Vec<_>>().join("; ");
+    figure
 }
 
 /// One of them, with its name.

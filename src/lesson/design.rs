@@ -147,7 +147,7 @@ pub fn lesson(task: &Task, candidate: &Candidate, options: &Options) -> Result<S
 }
 
 /// A sentence as HTML with MathML.
-fn html(phrase: &Phrase) -> String {
+pub(super) fn html(phrase: &Phrase) -> String {
     let piece = |p: &Piece| match p {
         Piece::Words(w) => escaped(w),
         Piece::Formula(f) => mathml(&Label::math(f.as_str())),
@@ -156,7 +156,7 @@ fn html(phrase: &Phrase) -> String {
 }
 
 /// Items without their names: two drawings in a page may not share them.
-fn nameless<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<Item> {
+pub(super) fn nameless<'a>(items: impl Iterator<Item = &'a Item>) -> Vec<Item> {
     items.map(|i| Item { id: String::new(), ..i.clone() }).collect()
 }
 

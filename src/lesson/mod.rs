@@ -13,6 +13,7 @@ pub mod design;
 mod equations;
 mod frames;
 mod marks;
+pub mod motion;
 mod pack;
 mod page;
 mod reveal;

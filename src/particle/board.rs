@@ -4,6 +4,10 @@
 //! the ruler, lengths measured, turning rates are quotients of measured lengths. Where a pursuer is at the instant no ruler tells: that place is
 //! integrated, and the sentences say so, their symbols between dollar signs. Nothing of [`super::solve`] is used.
 
+mod chase;
+
+pub use chase::{FINE, SIGHTS};
+
 use super::ask::Asked;
 use super::law::{Way, jet, sine_cosine};
 use super::plate::Part;
@@ -17,6 +21,8 @@ use crate::scene::front::Law;
 
 /// Room of a drawing (mm).
 pub const ROOM_MM: [f64; 2] = [70.0, 60.0];
+/// Room of a length in one of the two views of a plate (mm): arrows begin at the point, which has its place too.
+const VIEW_MM: [f64; 2] = [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]];
 
 /// A vector drawn: its symbol in the label language, tail and tip (mm).
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +35,8 @@ pub struct Arrow {
     pub to: Point,
     /// Whether it is the absolute one, which the others make up.
     pub whole: bool,
+    /// The step that brings it, counted from 0.
+    pub step: usize,
 }
 
 /// The drawing of a motion.
@@ -51,6 +59,12 @@ pub struct Drawn {
 pub enum Views {
     /// A pursuer, its target, and the polygons from their poles in the origin.
     Chase {
+        /// Pursuer and target from the start to the end at equal times.
+        course: Vec<[Point; 2]>,
+        /// When it ends, or how far it is drawn (s).
+        until: f64,
+        /// Whether the two meet.
+        meets: bool,
         /// Pursuer and target.
         places: [Point; 2],
         /// Velocities.
@@ -109,10 +123,18 @@ fn rounded(jet: Jet<Big>) -> Jet3 {
 /// # Errors
 /// Laws without a value.
 pub fn draw(problem: &Problem) -> Result<Vec<Drawn>, Diagnostic> {
+    draw_again(problem, &[])
+}
+
+/// The same, where courses are known from another instant: they are not integrated anew.
+///
+/// # Errors
+/// As [`draw`].
+pub fn draw_again(problem: &Problem, known: &[Drawn]) -> Result<Vec<Drawn>, Diagnostic> {
     let mut out = Vec::new();
     for (k, m) in problem.motions.iter().enumerate() {
         match m.kind {
-            Kind::Toward { .. } => out.extend(chase(problem, k, m)?),
+            Kind::Toward { .. } => out.extend(chase::draw(problem, k, m, known.iter().find(|d| d.motion == k))?),
             Kind::OnPlate(..) => out.extend(plate(problem, k, m)?),
             Kind::Fixed(_) => {}
         }
@@ -124,87 +146,13 @@ fn mm(x: f64) -> String {
     significant(x, 4).replace('-', "−")
 }
 
-fn arrow(symbol: &str, from: Point, by: Vec2, whole: bool) -> Arrow {
-    Arrow { symbol: symbol.to_owned(), from, to: from + by, whole }
+fn arrow(symbol: &str, from: Point, by: Vec2, whole: bool, step: usize) -> Arrow {
+    Arrow { symbol: symbol.to_owned(), from, to: from + by, whole, step }
 }
 
 /// The largest extent of vectors.
 fn most(all: &[Vec2]) -> [f64; 2] {
     all.iter().fold([0.0_f64; 2], |[x, y], v| [x.max(v.x.abs()), y.max(v.y.abs())])
-}
-
-fn chase(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagnostic> {
-    let Some((chase, target)) = problem.chase(m) else { return Ok(None) };
-    let told = Told { time: &problem.time };
-    let Some(here) = super::solve::course(&chase, &[problem.instant()])?.pop() else { return Ok(None) };
-    let [x, y] = told.way(chase.target)?;
-    let speed = told.law(chase.speed)?;
-    let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
-    let a = b - Vec2::new(here.d[0], here.d[1]);
-    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(most(&[b - a]), ROOM_MM));
-    let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
-    let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
-    let mu_v = choose(most(&[v_b, along * speed[0]]), ROOM_MM);
-    let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
-    // The perpendicular from b on the line of v_A.
-    let foot = along * along.dot(tip_b);
-    let across = tip_b - foot;
-    let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
-    let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
-    let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
-    let whole = along * a_t + along.perp() * a_n;
-    let mu_a = choose(most(&[whole, along * a_t]), ROOM_MM);
-    let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
-    let velocities =
-        vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true)];
-    let mut accelerations = vec![arrow(&format!("a_{}", m.point), Point::ORIGIN, tip_t + tip_n, true)];
-    if a_t != 0.0 {
-        accelerations.push(arrow("a^t", Point::ORIGIN, tip_t, false));
-        accelerations.push(arrow("a^n", tip_t.to_point(), tip_n, false));
-    }
-    let closing = (tip_a - foot).dot(along) * mu_v;
-    let steps = vec![
-        both!(
-            "The course of {} is integrated; at the instant the line {}{target} measures {} mm",
-            "{} 的轨迹由数值积分得到；此瞬时连线 {}{target} 量得 {} mm",
-            m.point,
-            m.point,
-            mm(arm)
-        ),
-        both!(
-            "Lay off $v_{{{}}}$ along {}{target} from the pole, and $v_{{{target}}}$; the perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm",
-            "自极点沿 {1}{target} 作 $v_{{{0}}}$，再作 $v_{{{target}}}$；由 $v_{{{target}}}$ 的端点向 $v_{{{2}}}$ 作垂线，量得 {3} mm",
-            m.point,
-            m.point,
-            m.point,
-            mm(rate)
-        ),
-        both!(
-            "$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; the distance shrinks by {} m/s",
-            "$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；距离以 {} m/s 减小",
-            m.point,
-            mm(rate),
-            mm(arm),
-            mm(omega),
-            mm(closing)
-        ),
-        both!(
-            "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
-            "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
-            m.point,
-            mm((tip_t + tip_n).norm())
-        ),
-    ];
-    let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
-    let readings = vec![
-        (Asked::Distance(k), vec![arm * mu_l]),
-        (Asked::LineOmega(k), vec![omega]),
-        (Asked::Velocity(k), vec![v.x, v.y]),
-        (Asked::Acceleration(k), vec![acc.x, acc.y]),
-        (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
-    ];
-    let views = Views::Chase { places: [on_paper_a, on_paper_b], velocities, foot: foot.to_point(), accelerations };
-    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
 }
 
 /// Direction of the way in the view on the plate, speed along it, and the acceleration there with its normal part.
@@ -253,13 +201,13 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     let along = Vec2::new(cosine, sine);
     let seen = (along * on.place.x + along.perp() * offset).to_point();
     let extent = most(&[on.place.to_vec2(), seen.to_vec2()]);
-    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(extent, [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]));
+    let mu_l = problem.paper.mu_l.unwrap_or_else(|| choose(extent, VIEW_MM));
     let (front, top) = ((on.place.to_vec2() * (1.0 / mu_l)).to_point(), (seen.to_vec2() * (1.0 / mu_l)).to_point());
     let arm = top.to_vec2();
     let reach = arm.norm() * mu_l;
     let ring = arm.perp() * mu_l;
     let (ve, vr) = (ring * w, along * on.velocity.x);
-    let mu_v = choose(most(&[ve, vr, ve + vr, on.velocity]), [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]);
+    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose(most(&[ve, vr, ve + vr, on.velocity]), VIEW_MM));
     let paper_v = |v: Vec2| v * (1.0 / mu_v);
     // What is measured across in the view on the plate is what the view along the axis shows of v_r.
     let across = paper_v(on.velocity).x;
@@ -268,31 +216,31 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
     let a_r = on.normal + on.tangential;
     let ar = along * a_r.x;
     let whole = aen + aet + ar + ak;
-    let mu_a = choose(most(&[aen, aet, ak, ar, whole, a_r]), [0.6 * ROOM_MM[0], 0.6 * ROOM_MM[1]]);
+    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose(most(&[aen, aet, ak, ar, whole, a_r]), VIEW_MM));
     let paper_a = |v: Vec2| v * (1.0 / mu_a);
-    let add = |all: &mut Vec<Arrow>, symbol: &str, at: Point, v: Vec2, whole: bool| {
+    let add = |all: &mut Vec<Arrow>, symbol: &str, at: Point, v: Vec2, whole: bool, step: usize| {
         if v.norm() > 0.5 {
-            all.push(arrow(symbol, at, v, whole));
+            all.push(arrow(symbol, at, v, whole, step));
         }
     };
     let (mut v_front, mut v_top, mut a_front, mut a_top) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    add(&mut v_front, "v_r", front, paper_v(on.velocity), true);
+    add(&mut v_front, "v_r", front, paper_v(on.velocity), true, 0);
     let v_top_whole = paper_v(ve) + paper_v(vr);
     for (symbol, v, whole) in [("v_e", paper_v(ve), false), ("v_r'", paper_v(vr), false), ("v_a'", v_top_whole, true)] {
-        add(&mut v_top, symbol, top, v, whole);
+        add(&mut v_top, symbol, top, v, whole, 1);
     }
     if on.normal.norm() > 0.0 && on.tangential.norm() <= 1e-9 * on.normal.norm() {
-        add(&mut a_front, "a_r^n", front, paper_a(on.normal), true);
+        add(&mut a_front, "a_r^n", front, paper_a(on.normal), true, 2);
     } else if on.normal.norm() > 0.0 {
         for (symbol, v, whole) in [("a_r^n", on.normal, false), ("a_r^t", on.tangential, false), ("a_r", a_r, true)] {
-            add(&mut a_front, symbol, front, paper_a(v), whole);
+            add(&mut a_front, symbol, front, paper_a(v), whole, 2);
         }
     } else {
-        add(&mut a_front, "a_r", front, paper_a(a_r), true);
+        add(&mut a_front, "a_r", front, paper_a(a_r), true, 2);
     }
     for (symbol, v, whole) in [("a_e^n", aen, false), ("a_e^t", aet, false), ("a_r'", ar, false), ("a_k", ak, false), ("a_a'", whole, true)]
     {
-        add(&mut a_top, symbol, top, paper_a(v), whole);
+        add(&mut a_top, symbol, top, paper_a(v), whole, if symbol == "a_k" { 3 } else { 4 });
     }
     let order = plate.axis.order();
     let space = |flat: Vec2, up: f64| {
@@ -336,8 +284,14 @@ fn plate(problem: &Problem, k: usize, m: &Motion) -> Result<Option<Drawn>, Diagn
             mm(v_top_whole.norm())
         ),
         both!(
-            "$a_c = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
-            "$a_k = 2 \\omega $v_r$ \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
+            "View on the plate: the relative acceleration $a_r$ measures {} mm, its part across the axis {} mm",
+            "板面视图：相对加速度 $a_r$ 量得 {} mm，其垂直于轴的分量 {} mm",
+            mm(paper_a(a_r).norm()),
+            mm(paper_a(a_r).x.abs())
+        ),
+        both!(
+            "$a_c = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s², square to the plate, $v_r'$ turned by 90° in the sense of $\\omega$",
+            "$a_k = 2 \\omega v_r \\sin \\theta$ = $2 \\omega$ · {} mm · $\\mu_v$ = {} m/s²，垂直于板面，方向为 $v_r'$ 沿 $\\omega$ 转向转过 90°",
             mm(across.abs()),
             mm(ak.norm())
         ),

@@ -130,6 +130,28 @@ pub struct Turn<N> {
 }
 
 impl Turning {
+    /// The turn so much later (s): a law is the same; rates of an instant go on with α as it is there.
+    ///
+    /// # Errors
+    /// Where a law has no value.
+    pub fn later(&self, dt: f64) -> Result<Turning, Diagnostic> {
+        Ok(match self {
+            Turning::Law(law) => Turning::Law(law.clone()),
+            Turning::Now { .. } if dt == 0.0 => self.clone(),
+            Turning::Now { angle, omega, alpha } => {
+                let value = |law: &Law| jet(law, 0.0).map(|j| j.0[0]);
+                let (w, second) = (value(omega)?, alpha.as_ref().map(value).transpose()?.unwrap_or(0.0));
+                let (sine, cosine) = sine_cosine(angle, 0.0)?;
+                let start = libm::atan2(sine.0[0], cosine.0[0]);
+                Turning::Now {
+                    angle: Law::number(start + w * dt + second * dt * dt / 2.0),
+                    omega: Law::number(w + second * dt),
+                    alpha: alpha.clone(),
+                }
+            }
+        })
+    }
+
     /// The turn at a time; of a plate whose rates are given at the instant, at the instant.
     ///
     /// # Errors

@@ -27,9 +27,9 @@ pub mod templates;
 
 pub use ask::{Asked, Find};
 pub use read::{is_problem, read};
-pub use solve::{Answer, Solved, Value, course, solve};
+pub use solve::{Answer, Solved, Value, course, solve, solve_again};
 
-use crate::diag::Both;
+use crate::diag::{Both, Diagnostic};
 use crate::scene::front::Law;
 use crate::scene::{Lang, Localized, Paper};
 use law::{Turning, Way};
@@ -43,6 +43,8 @@ pub struct Problem {
     pub statement: Option<Localized>,
     /// The language it names.
     pub language: Option<Lang>,
+    /// Names and values of the parameters as they are written.
+    pub parameters: Vec<(String, String)>,
     /// Its sheet and scales.
     pub paper: Paper,
     /// The instant.
@@ -141,6 +143,22 @@ impl Problem {
         let Kind::Toward { from, target, speed } = &own.kind else { return None };
         let Motion { point, kind: Kind::Fixed(target) } = self.motions.get(*target)? else { return None };
         Some((pursuit::Chase { from, speed, target }, point))
+    }
+
+    /// The same motions at another instant (s), drawn to given scales. A plate whose rates are given at the instant keeps its angular acceleration.
+    ///
+    /// # Errors
+    /// Laws of a plate without a value.
+    pub fn at(&self, t: f64, mu: Option<[f64; 3]>) -> Result<Problem, Diagnostic> {
+        let mut moved = self.clone();
+        moved.time = Law::number(t);
+        for plate in &mut moved.plates {
+            plate.turning = plate.turning.later(t - self.instant())?;
+        }
+        if let Some([l, v, a]) = mu {
+            (moved.paper.mu_l, moved.paper.mu_v, moved.paper.mu_a) = (Some(l), Some(v), Some(a));
+        }
+        Ok(moved)
     }
 
     /// The instant (s).

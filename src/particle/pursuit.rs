@@ -11,10 +11,14 @@ use crate::diag::{Diagnostic, both};
 use crate::number::{Ball, Dd, Real};
 use crate::scene::front::Law;
 
+/// The code of what is said where the steps do not follow a course to its end.
+pub const LOST: &str = "pursuit-lost";
 /// More steps are not made.
 const MOST_STEPS: usize = 4000;
 /// No meeting within so many times the time that the pursuer would need to the first place of the target.
 const HORIZON: f64 = 1e4;
+/// Two that come nearer more slowly than this part of the pursuer's speed keep their distance for a step.
+const SLOWEST: f64 = 1e-6;
 /// Parts of the finest midpoint rule, over two.
 const COLUMNS: usize = 10;
 
@@ -182,8 +186,12 @@ impl Chase<'_> {
             if until.is_none() && here.t.approx() > HORIZON * first / v {
                 return Ok((here, false));
             }
-            let most = 0.5 * l / v.max((v - w).abs());
-            let mut h = wish.unwrap_or(0.1 * most).min(most);
+            // So far the two do not pass one another: they come nearer at this rate, which turns with the line between them.
+            let [x, y] = here.d.map(|c| c.approx() / l);
+            let (bx, by) = (b[0].approx(), b[1].approx());
+            let most = 0.5 * l / (v - bx * x - by * y).abs().max((bx * y - by * x).abs()).max(SLOWEST * v);
+            let mut h = wish.unwrap_or(0.1 * l / v).min(most);
+            let mut halved = false;
             let made = loop {
                 // The last step ends where it is to end.
                 let (by, last) =
@@ -193,19 +201,24 @@ impl Chase<'_> {
                     break Some(State { t, d, error: here.error + error + 64.0 * unit * first });
                 }
                 h *= 0.5;
+                halved = true;
                 budget -= 1;
                 if h < 1e-9 * most || budget == 0 {
                     break None;
                 }
             };
             let Some(next) = made else { break };
-            wish = Some(2.0 * h);
+            wish = Some(if halved { h } else { 2.0 * h });
             here = next;
             seen(&here);
         }
         let t = here.t.approx();
         let message = both!("the pursuit cannot be followed beyond t = {t} s", "追踪运动在 t = {t} s 之后无法继续积分");
-        Err(Diagnostic::error("pursuit", message).help(both!("the laws change too fast there", "该处运动规律变化过快")))
+        let help = both!(
+            "the steps of the integration become too small or too many; what holds at an earlier \"time\" can be asked",
+            "积分步长过小或步数过多；可求较早 \"time\" 的结果"
+        );
+        Err(Diagnostic::error(LOST, message).help(help))
     }
 
     /// When and where the two meet.

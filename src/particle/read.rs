@@ -58,6 +58,19 @@ struct Reader<'a> {
     places: Vec<(Word, [Law; 2])>,
     /// The instant (s).
     now: f64,
+    /// Points whose places could not be read.
+    misplaced: Vec<String>,
+    /// The points of motions that could not be read; none where not even that is known.
+    faulty: Vec<Option<String>>,
+}
+
+/// A name in a motion, whatever else is wrong with that.
+fn named(node: &Node, wanted: &str) -> Option<Word> {
+    let NodeKind::Object(members) = &node.kind else { return None };
+    members.iter().find_map(|(key, value)| match &value.kind {
+        NodeKind::Text(name) if key.text == wanted => Some(Word { text: name.clone(), span: value.span }),
+        _ => None,
+    })
 }
 
 fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
@@ -75,11 +88,14 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
         let d = Diagnostic::error("time", both!("the instant is {now} s", "时刻为 {now} s"));
         faults.push(d.at(f.get("time").map_or(f.span(), |n| n.span)).help(both!("it counts from the start, 0 s", "时刻从起点 0 s 算起")));
     }
-    let mut r = Reader { front: &front, faults, places: Vec::new(), now };
+    let mut r = Reader { front: &front, faults, places: Vec::new(), now, misplaced: Vec::new(), faulty: Vec::new() };
     r.points(f.get("points"));
     let plates = r.plates(f.get("plates"));
     let motions = r.motions(&f, &plates);
-    let used = |name: &Word, motions: &[Motion]| motions.iter().any(|m| m.point == name.text);
+    let faulty = r.faulty.clone();
+    let used = |name: &Word, motions: &[Motion]| {
+        motions.iter().any(|m| m.point == name.text) || faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text))
+    };
     for (name, _) in &r.places {
         if !used(name, &motions) {
             let d = Diagnostic::warning("unused-point", both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text));
@@ -89,10 +105,22 @@ fn problem(root: &Node, text: &str, faults: &mut Faults) -> Option<Problem> {
     let statement = f.get("statement").and_then(|n| front.localized(n, "\"statement\"", r.faults));
     let statement = statement.map(|s| filled(s, &front.parameters()));
     let title = front.title.as_ref().map_or_else(|| usual_title(&motions), |t| Both { en: t.en.clone(), zh: t.zh.clone() });
-    let mut out =
-        Problem { title, statement, language: front.language, paper: front.paper.clone(), time, plates, motions, find: Vec::new() };
-    if !r.faults.has_errors() {
-        out.find = r.find(&f, &out);
+    let mut out = Problem {
+        title,
+        statement,
+        language: front.language,
+        parameters: front.parameters(),
+        paper: front.paper.clone(),
+        time,
+        plates,
+        motions,
+        find: Vec::new(),
+    };
+    // Questions are looked at even where other things are wrong; those of motions that could not be read have no meaning yet.
+    let before = r.faults.has_errors();
+    let found = r.find(&f, &out);
+    if !before {
+        out.find = found;
     }
     r.faults.list.extend(front.unused());
     Some(out)
@@ -148,8 +176,9 @@ impl Reader<'_> {
     fn points(&mut self, node: Option<&Node>) {
         let Some(members) = node.and_then(|n| object(n, "\"points\"", self.faults)) else { return };
         for (name, place) in members {
-            if let Some(at) = self.two(place, &name.text) {
-                self.places.push((name.clone(), at));
+            match self.two(place, &name.text) {
+                Some(at) => self.places.push((name.clone(), at)),
+                None => self.misplaced.push(name.text.clone()),
             }
         }
     }
@@ -219,8 +248,13 @@ impl Reader<'_> {
             return Vec::new();
         }
         let (mut all, mut toward): (Vec<Motion>, Vec<(usize, Word)>) = (Vec::new(), Vec::new());
+        let mut astray: Vec<Word> = Vec::new();
         for node in items {
-            let Some((point, kind, target)) = self.motion(node, plates) else { continue };
+            let Some((point, kind, target)) = self.motion(node, plates) else {
+                self.faulty.push(named(node, "point").map(|w| w.text));
+                astray.extend(named(node, "toward"));
+                continue;
+            };
             if all.iter().any(|m| m.point == point.text) {
                 let message = both!("the point `{}` has two motions", "点 `{}` 有两个运动", point.text);
                 self.fault("twice", point.span, message, both!("keep one of them", "请保留一个"));
@@ -248,15 +282,25 @@ impl Reader<'_> {
                     );
                     self.fault("pursuit", name.span, message, help);
                 }
-                None if self.faults.has_errors() => {}
-                None => {
-                    let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
-                    let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
-                    self.fault("unknown-point", name.span, message, near);
-                }
+                // What is wrong with that motion is told.
+                None if self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text)) => {}
+                None => self.no_motion(&name, &all),
+            }
+        }
+        // Targets of motions that could not be read.
+        for name in astray {
+            let known = all.iter().any(|m| m.point == name.text) || self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| *n == name.text));
+            if !known {
+                self.no_motion(&name, &all);
             }
         }
         all
+    }
+
+    fn no_motion(&mut self, name: &Word, all: &[Motion]) {
+        let message = both!("the point `{}` has no motion", "点 `{}` 没有运动", name.text);
+        let near = suggest(&name.text, all.iter().map(|m| m.point.as_str()), both!("points that move are", "运动的点有"));
+        self.fault("unknown-point", name.span, message, near);
     }
 
     fn motion(&mut self, node: &Node, plates: &[Plate]) -> Option<(Word, Kind, Option<Word>)> {
@@ -305,7 +349,8 @@ impl Reader<'_> {
         if known.is_none() && !needed {
             return Some([Law::zero(), Law::zero()]);
         }
-        if known.is_none() {
+        // What is wrong with its place is told there.
+        if known.is_none() && !self.misplaced.contains(&point.text) {
             let message = both!("where `{}` starts is not said", "未给出 `{}` 的起点", point.text);
             let help = both!("add \"points\": {{\"{}\": [0, 0]}}", "请加 \"points\": {{\"{}\": [0, 0]}}", point.text);
             self.fault("missing-key", point.span, message, help);
@@ -353,6 +398,7 @@ impl Reader<'_> {
             let Some(text) = word(n, "\"find\"", self.faults) else { continue };
             match ask::meaning(problem, &text.text, text.span) {
                 Ok(found) => out.push(found),
+                Err(_) if self.faulty.iter().any(|n| n.as_ref().is_none_or(|n| text.text.contains(n.as_str()))) => {}
                 Err(d) => self.faults.push(d),
             }
         }

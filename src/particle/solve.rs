@@ -67,28 +67,57 @@ pub struct Solved {
 /// Laws without a value at the instant, pursuits that cannot be followed, an instant after the meeting.
 pub fn solve(problem: &Problem) -> Result<Solved, Faults> {
     let mut ends = Vec::new();
-    let mut chases = Vec::new();
+    let (mut chases, mut lost) = (Vec::new(), Vec::new());
     for (k, m) in problem.motions.iter().enumerate() {
         let Some((chase, target)) = problem.chase(m) else { continue };
-        let end = ended(&chase)?;
-        chases.push((k, caught(problem, &chase, m, target, &end)?));
-        ends.push((k, end));
+        // A pursuit whose end is not found can still be told at the instant.
+        match ended(&chase) {
+            Ok(end) => ends.push((k, end)),
+            Err(d) if d.code == pursuit::LOST => lost.push((k, d)),
+            Err(d) => return Err(d.into()),
+        }
+        let end = ends.iter().find(|e| e.0 == k).map(|e| &e.1);
+        chases.push((k, caught(problem, &chase, m, target, end, longer(&chase)?)?));
     }
+    Ok(Solved { answers: answered(problem, &chases, &ends, &lost)?, ends })
+}
+
+/// The same at another instant: pursuits end as is known, and are followed in `f64`, with fewer certain digits and in a hundredth of the time.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_again(problem: &Problem, known: &Solved) -> Result<Solved, Faults> {
+    let mut chases = Vec::new();
+    for (k, end) in &known.ends {
+        let m = &problem.motions[*k];
+        let Some((chase, target)) = problem.chase(m) else { continue };
+        chases.push((*k, caught(problem, &chase, m, target, Some(end), false)?));
+    }
+    Ok(Solved { answers: answered(problem, &chases, &known.ends, &[])?, ends: known.ends.clone() })
+}
+
+fn answered(
+    problem: &Problem,
+    chases: &[(usize, Line)],
+    ends: &[(usize, End)],
+    lost: &[(usize, Diagnostic)],
+) -> Result<Vec<Answer>, Diagnostic> {
     let answer = |(find, question): (usize, &super::Find)| {
+        let gone = |k: usize| lost.iter().find(|l| l.0 == k).map(|l| Value::None(l.1.clone()));
         let value = match question.what {
-            Asked::MeetingTime(k) => meeting(problem, k, &ends, |time, _| scalar(time)),
-            Asked::MeetingPlace(k) => meeting(problem, k, &ends, |_, place| vector(&place)),
-            Asked::Distance(k) | Asked::LineOmega(k) => of_chase(problem, k, &chases, question.what)?,
+            Asked::MeetingTime(k) | Asked::MeetingPlace(k) if gone(k).is_some() => gone(k).unwrap_or_else(|| Value::None(undecided())),
+            Asked::MeetingTime(k) => meeting(problem, k, ends, |time, _| scalar(time)),
+            Asked::MeetingPlace(k) => meeting(problem, k, ends, |_, place| vector(&place)),
+            Asked::Distance(k) | Asked::LineOmega(k) => of_chase(problem, k, chases, question.what)?,
             Asked::Place(k) | Asked::Velocity(k) | Asked::Acceleration(k) | Asked::Curvature(k) => match problem.motions[k].kind {
-                Kind::Toward { .. } => of_chase(problem, k, &chases, question.what)?,
+                Kind::Toward { .. } => of_chase(problem, k, chases, question.what)?,
                 Kind::Fixed(_) | Kind::OnPlate(..) => by_law(problem, k, question.what)?,
             },
             Asked::Part(k, _) => by_law(problem, k, question.what)?,
         };
         Ok(Answer { find, value })
     };
-    let answers: Result<Vec<Answer>, Diagnostic> = problem.find.iter().enumerate().map(answer).collect();
-    Ok(Solved { answers: answers?, ends })
+    problem.find.iter().enumerate().map(answer).collect()
 }
 
 /// How a pursuit ends, in the longest numbers that its laws have values in. Whether it has an end is found in `f64`: what goes round after a
@@ -109,9 +138,9 @@ fn longer(chase: &Chase) -> Result<bool, Diagnostic> {
 type Line = [Ball<Dd>; 2];
 
 /// The way from pursuer to target at the instant.
-fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: &End) -> Result<Line, Faults> {
+fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: Option<&End>, long: bool) -> Result<Line, Faults> {
     let now = problem.instant();
-    if let End::Meet { time, .. } = end
+    if let Some(End::Meet { time, .. }) = end
         && now >= time.approx() - time.radius()
     {
         let d = Diagnostic::error(
@@ -125,7 +154,7 @@ fn caught(problem: &Problem, chase: &Chase, m: &Motion, target: &str, end: &End)
         );
         return Err(d.help(both!("take a \"time\" before that", "请取更早的 \"time\"")).into());
     }
-    Ok(if longer(chase)? { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
+    Ok(if long { at_instant::<Dd>(problem, chase)? } else { at_instant::<f64>(problem, chase)? })
 }
 
 fn at_instant<N: Real + Into<Dd>>(problem: &Problem, chase: &Chase) -> Result<Line, Diagnostic> {

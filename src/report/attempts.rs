@@ -104,15 +104,22 @@ impl Words<'_> {
 
     /// What the frame means.
     pub fn frame(&self, a: &Attempt) -> &'static str {
-        match (&a.shown.missing, a.shown.side) {
-            (Some(_), _) | (None, Side::Right) => self.tr("framed: missing as printed", "框内：原解漏掉的项"),
-            (None, Side::Wrong) => self.tr("framed: wrong as printed", "框内：原解中错误的部分"),
+        let missing = matches!((&a.shown.missing, a.shown.side), (Some(_), _) | (None, Side::Right));
+        match (missing, printed(a)) {
+            (true, true) => self.tr("framed: missing as printed", "框内：原解漏掉的项"),
+            (false, true) => self.tr("framed: wrong as printed", "框内：原解中错误的部分"),
+            (true, false) => self.tr("framed: what is often left out", "框内：常被漏掉的项"),
+            (false, false) => self.tr("framed: what is often taken wrong", "框内：常被取错的部分"),
         }
     }
 
     /// What the drawing shows.
-    pub fn frame_of_drawing(&self) -> &'static str {
-        self.tr("Right (black) and as printed (red, *), from one pole", "正确解（黑）与原解（红，加 *），同一极点")
+    pub fn frame_of_drawing(&self, a: &Attempt) -> &'static str {
+        if printed(a) {
+            self.tr("Right (black) and as printed (red, *), from one pole", "正确解（黑）与原解（红，加 *），同一极点")
+        } else {
+            self.tr("Right (black) and as it is often done (red, *), from one pole", "正确解（黑）与常见错解（红，加 *），同一极点")
+        }
     }
 
     /// A value that is not certified.
@@ -227,6 +234,11 @@ fn significant_at_most(value: f64) -> String {
 /// The symbol of the gap: `\Delta a_{E3}`.
 pub fn gap_symbol(w: &Writer, a: &Attempt) -> String {
     format!("\\Delta {}", w.vector(a.gap.level, a.gap.wrong))
+}
+
+/// Whether the wrong solution stands in print; else it is one of those that are often made.
+pub fn printed(a: &Attempt) -> bool {
+    a.rows.iter().any(|r| r.printed.is_some())
 }
 
 /// Whether what was printed comes from the equation.

@@ -286,8 +286,17 @@ impl<'a> Words<'a> {
 
     /// A speed in words; zero where it is no more than rounding.
     fn speed_words(&self, value: f64) -> String {
-        let most = self.found.uses.points.iter().map(|s| s.velocity.norm()).fold(0.0, f64::max);
-        self.velocity(if value <= ROUNDING * most { 0.0 } else { value })
+        self.velocity(if value <= ROUNDING * self.fastest() { 0.0 } else { value })
+    }
+
+    /// The largest speed of a point, or of a link's turning over the mechanism: beside it speeds are more than rounding.
+    fn fastest(&self) -> f64 {
+        let size = self.found.worked.configuration.extent();
+        let of_links = self.found.uses.links.iter().map(|t| match t.motion {
+            Motion::Turn(omega) => omega.abs() * size,
+            Motion::Slide(v) => v.norm(),
+        });
+        self.found.uses.points.iter().map(|s| s.velocity.norm()).chain(of_links).fold(0.0, f64::max)
     }
 
     fn turning(&self, t: &Turning) -> String {
@@ -306,7 +315,7 @@ impl<'a> Words<'a> {
         match t.by {
             By::Driver | By::Analysis => {
                 let why = if t.by == By::Driver {
-                    tr(lang, "  (the driver)", "（原动件）")
+                    tr(lang, if self.scene.drivers.len() > 1 { "  (a driver)" } else { "  (the driver)" }, "（原动件）")
                 } else {
                     tr(lang, "  (by the analysis)", "（由解析法）")
                 };
@@ -379,7 +388,7 @@ impl<'a> Words<'a> {
             tr(lang, "loop equations", "解析").to_owned(),
         ]];
         let most = self.found.uses.links.iter().map(|t| t.omega.abs()).fold(0.0, f64::max);
-        let fastest = self.found.uses.points.iter().map(|s| s.velocity.norm()).fold(0.0, f64::max);
+        let fastest = self.fastest();
         for (symbol, kind, value, others) in self.values() {
             let zero = 1e-12 * if kind == Kind::Omega { most } else { fastest };
             let write = |v: f64| match (kind, if v.abs() <= zero { 0.0 } else { v }) {

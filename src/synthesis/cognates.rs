@@ -91,7 +91,7 @@ impl Cognates {
 
 fn none(scene: &Scene) -> Diagnostic {
     let message = both!(
-        "cognates are of a four-bar of four pins with a point on its coupler; this scene has {} links, {} guides",
+        "cognates are of a four-bar of four pins with a point on its coupler; in this scene: links {}, guides {}",
         "同源机构由四个转动副的四杆机构及其连杆上一点求得；该机构有 {} 个构件、{} 个导路",
         scene.links.len(),
         scene.guides.len()
@@ -195,7 +195,11 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
     };
     match Cognates::of_scene(&scene, &at, point) {
         Ok(cognates) => {
-            let name = both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() });
+            let name = if scene.title.en.is_empty() && scene.title.zh.is_empty() {
+                both!("Cognates of a four-bar", "四杆机构的同源机构")
+            } else {
+                both!("Cognates of: {}", "同源机构：{}", Both { en: scene.title.en.clone(), zh: scene.title.zh.clone() })
+            };
             Some(Box::new(Task { cognates, name }))
         }
         Err(d) => {

@@ -281,11 +281,7 @@ impl Wish for Task {
         let measured = measure(&made)?;
         let mut numbers = made.numbers;
         numbers.extend(measured.numbers());
-        let which = if measured.deviation <= EXACT * measured.length {
-            both!("exact", "精确直线")
-        } else {
-            both!("nearly straight", "近似直线")
-        };
+        let which = if measured.deviation == 0.0 { both!("exact", "精确直线") } else { both!("nearly straight", "近似直线") };
         let draft = Draft { error: measured.deviation, ..Draft::new(which, made.scene, numbers, made.wanted) };
         Ok(Found { drafts: vec![draft], numbers: Vec::new(), notes: Vec::new() })
     }
@@ -321,17 +317,25 @@ struct Measured {
 impl Measured {
     fn numbers(&self) -> Vec<Number> {
         let [(low_at, low), (high_at, high)] = self.extremes;
-        vec![
+        let mut out = vec![
             Number::length("length", both!("length along the line", "直线段长"), self.length),
             Number::length("deviation", both!("from the least to the greatest deviation", "最大与最小偏离之差"), self.deviation),
             Number::ratio("relative", both!("deviation over length", "偏差与长度之比"), self.deviation / self.length),
-            Number::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
-            Number::angle("at_least", both!("the driver there", "此处原动件的位置"), low_at),
-            Number::length("greatest", both!("greatest coordinate across the line", "横向坐标最大值"), high),
-            Number::angle("at_greatest", both!("the driver there", "此处原动件的位置"), high_at),
+        ];
+        // What is straight has no least and no greatest place.
+        if self.deviation > 0.0 {
+            out.extend([
+                Number::length("least", both!("least coordinate across the line", "横向坐标最小值"), low),
+                Number::angle("at_least", both!("the driver there", "此处原动件的位置"), low_at),
+                Number::length("greatest", both!("greatest coordinate across the line", "横向坐标最大值"), high),
+                Number::angle("at_greatest", both!("the driver there", "此处原动件的位置"), high_at),
+            ]);
+        }
+        out.extend([
             Number::angle("from", both!("the driver where the line begins", "直线段起点的原动件位置"), self.range[0]),
             Number::angle("to", both!("the driver where it ends", "直线段终点的原动件位置"), self.range[1]),
-        ]
+        ]);
+        out
     }
 }
 
@@ -358,5 +362,7 @@ fn measure(made: &Made) -> Result<Measured, Faults> {
     let [Some(a), Some(b), Some(low), Some(high)] = four else {
         return Err(Diagnostic::error("no-motion", both!("the linkage does not move through its range", "机构不能在该范围内运动")).into());
     };
-    Ok(Measured { length: b.1 - a.1, deviation: high.1 - low.1, extremes: [low, high], range: made.range })
+    let (length, deviation) = (b.1 - a.1, high.1 - low.1);
+    let deviation = if deviation <= EXACT * length { 0.0 } else { deviation };
+    Ok(Measured { length, deviation, extremes: [low, high], range: made.range })
 }

@@ -1,10 +1,12 @@
 //! The worksheet of a motion without a mechanism: the problem as it is set; the drawing with its sentences, the formulas, the answers by both ways.
 
+mod given;
+
 use super::{Block, Document, Options, Sides, Table, TableKind, one_line};
 use crate::diag::Diagnostic;
 use crate::digits::significant;
 use crate::figure::label::Label;
-use crate::figure::particle::within_text;
+use crate::figure::particle::{as_given, within_text};
 use crate::paper::phrase::{Phrase, tr};
 use crate::particle::board::Drawn;
 use crate::particle::{Kind, Problem, Solved};
@@ -25,8 +27,13 @@ pub fn particle(problem: &Problem, solved: &Solved, board: &[Drawn], options: &O
         if let Some(text) = &problem.statement {
             blocks.extend(text.get(lang).lines().map(|l| Block::Paragraph(Phrase::new(l))));
         }
-        let wanted = problem.find.iter().map(|f| Phrase::new(&format!("${}$", symbol(problem, f.what, lang)))).collect();
-        blocks.extend([heading(2, "Wanted", "求"), Block::List { numbered: false, members: wanted }]);
+        for d in board {
+            let figure = as_given(problem, solved, d, &options.sheet.style, lang)?;
+            blocks.push(Block::Figure { name: "given", figure: Box::new(figure) });
+        }
+        let list = |members| Block::List { numbered: false, members };
+        blocks.extend([heading(2, "Given", "已知"), list(given::given(problem, lang))]);
+        blocks.extend([heading(2, "Wanted", "求"), list(given::wanted(problem, lang))]);
     }
     if options.sides != Sides::Problem {
         blocks.push(heading(1, "Solution", "解"));
@@ -80,7 +87,10 @@ fn answers(problem: &Problem, solved: &Solved, board: &[Drawn], options: &Option
         let read = drawn(board, what).map_or_else(
             || "—".to_owned(),
             |all| {
-                let size = all.iter().fold(0.0, |s, x| s + x * x).sqrt();
+                let size = match all {
+                    [one] => *one,
+                    _ => all.iter().fold(0.0, |s, x| s + x * x).sqrt(),
+                };
                 format!("{} {}", significant(size, 4), unit(what))
             },
         );

@@ -10,7 +10,7 @@ use serde_json::json;
 const SMALL_PROJECTOR: [u32; 2] = [1280, 720];
 
 /// Of both drawings: the least height of a name's first letter (px, ink), and what is cut by the drawing or by the window's sides.
-const DRAWINGS: &str = r##"(() => {
+pub const DRAWINGS: &str = r##"(() => {
     let least = Infinity, count = 0;
     const cut = [];
     for (const svg of document.querySelectorAll(".drawing svg")) {
@@ -27,7 +27,7 @@ const DRAWINGS: &str = r##"(() => {
 })()"##;
 
 /// Of the words of a step: what is wider than its room, or lies below the window where it stays in place.
-const WORDS: &str = r##"(() => {
+pub const WORDS: &str = r##"(() => {
     const s = document.getElementById("sentence"), r = s.getBoundingClientRect(), cut = [];
     if (r.right > innerWidth + 1 || s.scrollWidth > s.clientWidth + 1) cut.push("the sentence is too wide");
     if (getComputedStyle(document.getElementById("steps")).position === "fixed") {
@@ -38,7 +38,7 @@ const WORDS: &str = r##"(() => {
 })()"##;
 
 /// Parts of the construction that stand in the page in this step.
-const SEEN: &str = "[...document.querySelectorAll('[data-step]')].filter((g) => !g.classList.contains('later')).length";
+pub const SEEN: &str = "[...document.querySelectorAll('[data-step]')].filter((g) => !g.classList.contains('later')).length";
 
 fn of_kind(name: &str) -> (Task, Candidate, usize, PathBuf) {
     let task = synthesis::read(synthesis::templates::get(name).unwrap()).unwrap().value;

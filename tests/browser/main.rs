@@ -7,6 +7,7 @@
 mod chromium;
 mod design;
 mod ink;
+mod motion;
 mod predict;
 mod stage;
 mod touch;
@@ -14,9 +15,8 @@ mod touch;
 use chromium::Browser;
 use hodograph::accuracy::toggle;
 use hodograph::figure::item::Shape;
-use hodograph::figure::mechanism;
-use hodograph::figure::polygon;
 use hodograph::figure::style::Style;
+use hodograph::figure::{mechanism, polygon};
 use hodograph::lesson::{Options, lesson};
 use hodograph::mechanism::Level;
 use hodograph::plan::notation::Notation;

@@ -13,7 +13,7 @@ use crate::geom::{Point, Vec2};
 use crate::plan::names::name_label;
 use crate::position::Path;
 
-use super::rays::{Paper, Ray, Spot, clipped, holds};
+use super::rays::{Paper, Plate, Ray, Spot, clipped, holds};
 use super::symbol;
 
 /// How far around the mechanism centres are still drawn where they are: half of an A4 page's height.
@@ -29,16 +29,16 @@ const VELOCITY_MM: f64 = 16.0;
 /// How far lines stand back behind the mechanism.
 const LINES: Colour = Colour::grey(120);
 
-/// The mechanism with all its centres.
-pub fn part(w: &Wanted, found: &Centres) -> Part {
+/// The mechanism with the centres of a plate.
+pub fn part(w: &Wanted, found: &Centres, plate: &Plate) -> Part {
     let (style, scene) = (&w.options.style, w.scene);
     let diagram = &w.worked.construction.diagram;
     let to_paper = |p: Point| ((p - diagram.origin) * (1.0 / diagram.mu_l)).to_point();
     let mut d = mechanism::numbered(style, scene, w.worked, &w.options.notation);
     let lines = d.bounds();
-    let window = window(found, lines, &to_paper);
+    let window = window(found, plate, lines, &to_paper);
     let paper = Paper { found, to_paper: &to_paper, window };
-    let mut over = Over { w, found, paper: &paper, d: &mut d, told: vec![false; found.list.len()] };
+    let mut over = Over { w, found, paper: &paper, d: &mut d, plate, told: vec![false; found.list.len()] };
     over.lines();
     over.normals();
     over.spots();
@@ -47,9 +47,10 @@ pub fn part(w: &Wanted, found: &Centres) -> Part {
 }
 
 /// The paper that is used: the mechanism, and all centres that are not far from it.
-fn window(found: &Centres, lines: Rect, to_paper: &dyn Fn(Point) -> Point) -> Rect {
+fn window(found: &Centres, plate: &Plate, lines: Rect, to_paper: &dyn Fn(Point) -> Point) -> Rect {
     let reach = lines.grown(REACH_MM);
-    let near = found.list.iter().filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
+    let shown = found.list.iter().enumerate().filter(|(k, _)| plate.shows(found, *k)).map(|(_, c)| c);
+    let near = shown.filter_map(|c| Some(to_paper(c.place?.point()?))).filter(|p| holds(reach, *p));
     near.fold(lines, |all, p| all.union(Rect::new(p, p))).grown(EDGE_MM)
 }
 
@@ -58,6 +59,7 @@ struct Over<'a, 'b> {
     found: &'a Centres,
     paper: &'a Paper<'a>,
     d: &'b mut Drawing,
+    plate: &'a Plate,
     /// For each centre whether it has its label.
     told: Vec<bool>,
 }
@@ -65,7 +67,7 @@ struct Over<'a, 'b> {
 impl Over<'_, '_> {
     /// The lines, behind the mechanism.
     fn lines(&mut self) {
-        let rays = self.paper.rays();
+        let rays = self.paper.rays(self.plate);
         let thin = self.w.options.style.thin.coloured(LINES);
         let mut owners = Vec::new();
         self.d.behind(|d| {
@@ -84,7 +86,7 @@ impl Over<'_, '_> {
     fn normals(&mut self) {
         let style = &self.w.options.style;
         let thin = style.thin.coloured(LINES).dashed(Dash::DashDot);
-        for c in &self.found.list {
+        for (_, c) in self.found.list.iter().enumerate().filter(|(k, _)| self.plate.finds(*k)) {
             let (Some(two), Some(Spot::On(centre))) = (self.found.normals(c), self.paper.spot(c)) else { continue };
             let longest = two.iter().map(|n| n.velocity.norm()).fold(0.0, f64::max);
             for n in two {
@@ -147,7 +149,7 @@ impl Over<'_, '_> {
         let style = &self.w.options.style;
         let mut places: Vec<(Point, Vec<usize>)> = Vec::new();
         for (k, c) in self.found.list.iter().enumerate() {
-            let Some(Spot::On(at)) = self.paper.spot(c) else { continue };
+            let Some(Spot::On(at)) = self.paper.spot(c).filter(|_| self.plate.shows(self.found, k)) else { continue };
             match places.iter_mut().find(|(p, _)| p.distance(at) < SAME_MM) {
                 Some((_, members)) => members.push(k),
                 None => places.push((at, vec![k])),
@@ -161,7 +163,14 @@ impl Over<'_, '_> {
             let name = of(&members[0]).step.pair.name(self.w.scene);
             let clear = if joint { style.pin_radius_mm } else { style.dot_radius_mm };
             if !joint {
-                self.d.draw(&name, "centre", sym::dot(style, at));
+                // What an earlier plate has found is given here.
+                let new = members.iter().any(|k| self.plate.finds(*k));
+                if new {
+                    self.d.draw(&name, "centre", sym::dot(style, at));
+                } else {
+                    let dot = Shape::Circle { centre: at, radius_mm: style.dot_radius_mm, stroke: None, fill: Some(LINES) };
+                    self.d.shape(&name, "centre known", dot);
+                }
             }
             if measured {
                 // A ring tells the one that no lines find.
@@ -179,7 +188,7 @@ impl Over<'_, '_> {
     fn far(&mut self) {
         for k in 0..self.found.list.len() {
             let c = &self.found.list[k];
-            if self.told[k] {
+            if self.told[k] || !self.plate.shows(self.found, k) {
                 continue;
             }
             let Some(spot) = self.paper.spot(c) else { continue };

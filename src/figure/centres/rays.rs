@@ -25,6 +25,38 @@ pub enum Spot {
     Infinite(Vec2),
 }
 
+/// Which centres a drawing finds, by their places in the list; all of them where there is but one drawing.
+#[derive(Clone, Debug, Default)]
+pub struct Plate {
+    /// Those whose lines are drawn, in the order of finding.
+    pub found: Option<Vec<usize>>,
+}
+
+impl Plate {
+    /// Whether the lines of a centre are drawn.
+    pub fn finds(&self, k: usize) -> bool {
+        self.found.as_ref().is_none_or(|all| all.contains(&k))
+    }
+
+    /// Whether a centre is shown: it is found here, or a line of one that is goes through it.
+    pub fn shows(&self, found: &Centres, k: usize) -> bool {
+        let Some(all) = &self.found else { return true };
+        let own = found.list[k].step.pair;
+        let serves = |f: &usize| match found.list[*f].origin {
+            Some(Origin::Crossing(lines)) => {
+                let pair = found.list[*f].step.pair;
+                let through = |line: &Line| match line {
+                    Line::Through(link) => [pair.i, pair.j].iter().any(|l| found.closure.pair(*l, *link) == own),
+                    Line::Normal(_) | Line::Infinity => false,
+                };
+                lines.iter().any(through)
+            }
+            _ => false,
+        };
+        all.contains(&k) || all.iter().any(serves)
+    }
+}
+
 /// A line on paper.
 #[derive(Clone, Debug)]
 pub struct Ray {
@@ -71,10 +103,10 @@ impl Paper<'_> {
         })
     }
 
-    /// All lines that find centres.
-    pub fn rays(&self) -> Vec<Ray> {
+    /// All lines that find the centres of a plate, and what lies on them.
+    pub fn rays(&self, plate: &Plate) -> Vec<Ray> {
         let mut lines: Vec<Drawn> = Vec::new();
-        for (k, c) in self.found.list.iter().enumerate() {
+        for (k, c) in self.found.list.iter().enumerate().filter(|(k, _)| plate.finds(*k)) {
             let Some(Origin::Crossing(pair)) = c.origin else { continue };
             for line in pair {
                 let Some(drawn) = self.drawn(k, c, line) else { continue };

@@ -5,6 +5,9 @@ use super::{Function, Target};
 use crate::diag::both;
 use crate::synthesis::candidate::{Compared, Number};
 
+/// Deviations (rad) and rests below this are rounding.
+const NOTHING: f64 = 1e-12;
+
 impl Function {
     /// Wanted against real over the range: at every half degree of the input, as course designs ask, 40 to 720 places.
     pub(super) fn sampled(&self, g: &Generator) -> Vec<Compared> {
@@ -28,6 +31,11 @@ impl Function {
                 let places = extremes(g, *range, &step_of);
                 let value = |x: f64| self.target.step(x).and_then(|s| g.deviation(s));
                 let all: Vec<(f64, f64)> = places.iter().filter_map(|x| Some((*x, value(*x)?))).collect();
+                // What is met everywhere has no places of rounding.
+                if all.iter().all(|(_, e)| e.abs() < NOTHING) {
+                    numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), 0.0));
+                    return 0.0;
+                }
                 if let Some((x, e)) = all.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
                     numbers.push(Number::angle("max_error", both!("greatest structural error", "最大结构误差"), *e));
                     numbers.push(Number::ratio("x_max", both!("where it is", "所在处"), *x));
@@ -48,7 +56,7 @@ impl Function {
                 numbers.push(Number::ratio(
                     "residual",
                     both!("norm of the rests of Freudenstein's equation", "弗洛伊登斯坦方程残差的范数"),
-                    rest,
+                    if rest < NOTHING { 0.0 } else { rest },
                 ));
             }
         }

@@ -4,7 +4,7 @@ use super::Function;
 use crate::diag::both;
 use crate::digits::significant;
 use crate::geom::{Point, Vec2};
-use crate::synthesis::board::{Board, Weight};
+use crate::synthesis::board::{Board, Line, Weight};
 use crate::synthesis::candidate::Draft;
 
 impl Function {
@@ -17,10 +17,14 @@ impl Function {
         }
         let (a, d) = (Point::ORIGIN, Point::new(board.mm(number("AD")?), 0.0));
         let (crank, alpha, phi) = (board.mm(number("AB")?), number("alpha0")?, number("phi0")?);
-        board.step(both!(
-            "Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3",
-            "作机架 AD 及曲柄的前三个位置 AB1、AB2、AB3"
-        ));
+        board.step(if self.steps.len() == 2 {
+            both!("Lay off the frame AD and the crank in its two positions AB1, AB2", "作机架 AD 及曲柄的两个位置 AB1、AB2")
+        } else {
+            both!(
+                "Lay off the frame AD and the crank in its first three positions AB1, AB2, AB3",
+                "作机架 AD 及曲柄的前三个位置 AB1、AB2、AB3"
+            )
+        });
         board.line(a, d, Weight::Given).circle(a, crank, Weight::Thin).mark("A", a).mark("D", d);
         let b: Vec<Point> = self.steps.iter().take(3).map(|s| a + Vec2::from_angle(alpha + s[0]) * crank).collect();
         for (k, at) in b.iter().enumerate() {
@@ -38,8 +42,23 @@ impl Function {
             board.line(d, *at, Weight::Thin).line(d, back, Weight::Thin).mark(&format!("B_{j}'"), back);
             turned.push(back);
         }
-        board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
-        let c = board.centre(turned[0], turned[1], turned[2])?;
+        let c = match turned[..] {
+            [b1, b2] => {
+                board.step(both!(
+                    "The bisector of B1B2' meets the follower's first direction in C1",
+                    "B1B2' 的中垂线与从动杆第一位置的方向线交于 C1"
+                ));
+                let follower = Line::ray(d, phi + self.steps[0][1]);
+                let bisector = board.bisector(b1, b2)?;
+                let c = bisector.cross(&follower)?;
+                board.line(bisector.at, c, Weight::Thin);
+                c
+            }
+            _ => {
+                board.step(both!("The bisectors of B1, B2', B3' meet in C1", "B1、B2'、B3' 的中垂线交于 C1"));
+                board.centre(turned[0], turned[1], turned[2])?
+            }
+        };
         board.mark("C_1", c);
         board.step(both!(
             "The linkage A B1 C1 D; C1 lies on the follower's first direction",

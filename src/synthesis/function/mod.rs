@@ -9,9 +9,9 @@ mod drawing;
 mod explained;
 pub mod freudenstein;
 mod nearest;
+mod solutions;
 
 use super::board::Board;
-use super::body::pose::centre;
 use super::candidate::{Draft, Number, Wanted};
 use super::form::Form;
 use super::fourbar::{FourBar, Heading, named_lengths};
@@ -20,7 +20,7 @@ use crate::diag::{Both, Diagnostic, Faults, both};
 use crate::digits::metres;
 use crate::geom::{Point, Vec2};
 use crate::scene::front::Curve;
-use freudenstein::{Generator, Steps, exact, least_squares, linear, minimax};
+use freudenstein::{Generator, Steps};
 use std::f64::consts::PI;
 
 /// The kind.
@@ -95,8 +95,16 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
         return None;
     }
     let unknowns = 3 + start.iter().filter(|s| s.is_none()).count();
+    let two = steps.len() == 2;
+    if two && (crank.is_none() || frame.is_none() || start.iter().any(Option::is_none)) {
+        let message = both!("two pairs leave more than crank and frame can fix", "两对位置时，须给出曲柄、机架及绝对角度");
+        let help =
+            both!("give \"crank\", \"frame\" and absolute angles, or a third pair", "请给出 \"crank\"、\"frame\" 与绝对角度，或第三对位置");
+        form.fault(Diagnostic::error("wrong-given", message).at(form.span("pairs")).help(help));
+        return None;
+    }
     let inverted = steps.len() == 3 && start[0].is_some() && start[1].is_none() && crank.is_some() && frame.is_some();
-    if !minimax && !inverted && steps.len() < unknowns {
+    if !minimax && !inverted && !two && steps.len() < unknowns {
         let (has, free) = (steps.len(), unknowns - 3);
         let message = both!(
             "{has} points are too few for {unknowns} unknowns: three lengths and {free} starting angles",
@@ -107,6 +115,19 @@ fn read(form: &Form) -> Option<Box<dyn Wish>> {
             "请给出 {unknowns} 个点、初始角 \"from\"，或给出 \"input\" 的初始角及 \"crank\"、\"frame\""
         );
         form.fault(Diagnostic::error("wrong-given", message).at(form.span("points")).help(help));
+        return None;
+    }
+    let alike = steps.iter().all(|[t, p]| t == p);
+    if !inverted && !two && !alike && crank.is_some() && frame.is_some() {
+        let message = both!(
+            "`crank` and `frame` are both given, but the pairs leave only the size free: the proportions follow from them",
+            "同时给出了 `crank` 与 `frame`，而各对应位置已确定杆长比，只有尺寸可选"
+        );
+        let help = both!(
+            "leave one of the two out; three pairs with a given \"input\" and \"relative\": \"output\" take both",
+            "请去掉其中一个；三对位置、给定 \"input\" 且 \"relative\": \"output\" 时可同时给出"
+        );
+        form.fault(Diagnostic::error("given-twice", message).at(form.span("crank")).help(help));
         return None;
     }
     if let Some((i, j)) = coincide(&steps) {
@@ -153,7 +174,7 @@ fn of_curve(form: &Form) -> Option<Read> {
     let n = if fit_five {
         Some(5)
     } else if form.has("points") {
-        form.count("points", 3, 60)
+        form.count("points", 2, 60)
     } else {
         Some(3)
     };
@@ -206,7 +227,7 @@ pub fn chebyshev(from: f64, to: f64, n: usize) -> Vec<f64> {
 
 /// Pairs as written: absolute, or counted from the start that is given (`from`), or from one that is unknown (`relative`).
 fn of_pairs(form: &Form) -> Option<Read> {
-    let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 3)?;
+    let items = form.items("pairs", "[[\"60 deg\", \"0 deg\"], ...]", 2)?;
     let pair = |n| {
         let [input, output] = form.several::<2>(n, "pairs", "[\"60 deg\", \"0 deg\"]")?;
         let (input, output) = (form.angle_of(input, "pairs"), form.angle_of(output, "pairs"));
@@ -292,87 +313,6 @@ impl Wish for Function {
 }
 
 impl Function {
-    /// The solutions with their names.
-    fn generators(&self) -> Result<Vec<(Both, Generator)>, Both> {
-        if self.minimax {
-            return self.best();
-        }
-        let free = self.start.iter().filter(|s| s.is_none()).count();
-        if let (3, [Some(alpha), None], Some(a), Some(d)) = (self.steps.len(), self.start, self.crank, self.frame) {
-            return self.inverted(alpha, a / d);
-        }
-        if self.steps.len() == 3 + free {
-            let all = exact(self.start, &self.steps);
-            if all.is_empty() {
-                return Err(both!("no four-bar passes through these {} pairs", "没有四杆机构通过这 {} 对角度", self.steps.len()));
-            }
-            let count = all.len();
-            let named = |(k, g)| (if count == 1 { both!("the only solution", "唯一解") } else { both!("root {}", "第 {} 个根", k + 1) }, g);
-            return Ok(all.into_iter().enumerate().map(named).collect());
-        }
-        self.by_squares()
-    }
-
-    /// More pairs than unknowns: linear least squares of K, then of the angles.
-    fn by_squares(&self) -> Result<Vec<(Both, Generator)>, Both> {
-        let free = self.start.map(|s| s.is_none());
-        let grid = |given: Option<f64>| given.map_or_else(|| (0..24).map(|k| PI * k as f64 / 24.0).collect(), |a| vec![a]);
-        let sum = |g: &Generator| self.steps.iter().map(|s| g.deviation(*s).map(|d| d * d)).sum::<Option<f64>>();
-        let mut best: Option<(f64, Generator)> = None;
-        for alpha in grid(self.start[0]) {
-            for phi in grid(self.start[1]) {
-                let Some(g) = linear([alpha, phi], &self.steps).filter(|g| g.lengths().is_some()) else { continue };
-                let s = sum(&g).unwrap_or(f64::MAX);
-                if best.is_none_or(|b| s < b.0) {
-                    best = Some((s, g));
-                }
-            }
-        }
-        let Some((_, first)) = best else {
-            return Err(both!("least squares leave no four-bar: a link would be imaginary", "最小二乘无实解：某杆长为虚数"));
-        };
-        let mut all = Vec::new();
-        if free == [false; 2] {
-            all.push((both!("least squares of Freudenstein's equation", "弗洛伊登斯坦方程的最小二乘解"), first));
-        }
-        all.extend(
-            least_squares(first, free, &self.steps).map(|g| (both!("least squares of the output angles", "输出角偏差的最小二乘解"), g)),
-        );
-        Ok(all)
-    }
-
-    /// C₁ is the centre of the circle through B₁ and the others, turned back about D by the output's steps.
-    fn inverted(&self, alpha: f64, a: f64) -> Result<Vec<(Both, Generator)>, Both> {
-        let d = Point::new(1.0, 0.0);
-        let back = |s: &[f64; 2]| d + ((Vec2::from_angle(alpha + s[0]) * a).to_point() - d).rotate_by(Vec2::from_angle(-s[1]));
-        let b: Vec<Point> = self.steps.iter().map(back).collect();
-        let Some((c, _)) = centre(b[0], b[1], b[2]) else {
-            return Err(both!(
-                "B1 and the turned-back B2, B3 lie in line: C would be infinitely far",
-                "B1 与反转后的 B2、B3 共线：C 在无穷远处"
-            ));
-        };
-        let (reach, b_len) = (c.distance(d), c.distance(b[0]));
-        let k = [1.0 / a, 1.0 / reach, (a * a - b_len * b_len + reach * reach + 1.0) / (2.0 * a * reach)];
-        Ok(vec![(both!("C1 by inversion about D", "以 D 为中心反转求得 C1"), Generator { start: [alpha, (c - d).angle()], k })])
-    }
-
-    /// The best approximation, from the five Chebyshev points.
-    fn best(&self) -> Result<Vec<(Both, Generator)>, Both> {
-        let Target::Curve { range, .. } = &self.target else { return Ok(Vec::new()) };
-        let steps: Steps = chebyshev(range[0], range[1], 5).into_iter().filter_map(|x| self.target.step(x)).collect();
-        let step_of = |x: f64| self.target.step(x);
-        let roots = exact([None, None], &steps);
-        let found: Vec<_> = roots.iter().filter_map(|g| minimax(*g, *range, &step_of)).collect();
-        if found.is_empty() {
-            return Err(both!(
-                "no linkage through five Chebyshev points has six alternating deviations to start from",
-                "没有过五个切比雪夫结点且偏差六次交错的机构可作初值"
-            ));
-        }
-        Ok(found.into_iter().map(|(g, ..)| (both!("least greatest deviation", "最大偏差最小"), g.upright())).collect())
-    }
-
     /// Metres for a frame of 1.
     fn unit(&self, notes: &mut Vec<Diagnostic>) -> Option<f64> {
         match (self.frame, self.crank) {

@@ -3,7 +3,7 @@
 //! In its limit positions crank and coupler lie in line: AC₁ = BC + AB or BC − AB, AC₂ the other, and ∠C₁AC₂ = θ. So AB is half the
 //! difference of AC₁ and AC₂, BC half the sum. Either one limit is given (rocker, frame, the rocker's angle with the frame): C₂ is
 //! where the ray AC₁, turned by ±θ, meets the rocker's circle. Or the swing ψ: A lies on the circle through C₁, C₂ with the inscribed
-//! angle θ, and one thing is free along it: fixed by the frame's length, or the least transmission angle is made greatest
+//! angle θ, and one thing is free along it: fixed by the frame's length or the crank's, or the least transmission angle is made greatest
 //! (*Source*: VDI 2130, Alt's problem; the optimum by golden-section search in double-double numbers).
 
 mod choice;
@@ -38,6 +38,8 @@ enum Way {
     Limit { frame: f64, angle: f64 },
     /// The rocker's swing and the frame.
     Swing { swing: f64, frame: f64 },
+    /// The rocker's swing and the crank.
+    Crank { swing: f64, crank: f64 },
     /// The rocker's swing, and a line on which A lies, by two of its places: D is the origin, the swing even about the upward axis.
     Line { swing: f64, line: [Point; 2] },
     /// The rocker's swing; the least transmission angle is made greatest.
@@ -62,6 +64,9 @@ pub(super) fn read(form: &Form) -> Option<Box<dyn Wish>> {
         (false, true) if form.has("line") => within(form, "swing").zip(choice::line(form)).map(|(swing, line)| Way::Line { swing, line }),
         (false, true) if form.has("frame") && best.is_none() => {
             within(form, "swing").zip(form.size("frame")).map(|(swing, frame)| Way::Swing { swing, frame })
+        }
+        (false, true) if form.has("crank") && best.is_none() => {
+            within(form, "swing").zip(form.size("crank")).map(|(swing, crank)| Way::Crank { swing, crank })
         }
         (false, true) => within(form, "swing").map(|swing| Way::Best { swing, chosen: best.is_none() }),
         (both_given, _) => {
@@ -106,7 +111,7 @@ impl Wish for CrankRocker {
     fn solve(&self, heading: &Heading) -> Result<Found, Faults> {
         let mut notes = self.ratio.notes();
         let found = match self.way {
-            Way::Limit { .. } | Way::Swing { .. } | Way::Line { .. } => {
+            Way::Limit { .. } | Way::Swing { .. } | Way::Crank { .. } | Way::Line { .. } => {
                 let all = self.all();
                 if all.is_empty() {
                     return Err(self.none());

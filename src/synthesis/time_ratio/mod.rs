@@ -86,9 +86,15 @@ impl Ratio {
     }
 }
 
+/// Strokes whose crank angles differ by less than this (rad) take the same time: it is rounding.
+const ALIKE: f64 = 1e-9;
+
 /// Which stroke is the slow one, for the sense in which the crank turns.
 pub(super) fn slow_stroke(first: f64, second: f64, omega: f64) -> Diagnostic {
     let way = (if omega < 0.0 { first - second } else { second - first }).rem_euclid(2.0 * PI);
+    if (way - PI).abs() < ALIKE {
+        return Diagnostic::note("slow-stroke", both!("both strokes take the same time", "两个行程所需时间相同"));
+    }
     let (from, to) = if way >= PI { (1, 2) } else { (2, 1) };
     let sense = if omega < 0.0 { both!("clockwise", "顺时针") } else { both!("counter-clockwise", "逆时针") };
     Diagnostic::note(

@@ -171,6 +171,15 @@ impl Law {
         Law::constant("0", Expr { kind: ExprKind::Number("0".to_owned()), span: Span::new(0, 1) })
     }
 
+    /// A number (SI) that stays.
+    pub fn number(value: f64) -> Law {
+        // Rust writes the shortest digits that give the number again, without an exponent.
+        let expr = |kind| Expr { kind, span: Span::new(0, 1) };
+        let size = expr(ExprKind::Number(format!("{}", value.abs())));
+        let whole = if value < 0.0 { expr(ExprKind::Neg(Box::new(size))) } else { size };
+        Law::constant(&format!("{value}"), whole)
+    }
+
     /// Value, rate and second derivative (SI) at a time (s); an angle keeps its degrees.
     ///
     /// # Errors

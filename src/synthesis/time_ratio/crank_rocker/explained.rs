@@ -26,6 +26,10 @@ impl CrankRocker {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!("frame $l_{{AD}} = {}$", "机架 $l_{{AD}} = {}$", length(frame)));
             }
+            Way::Crank { swing, crank } => {
+                given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
+                given.push(both!("crank $l_{{AB}} = {}$", "曲柄 $l_{{AB}} = {}$", length(crank)));
+            }
             Way::Line { swing, line: [through, end] } => {
                 given.push(both!("swing of the rocker $\\psi = {}$", "摇杆摆角 $\\psi = {}$", angle(swing)));
                 given.push(both!(
@@ -43,8 +47,12 @@ impl CrankRocker {
                 ));
             }
         }
-        let mut wanted = vec![both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")];
-        if matches!(self.way, Way::Best { .. } | Way::Line { .. }) {
+        let mut wanted = vec![if matches!(self.way, Way::Crank { .. }) {
+            both!("the length of the coupler $l_{{BC}}$", "连杆 $l_{{BC}}$ 的长度")
+        } else {
+            both!("the lengths of crank $l_{{AB}}$ and coupler $l_{{BC}}$", "曲柄 $l_{{AB}}$ 与连杆 $l_{{BC}}$ 的长度")
+        }];
+        if matches!(self.way, Way::Best { .. } | Way::Line { .. } | Way::Crank { .. }) {
             wanted.push(both!("the frame $l_{{AD}}$", "机架 $l_{{AD}}$ 的长度"));
         }
         wanted.push(both!("the least transmission angle $\\gamma_{{\\text{{min}}}}$", "最小传动角 $\\gamma_{{\\text{{min}}}}$"));
@@ -88,6 +96,23 @@ impl CrankRocker {
                     format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
                 ],
             ),
+            Way::Crank { .. } => {
+                let chord = 2.0 * self.rocker * libm::sin(of(draft, "psi") / 2.0);
+                Proof::new(
+                    both!(
+                        "With $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$ in the two limit positions the law of cosines in $AC_1C_2$ gives the coupler",
+                        "两极限位置 $l_{{AC}} = l_{{BC}} \\pm l_{{AB}}$，在 $AC_1C_2$ 中由余弦定理得连杆长"
+                    ),
+                    [
+                        format!("l_{{C_1C_2}} = 2\\,l_{{CD}}\\sin\\frac{{\\psi}}{{2}} = {}", length(chord)),
+                        format!(
+                            "l_{{BC}}^2 = \\frac{{l_{{C_1C_2}}^2 − 2\\,l_{{AB}}^2(1 + \\cos\\theta)}}{{2(1 − \\cos\\theta)}} ,\\quad l_{{BC}} = {}",
+                            length(of(draft, "BC"))
+                        ),
+                        format!("l_{{AC_1}} = {} ,\\quad l_{{AC_2}} = {}", length(ac1), length(ac2)),
+                    ],
+                )
+            }
             Way::Swing { .. } | Way::Line { .. } | Way::Best { .. } => {
                 let chord = 2.0 * self.rocker * libm::sin(of(draft, "psi") / 2.0);
                 Proof::new(

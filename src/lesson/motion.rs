@@ -1,0 +1,304 @@
+//! The lesson of a motion without a mechanism: one HTML page with the construction step by step at an instant that is moved.
+//!
+//! Decided here: which instants the page holds, and one set of scales for them. The drawings are those of [`crate::figure::particle`], the numbers those of
+//! [`crate::particle`]: at each instant the motion is solved and drawn anew. The page fetches nothing and holds both languages.
+
+use super::design::{html, nameless};
+use super::pack::pressed;
+use super::page::{BASE, filled, terse};
+use crate::diag::{Diagnostic, Faults, both};
+use crate::digits::significant;
+use crate::figure::extent::{Rect, bounds, translate};
+use crate::figure::item::Item;
+use crate::figure::label::Label;
+use crate::figure::particle::{ALONE, Maker, View};
+use crate::figure::style::Style;
+use crate::figure::words::words as figure_words;
+use crate::geom::Point;
+use crate::particle::board::{Drawn, Views, draw, draw_again};
+use crate::particle::{Problem, Solved, solve, solve_again};
+use crate::render::escaped;
+use crate::render::number::mm;
+use crate::render::svg::Elements;
+use crate::report::answers::DIGITS;
+use crate::report::math::mathml;
+use crate::report::particle as report;
+use crate::scene::Lang;
+use serde_json::{Value, json};
+
+const PAGE: &str = include_str!("motion.html");
+const STYLE: [&str; 3] = [BASE, include_str!("design.css"), include_str!("motion.css")];
+const SCRIPT: &str = include_str!("motion.js");
+
+/// What the page says around the drawings: key, both languages.
+const WORDS: [(&str, [&str; 2]); 15] = [
+    ("first", ["First step", "第一步"]),
+    ("previous", ["Previous step", "上一步"]),
+    ("next", ["Next step", "下一步"]),
+    ("last", ["Show all steps", "显示全部步骤"]),
+    ("step", ["Step {} of {}", "第 {} 步，共 {} 步"]),
+    ("steps", ["Construction", "作图步骤"]),
+    ("play", ["Run or stop", "运动或停止"]),
+    ("home", ["Back to the given instant", "回到给定时刻"]),
+    ("instant", ["The instant", "时刻"]),
+    ("given", ["given instant", "给定时刻"]),
+    ("answers", ["Answers at the instant", "该时刻的结果"]),
+    ("theme", ["Light or dark", "浅色或深色"]),
+    ("language", ["中文", "English"]),
+    (
+        "keys",
+        [
+            "Keys: → and ← the steps of the construction; + and − the instant, 0 the given one; Space runs; L language; D light or dark.",
+            "键盘：→、← 作图步骤；+、− 改变时刻，0 回到给定时刻；空格 运动；L 切换语言；D 浅色或深色。",
+        ],
+    ),
+    (
+        "noscript",
+        [
+            "The page needs JavaScript to move; without it, it shows the finished construction at the given instant.",
+            "本页需启用 JavaScript；未启用时仅显示给定时刻完成的作图。",
+        ],
+    ),
+];
+
+/// Both languages, in the order of the page's pairs.
+const LANGS: [Lang; 2] = [Lang::En, Lang::Zh];
+/// Names of the drawings over those of a sheet: read from the last row.
+const LARGER: f64 = 1.6;
+/// At an instant whose vectors need a scale so much coarser than that of the given one, the scale changes: all others would be drawn too small.
+const COARSER: f64 = 4.0;
+/// Of the time to a meeting, so much is shown: at the end the two stand on each other, and no line has a direction.
+const SHOWN: f64 = 0.995;
+/// Air around a drawing (mm).
+const AIR_MM: f64 = 2.0;
+
+/// How the page is written.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The language in which it opens; it holds both, its marks stay the same.
+    pub lang: Lang,
+    /// Weights, sizes and fonts of the drawings; the colours are the page's.
+    pub style: Style,
+    /// Instants beside the given one.
+    pub positions: usize,
+    /// Which of the motions that have something to draw, counted from 0.
+    pub motion: usize,
+}
+
+/// An instant of the page.
+struct Frame {
+    problem: Problem,
+    solved: Solved,
+    drawn: Drawn,
+}
+
+impl Frame {
+    /// At another instant, by what is known of a pursuit from this one.
+    fn at(&self, t: f64) -> Result<Frame, Faults> {
+        let problem = self.problem.at(t, None)?;
+        let solved = solve_again(&problem, &self.solved)?;
+        let drawn = self.drawn_again(&problem)?;
+        Ok(Frame { problem, solved, drawn })
+    }
+
+    fn drawn_again(&self, problem: &Problem) -> Result<Drawn, Faults> {
+        let all = draw_again(problem, std::slice::from_ref(&self.drawn))?;
+        Ok(all.into_iter().find(|d| d.motion == self.drawn.motion).ok_or_else(|| nothing(self.drawn.motion))?)
+    }
+
+    /// Drawn to other scales.
+    fn scaled(self, mu: [f64; 3]) -> Result<Frame, Faults> {
+        let problem = self.problem.at(self.problem.instant(), Some(mu))?;
+        let drawn = self.drawn_again(&problem)?;
+        Ok(Frame { problem, drawn, ..self })
+    }
+
+    fn maker<'a>(&'a self, style: &'a Style, lang: Lang, also: &'a [Vec<Point>; 2]) -> Maker<'a> {
+        Maker { problem: &self.problem, solved: &self.solved, style, lang, also }
+    }
+}
+
+fn nothing(which: usize) -> Diagnostic {
+    let d = Diagnostic::error("driver", both!("there is no motion {} that has something to draw", "没有第 {} 个可作图的运动", which + 1));
+    d.help(both!(
+        "pursuers, and points that move on something, have a construction; --driver counts them from 1",
+        "追踪点和在动系上运动的点有作图；--driver 从 1 数起"
+    ))
+}
+
+/// The page of one motion of a file.
+///
+/// ```
+/// use hodograph::{figure::style::Style, lesson::motion, particle, scene::Lang};
+/// let problem = particle::read(particle::templates::get("plate-in-space").unwrap())?.value;
+/// let options = motion::Options { lang: Lang::En, style: Style::default(), positions: 8, motion: 0 };
+/// assert!(motion::lesson(&problem, &options)?.starts_with("<!DOCTYPE html>"));
+/// # Ok::<(), hodograph::diag::Faults>(())
+/// ```
+///
+/// # Errors
+/// The motion is not there, or cannot be solved at the given instant; those of the SVG writer.
+pub fn lesson(problem: &Problem, options: &Options) -> Result<String, Faults> {
+    let style = Style { small_mm: options.style.small_mm * LARGER, label_mm: options.style.label_mm * LARGER, ..options.style.clone() };
+    let (frames, base) = frames(problem, options)?;
+    let also = room(&frames);
+    let given = &frames[base];
+    // What stands still, then what each instant draws.
+    let still = given.maker(&style, options.lang, &also).course(&given.drawn, false);
+    let mut views: Vec<Vec<View>> = Vec::new();
+    for f in &frames {
+        views.push(seen(&f.maker(&style, options.lang, &also), &f.drawn, still.as_ref())?);
+    }
+    let mut elements: Vec<Elements> = Vec::new();
+    let mut drawings = Vec::new();
+    for k in 0..views[0].len() {
+        let ground = still.as_ref().filter(|_| k == 0);
+        let parts: Vec<&View> = views.iter().map(|v| &v[k]).collect();
+        drawings.push(Sequence::of(&parts, ground, &mut elements)?);
+    }
+    let told: Vec<Value> = frames.iter().zip(&views).map(|(f, v)| told(f, v)).collect();
+    let pairs = |v: &View| LANGS.map(|lang| escaped(lang.of(&v.caption)));
+    let list = |lang: Lang| {
+        WORDS.iter().map(|(k, said)| ((*k).to_owned(), json!(said[usize::from(lang == Lang::Zh)]))).collect::<serde_json::Map<_, _>>()
+    };
+    let title = &problem.title;
+    let data = json!({
+        "lang": figure_words(options.lang).tag.split('-').next().unwrap_or("en"),
+        "tags": {"en": figure_words(Lang::En).tag, "zh": figure_words(Lang::Zh).tag},
+        "words": {"en": list(Lang::En), "zh": list(Lang::Zh)},
+        "title": [title.en, title.zh],
+        "captions": views[base].iter().map(pairs).collect::<Vec<_>>(),
+        "given": base,
+        "frames": told,
+        "drawings": drawings.iter().map(|d| json!(d.frames)).collect::<Vec<_>>(),
+    });
+    let half = drawings.len().div_ceil(2).min(if still.is_some() { 1 } else { 2 });
+    let put = |range: std::ops::Range<usize>| range.map(|k| drawings[k].markup(k, base, &views[base][k], options.lang)).collect::<String>();
+    Ok(filled(
+        PAGE,
+        &[
+            ("lang", figure_words(options.lang).tag),
+            ("title", &escaped(options.lang.of(title))),
+            ("style", &STYLE.map(terse).join("\n")),
+            ("letters", &Elements::letters(&elements)),
+            ("left", &put(0..half)),
+            ("right", &put(half..drawings.len())),
+            ("noscript", &escaped(WORDS.iter().find(|w| w.0 == "noscript").map_or("", |w| w.1[usize::from(options.lang == Lang::Zh)]))),
+            ("data", &pressed(&data.to_string())),
+            ("script", &terse(SCRIPT)),
+        ],
+    ))
+}
+
+/// The instants, to one set of scales as far as that serves, and the place of the given one among them.
+fn frames(problem: &Problem, options: &Options) -> Result<(Vec<Frame>, usize), Faults> {
+    let which = options.motion;
+    let drawn = draw(problem)?.into_iter().nth(which).ok_or_else(|| nothing(which))?;
+    let given = Frame { problem: problem.clone(), solved: solve(problem)?, drawn };
+    let now = problem.instant();
+    let last = match &given.drawn.views {
+        Views::Chase { until, meets, .. } => {
+            if *meets {
+                SHOWN * until
+            } else {
+                *until
+            }
+        }
+        Views::Plate { .. } if now > 0.0 => 2.0 * now,
+        Views::Plate { .. } => 1.0,
+    };
+    let count = options.positions.clamp(8, 360);
+    let mut times: Vec<f64> = (0..=count).map(|k| last * k as f64 / count as f64).filter(|t| (t - now).abs() > 1e-6 * last).collect();
+    times.push(now);
+    times.sort_by(f64::total_cmp);
+    // Where a law has no value there is no picture.
+    let natural: Vec<Frame> = times.iter().filter_map(|t| given.at(*t).ok()).collect();
+    let usual = [0, 1, 2].map(|k| {
+        let own = given.drawn.mu[k];
+        natural.iter().map(|f| f.drawn.mu[k]).filter(|mu| *mu <= COARSER * own).fold(own, f64::max)
+    });
+    let frames: Vec<Frame> = natural
+        .into_iter()
+        .map(|f| {
+            let mu = [0, 1, 2].map(|k| f.drawn.mu[k].max(usual[k]));
+            if mu == f.drawn.mu { Ok(f) } else { f.scaled(mu) }
+        })
+        .collect::<Result<_, Faults>>()?;
+    let Some(base) = frames.iter().position(|f| f.problem.instant() == now) else { return Err(nothing(which).into()) };
+    Ok((frames, base))
+}
+
+/// Places that the two views of a plate hold at any instant.
+fn room(frames: &[Frame]) -> [Vec<Point>; 2] {
+    let mut out = ALONE;
+    for f in frames {
+        let Views::Plate { places, velocities, accelerations, .. } = &f.drawn.views else { continue };
+        for k in 0..2 {
+            out[k].push(places[k]);
+            out[k].extend(velocities[k].iter().chain(&accelerations[k]).map(|a| a.to));
+        }
+    }
+    out
+}
+
+/// What moves of the views of an instant.
+fn seen(maker: &Maker, drawn: &Drawn, still: Option<&View>) -> Result<Vec<View>, Diagnostic> {
+    let Some(still) = still else { return maker.views(drawn) };
+    let course = View { part: maker.pair(drawn), caption: still.caption.clone(), scales: still.scales.clone() };
+    Ok([course].into_iter().chain(maker.polygons(drawn)).collect())
+}
+
+/// What is said at an instant: its time, the sentences of the steps, the answers, the scales of the drawings.
+fn told(f: &Frame, views: &[View]) -> Value {
+    let both_of = |say: &dyn Fn(Lang) -> String| json!(LANGS.map(say));
+    let steps: Vec<Value> = f.drawn.steps.iter().map(|s| both_of(&|lang| html(&crate::paper::phrase::Phrase::new(lang.of(s))))).collect();
+    let answers = both_of(&|lang| {
+        let lines = report::lines(&f.problem, &f.solved, DIGITS, lang);
+        lines.iter().map(|l| format!("<li>{}</li>", html(l))).collect()
+    });
+    let scales: Vec<String> = views.iter().map(|v| mathml(&Label::math(v.scale()))).collect();
+    json!({"t": significant(f.problem.instant(), 5), "steps": steps, "answers": answers, "scales": scales})
+}
+
+/// A drawing at all instants.
+struct Sequence {
+    size_mm: [f64; 2],
+    /// What stands behind.
+    ground: String,
+    /// What each instant draws.
+    frames: Vec<String>,
+}
+
+impl Sequence {
+    fn of(views: &[&View], ground: Option<&View>, all: &mut Vec<Elements>) -> Result<Sequence, Faults> {
+        let boxes = views.iter().copied().chain(ground).filter_map(|v| bounds(&v.part.items));
+        let window = boxes.reduce(Rect::union).unwrap_or(Rect::new(Point::ORIGIN, Point::ORIGIN)).grown(AIR_MM);
+        let mut elements = Elements::new(window.height_mm());
+        let mut written = |v: &View| -> Result<String, Faults> {
+            let mut items: Vec<Item> = nameless(v.part.items.iter());
+            translate(&mut items, Point::ORIGIN - window.min);
+            let each = elements.of(&items)?;
+            let stepped = |(item, element): (&Item, String)| match item.steps().min() {
+                Some(k) => format!("<g data-step=\"{k}\">{element}</g>\n"),
+                None => format!("{element}\n"),
+            };
+            Ok(items.iter().zip(each).map(stepped).collect())
+        };
+        let ground = ground.map(&mut written).transpose()?.unwrap_or_default();
+        let frames = views.iter().map(|v| written(v)).collect::<Result<Vec<String>, Faults>>()?;
+        all.push(elements);
+        Ok(Sequence { size_mm: [window.width_mm(), window.height_mm()], ground, frames })
+    }
+
+    fn markup(&self, k: usize, base: usize, view: &View, lang: Lang) -> String {
+        let [w, h] = self.size_mm.map(mm);
+        format!(
+            "<figure class=\"drawing\" id=\"drawing-{k}\" style=\"--w:{w}\">\n<svg viewBox=\"0 0 {w} {h}\" role=\"img\">\n<g class=\"ink\">\n{}</g>\n<g class=\"ink moving\">\n{}</g>\n</svg>\n\
+             <figcaption><span class=\"caption\">{}</span> <span class=\"scale\">{}</span></figcaption>\n</figure>\n",
+            self.ground,
+            self.frames[base],
+            escaped(lang.of(&view.caption)),
+            mathml(&Label::math(view.scale())),
+        )
+    }
+}

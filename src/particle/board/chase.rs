@@ -1,0 +1,163 @@
+//! A pursuit on the board: its course, integrated, and velocities and acceleration at the instant.
+
+use super::super::ask::Asked;
+use super::super::law::jet;
+use super::super::pursuit::{Chase, End};
+use super::super::solve::course;
+use super::super::{Motion, Problem};
+use super::{Drawn, ROOM_MM, Told, Views, arrow, mm, most};
+use crate::construct::scale::choose;
+use crate::diag::{Diagnostic, both};
+use crate::geom::{Point, Vec2};
+use crate::number::Real;
+
+/// Room of the course (mm).
+const COURSE_MM: [f64; 2] = [120.0, 75.0];
+/// Lines of sight.
+pub const SIGHTS: usize = 8;
+/// Places between two of them.
+pub const FINE: usize = 12;
+/// Of the time to the meeting, so much is drawn: there the two stand on each other.
+const NEARLY: f64 = 1.0 - 1e-6;
+
+/// A pursuit from its start to its end.
+struct Whole {
+    /// Pursuer and target at equal times (m).
+    places: Vec<[Point; 2]>,
+    until: f64,
+    meets: bool,
+}
+
+impl Whole {
+    fn of(chase: &Chase, now: f64) -> Result<Whole, Diagnostic> {
+        let (until, meets) = match chase.end::<f64>() {
+            Ok(End::Meet { time, .. }) => (time.approx(), true),
+            // Of a pursuit without an end so much as shows how it goes.
+            Ok(End::Apart { .. }) | Err(_) => {
+                let speed = jet(chase.speed, 0.0)?.0[0];
+                ((2.0 * now).max(8.0 * chase.start::<f64>()?.distance() / speed), false)
+            }
+        };
+        let (count, reach) = (SIGHTS * FINE, if meets { until * NEARLY } else { until });
+        let times: Vec<f64> = (0..=count).map(|k| reach * k as f64 / count as f64).collect();
+        let mut places: Vec<[Point; 2]> = Vec::new();
+        for s in &course(chase, &times)? {
+            let [x, y] = chase.target.at(s.t)?;
+            let b = Point::new(x.0[0], y.0[0]);
+            places.push([b - Vec2::new(s.d[0], s.d[1]), b]);
+        }
+        Ok(Whole { places, until, meets })
+    }
+
+    /// That of a drawing at another instant.
+    fn again(drawn: &Drawn) -> Option<Whole> {
+        let Views::Chase { course, until, meets, .. } = &drawn.views else { return None };
+        let places = course.iter().map(|pair| pair.map(|p| (p.to_vec2() * drawn.mu[0]).to_point())).collect();
+        Some(Whole { places, until: *until, meets: *meets })
+    }
+
+    /// m for a millimetre, with the two at the instant.
+    fn scale(&self, now: [Point; 2]) -> f64 {
+        let all = || self.places.iter().flatten().copied().chain(now);
+        let most = |f: fn(Point) -> f64| all().map(f).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
+        let ([x0, x1], [y0, y1]) = (most(|p| p.x), most(|p| p.y));
+        choose([x1 - x0, y1 - y0], COURSE_MM)
+    }
+}
+
+pub(super) fn draw(problem: &Problem, k: usize, m: &Motion, known: Option<&Drawn>) -> Result<Option<Drawn>, Diagnostic> {
+    let Some((chase, target)) = problem.chase(m) else { return Ok(None) };
+    let t = problem.instant();
+    let Some(here) = course(&chase, &[t])?.pop() else { return Ok(None) };
+    let told = Told { time: &problem.time };
+    let [x, y] = told.way(chase.target)?;
+    let speed = told.law(chase.speed)?;
+    let (b, v_b) = (Point::new(x[0], y[0]), Vec2::new(x[1], y[1]));
+    let a = b - Vec2::new(here.d[0], here.d[1]);
+    let run = known.and_then(Whole::again).map_or_else(|| Whole::of(&chase, t), Ok)?;
+    let mu_l = problem.paper.mu_l.unwrap_or_else(|| run.scale([a, b]));
+    let (on_paper_a, on_paper_b) = ((a.to_vec2() * (1.0 / mu_l)).to_point(), (b.to_vec2() * (1.0 / mu_l)).to_point());
+    let Some(along) = (on_paper_b - on_paper_a).unit() else { return Ok(None) };
+    let mu_v = problem.paper.mu_v.unwrap_or_else(|| choose(most(&[v_b, along * speed[0]]), ROOM_MM));
+    let (tip_a, tip_b) = (along * (speed[0] / mu_v), v_b * (1.0 / mu_v));
+    // The perpendicular from b on the line of v_A.
+    let foot = along * along.dot(tip_b);
+    let across = tip_b - foot;
+    let (arm, rate) = (on_paper_a.distance(on_paper_b), across.norm());
+    let omega = rate * mu_v / (arm * mu_l) * if along.cross(tip_b) < 0.0 { -1.0 } else { 1.0 };
+    let (a_t, a_n) = (speed[1], tip_a.norm() * mu_v * omega);
+    let whole = along * a_t + along.perp() * a_n;
+    let mu_a = problem.paper.mu_a.unwrap_or_else(|| choose(most(&[whole, along * a_t]), ROOM_MM));
+    let (tip_t, tip_n) = (along * (a_t / mu_a), along.perp() * (a_n / mu_a));
+    let velocities =
+        vec![arrow(&format!("v_{}", m.point), Point::ORIGIN, tip_a, true, 1), arrow(&format!("v_{target}"), Point::ORIGIN, tip_b, true, 1)];
+    let mut accelerations = vec![arrow(&format!("a_{}", m.point), Point::ORIGIN, tip_t + tip_n, true, 3)];
+    if a_t != 0.0 {
+        accelerations.push(arrow("a^t", Point::ORIGIN, tip_t, false, 3));
+        accelerations.push(arrow("a^n", tip_t.to_point(), tip_n, false, 3));
+    }
+    let closing = (tip_a - foot).dot(along) * mu_v;
+    let steps = vec![
+        both!(
+            "The course of {} is integrated; at the instant the line {}{target} measures {} mm",
+            "{} 的轨迹由数值积分得到；此瞬时连线 {}{target} 量得 {} mm",
+            m.point,
+            m.point,
+            mm(arm)
+        ),
+        both!(
+            "Lay off $v_{{{}}}$ along {}{target} from the pole, and $v_{{{target}}}$",
+            "自极点沿 {1}{target} 作 $v_{{{0}}}$，再作 $v_{{{target}}}$",
+            m.point,
+            m.point
+        ),
+        both!(
+            "The perpendicular from the tip of $v_{{{target}}}$ on $v_{{{}}}$ measures {} mm: $\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s; {}",
+            "由 $v_{{{target}}}$ 的端点向 $v_{{{}}}$ 作垂线，量得 {} mm：$\\omega_{{{}{target}}}$ = {} mm · $\\mu_v$ / ({} mm · $\\mu_l$) = {} rad/s；{}",
+            m.point,
+            mm(rate),
+            m.point,
+            mm(rate),
+            mm(arm),
+            mm(omega),
+            if closing < 0.0 {
+                both!("the distance grows by {} m/s", "距离以 {} m/s 增大", mm(-closing))
+            } else {
+                both!("the distance shrinks by {} m/s", "距离以 {} m/s 减小", mm(closing))
+            }
+        ),
+        if a_t == 0.0 {
+            both!(
+                "$a_{{{}}} = v\\omega$ square to the line, for $v$ is constant: {} mm",
+                "$v$ 不变，$a_{{{}}} = v\\omega$，垂直于连线，量得 {} mm",
+                m.point,
+                mm((tip_t + tip_n).norm())
+            )
+        } else {
+            both!(
+                "$a_{{{}}}$: $v'$ along the line, $v\\omega$ square to it: {} mm",
+                "$a_{{{}}}$：沿连线为 $v'$，垂直于连线为 $v\\omega$，量得 {} mm",
+                m.point,
+                mm((tip_t + tip_n).norm())
+            )
+        },
+    ];
+    let (v, acc) = (tip_a * mu_v, (tip_t + tip_n) * mu_a);
+    let readings = vec![
+        (Asked::Distance(k), vec![arm * mu_l]),
+        (Asked::LineOmega(k), vec![omega]),
+        (Asked::Velocity(k), vec![v.x, v.y]),
+        (Asked::Acceleration(k), vec![acc.x, acc.y]),
+        (Asked::Curvature(k), vec![(tip_a.norm() * mu_v / omega).abs()]),
+    ];
+    let views = Views::Chase {
+        course: run.places.iter().map(|pair| pair.map(|p| (p.to_vec2() * (1.0 / mu_l)).to_point())).collect(),
+        until: run.until,
+        meets: run.meets,
+        places: [on_paper_a, on_paper_b],
+        velocities,
+        foot: foot.to_point(),
+        accelerations,
+    };
+    Ok(Some(Drawn { motion: k, mu: [mu_l, mu_v, mu_a], steps, readings, views }))
+}
