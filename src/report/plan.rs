@@ -118,7 +118,8 @@ pub(crate) fn group_words(scene: &Scene, m: &Mechanism, g: &crate::mechanism::Gr
         Core::Higher => Vec::new(),
     };
     let what = match (g.class(), lang) {
-        (None, Lang::En) => g.kind(),
+        // What is driven by something else is the follower, in English.
+        (None, Lang::En) => g.kind().replace("driven", "driving"),
         (None, Lang::Zh) => match g.kind().as_str() {
             "driven slider" => "原动滑块".into(),
             _ => "原动件".into(),
